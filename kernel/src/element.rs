@@ -1,0 +1,385 @@
+//! The cells of the section: two linear triangles each, total Lagrangian, with the pressure of their mean dilatation.
+//!
+//! For each triangle F = I + sum (u_a - u_0) (x) dN_a/dX, and the polar decomposition F = R U of the section is closed:
+//! R is the rotation by the angle of (F11 + F22, F21 - F12). All deviatoric stresses live in the unrotated frame. The
+//! two triangles of a cell share p = U'(J-bar) with J-bar their volume-weighted mean Jacobian (a mean-dilatation patch,
+//! Nagtegaal, Parks and Rice 1974), which removes volumetric locking and derives from an energy. The first
+//! Piola-Kirchhoff stress is P = R T U^-1 with T = dev + p J I, and the nodal force V P dN/dX.
+
+use crate::lanes::{Deviator, LANES, Lane, ZERO};
+use crate::material::Laws;
+use crate::math;
+use crate::mesh::{Grid, out_of_plane, reference_position, triangles};
+use crate::scenario::Scenario;
+
+/// Constants of the triangles of a block of cells; all zero in padding.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CellConstants {
+    /// First and second triangle of each cell.
+    pub triangle: [TriangleConstants; 2],
+}
+
+/// Constants of one triangle of each cell of a block.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TriangleConstants {
+    /// dN_a/dX_j of corners a = 1, 2, 3, shape (3 x 2), 1/m; corner 0 has minus their sum.
+    pub shape_gradient: [[Lane; 2]; 3],
+    /// V0, m3.
+    pub reference_volume: Lane,
+    /// Part of the cell's volume.
+    pub patch_weight: Lane,
+}
+
+/// Derivative of the hoop stretch with respect to the radial displacement of each corner, shape (2 x 4), 1/m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HoopConstants {
+    /// 1/(3 R) for the corners of each triangle, R its centroid's radius.
+    pub weight: [[Lane; 4]; 2],
+}
+
+/// What the triangles of a block of cells remember.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CellHistory {
+    /// First and second triangle of each cell.
+    pub triangle: [TriangleHistory; 2],
+}
+
+/// What one triangle of each cell of a block remembers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TriangleHistory {
+    /// Right stretch U11, U22, U12, U33 of the last step.
+    pub stretch_prev: [Lane; 4],
+    /// Long-term isochoric stress of the last step, Pa.
+    pub elastic_prev: Deviator,
+    /// Stress of the damping spring, Pa.
+    pub slider_stress: Deviator,
+}
+
+impl CellConstants {
+    /// Padding: no volume.
+    pub const ZERO: Self = Self {
+        triangle: [TriangleConstants { shape_gradient: [[ZERO; 2]; 3], reference_volume: ZERO, patch_weight: ZERO }; 2],
+    };
+}
+
+impl HoopConstants {
+    /// Padding.
+    pub const ZERO: Self = Self { weight: [[ZERO; 4]; 2] };
+}
+
+impl CellHistory {
+    /// At rest: unit stretch, no stress.
+    pub const REST: Self = Self {
+        triangle: [TriangleHistory {
+            stretch_prev: [ONE, ONE, ZERO, ONE],
+            elastic_prev: Deviator::ZERO,
+            slider_stress: Deviator::ZERO,
+        }; 2],
+    };
+}
+
+const ONE: Lane = [1.0; LANES];
+
+/// Displacements of the four corners of a block of cells, shape (4 x 2), m.
+pub type Corners = [[Lane; 2]; 4];
+
+/// Deformation of one triangle of each cell of a block.
+pub struct Kinematics {
+    /// Cosine and sine of the rotation R.
+    pub cos: Lane,
+    /// See `cos`.
+    pub sin: Lane,
+    /// Right stretch U.
+    pub u11: Lane,
+    /// Right stretch U.
+    pub u22: Lane,
+    /// Right stretch U.
+    pub u12: Lane,
+    /// Hoop stretch; 1 in plane strain.
+    pub u33: Lane,
+    /// J = det F.
+    pub jacobian: Lane,
+    /// J^(-1/3).
+    pub inverse_cbrt_j: Lane,
+}
+
+impl Kinematics {
+    /// Deformation of triangle `t` from the corner displacements.
+    #[inline(always)]
+    pub fn new(constants: &TriangleConstants, hoop: Option<&[Lane; 4]>, corners: &Corners) -> Self {
+        let mut k =
+            Self { cos: ZERO, sin: ZERO, u11: ONE, u22: ONE, u12: ZERO, u33: ONE, jacobian: ONE, inverse_cbrt_j: ONE };
+        if let Some(weight) = hoop {
+            for l in 0..LANES {
+                k.u33[l] = 1.0
+                    + weight[0][l] * corners[0][0][l]
+                    + weight[1][l] * corners[1][0][l]
+                    + weight[2][l] * corners[2][0][l]
+                    + weight[3][l] * corners[3][0][l];
+            }
+        }
+        let g = &constants.shape_gradient;
+        for l in 0..LANES {
+            let (x0, y0) = (corners[0][0][l], corners[0][1][l]);
+            let (x1, y1) = (corners[1][0][l] - x0, corners[1][1][l] - y0);
+            let (x2, y2) = (corners[2][0][l] - x0, corners[2][1][l] - y0);
+            let (x3, y3) = (corners[3][0][l] - x0, corners[3][1][l] - y0);
+            let f11 = 1.0 + (x1 * g[0][0][l] + x2 * g[1][0][l] + x3 * g[2][0][l]);
+            let f12 = x1 * g[0][1][l] + x2 * g[1][1][l] + x3 * g[2][1][l];
+            let f21 = y1 * g[0][0][l] + y2 * g[1][0][l] + y3 * g[2][0][l];
+            let f22 = 1.0 + (y1 * g[0][1][l] + y2 * g[1][1][l] + y3 * g[2][1][l]);
+            // R maximises tr(R^T F), so its angle is that of (F11 + F22, F21 - F12).
+            let (a, b) = (f11 + f22, f21 - f12);
+            let inverse_length = math::inverse_sqrt(a * a + b * b);
+            let (cos, sin) = (a * inverse_length, b * inverse_length);
+            k.cos[l] = cos;
+            k.sin[l] = sin;
+            k.u11[l] = cos * f11 + sin * f21;
+            k.u22[l] = cos * f22 - sin * f12;
+            k.u12[l] = cos * f12 + sin * f22;
+            k.jacobian[l] = (f11 * f22 - f12 * f21) * k.u33[l];
+            k.inverse_cbrt_j[l] = math::inverse_cbrt(k.jacobian[l]);
+        }
+        k
+    }
+
+    /// First lane whose Jacobian is not positive, or not a number.
+    #[inline(always)]
+    pub fn inverted_lane(&self) -> Option<usize> {
+        self.jacobian.iter().position(|j| j.is_nan() || *j <= 0.0)
+    }
+
+    /// dev sym(delta U U^-1) against the stretch of the last step, at the mean stretch; then remembers this stretch.
+    #[inline(always)]
+    fn strain_increment(&self, stretch_prev: &mut [Lane; 4]) -> Deviator {
+        let mut increment = Deviator::ZERO;
+        let [p11, p22, p12, p33] = stretch_prev;
+        for l in 0..LANES {
+            let (d11, d22) = (self.u11[l] - p11[l], self.u22[l] - p22[l]);
+            let (d12, d33) = (self.u12[l] - p12[l], self.u33[l] - p33[l]);
+            let (m11, m22) = (0.5 * (self.u11[l] + p11[l]), 0.5 * (self.u22[l] + p22[l]));
+            let (m12, m33) = (0.5 * (self.u12[l] + p12[l]), 0.5 * (self.u33[l] + p33[l]));
+            let inverse = 1.0 / ((m11 * m22 - m12 * m12) * m33);
+            let section = m33 * inverse;
+            let xx = (d11 * m22 - d12 * m12) * section;
+            let yy = (d22 * m11 - d12 * m12) * section;
+            let zz = d33 * (m11 * m22 - m12 * m12) * inverse;
+            let mean = (xx + yy + zz) * (1.0 / 3.0);
+            increment.xx[l] = xx - mean;
+            increment.yy[l] = yy - mean;
+            increment.xy[l] = 0.5 * (d12 * (m11 + m22) - m12 * (d11 + d22)) * section;
+        }
+        *p11 = self.u11;
+        *p22 = self.u22;
+        *p12 = self.u12;
+        *p33 = self.u33;
+        increment
+    }
+}
+
+/// Energy of the elements, section sums per lane, J.
+#[derive(Clone, Copy, Debug)]
+pub struct ElementEnergy {
+    /// Long-term elastic energy, isochoric and volumetric.
+    pub elastic: Lane,
+    /// Energy stored in the damping springs.
+    pub slider_stored: Lane,
+    /// Work done on the viscous overstress in this step.
+    pub viscous_increment: Lane,
+    /// Energy dissipated by the sliders in this step.
+    pub slider_increment: Lane,
+}
+
+impl ElementEnergy {
+    /// Nothing yet.
+    pub const ZERO: Self = Self { elastic: ZERO, slider_stored: ZERO, viscous_increment: ZERO, slider_increment: ZERO };
+}
+
+/// Nodal internal forces of a block, N, from the displacements of its corners; advances the history of its triangles.
+///
+/// `prony` holds the overstress of the first triangle's terms, then of the second's.
+///
+/// # Errors
+/// The first inverted (lane, triangle). The history of the block is not to be used then.
+#[inline(always)]
+pub fn internal_force(
+    laws: &Laws,
+    constants: &CellConstants,
+    hoop: Option<&HoopConstants>,
+    corners: &Corners,
+    history: &mut CellHistory,
+    prony: &mut [Deviator],
+    energy: &mut ElementEnergy,
+) -> Result<Corners, (usize, usize)> {
+    let weights = [hoop.map(|h| &h.weight[0]), hoop.map(|h| &h.weight[1])];
+    let kinematics = [
+        Kinematics::new(&constants.triangle[0], weights[0], corners),
+        Kinematics::new(&constants.triangle[1], weights[1], corners),
+    ];
+    for (t, k) in kinematics.iter().enumerate() {
+        if let Some(l) = k.inverted_lane() {
+            return Err((l, t));
+        }
+    }
+    let pressure = patch_pressure(laws, constants, &kinematics, energy);
+    let mut force = [[ZERO; 2]; 4];
+    let (first, second) = prony.split_at_mut_checked(laws.prony.n_term()).unwrap_or_default();
+    for (t, terms) in [first, second].into_iter().enumerate() {
+        let stress = deviatoric_stress(
+            laws,
+            &kinematics[t],
+            &constants.triangle[t].reference_volume,
+            &mut history.triangle[t],
+            terms,
+            energy,
+        );
+        add_force(&kinematics[t], &stress, &pressure, &constants.triangle[t], weights[t], &mut force);
+    }
+    Ok(force)
+}
+
+/// Pressure of each cell from the volume-weighted mean Jacobian of its two triangles.
+#[inline(always)]
+fn patch_pressure(
+    laws: &Laws,
+    constants: &CellConstants,
+    kinematics: &[Kinematics; 2],
+    energy: &mut ElementEnergy,
+) -> Lane {
+    let [a, b] = &constants.triangle;
+    let mut mean = ONE;
+    for l in 0..LANES {
+        mean[l] = 1.0
+            + (a.patch_weight[l] * (kinematics[0].jacobian[l] - 1.0)
+                + b.patch_weight[l] * (kinematics[1].jacobian[l] - 1.0));
+    }
+    let density = laws.volumetric.strain_energy_density(&mean);
+    for l in 0..LANES {
+        energy.elastic[l] += (a.reference_volume[l] + b.reference_volume[l]) * density[l];
+    }
+    laws.volumetric.stress(&mean)
+}
+
+/// Deviatoric Kirchhoff stress of one triangle of each cell in the unrotated frame, Pa.
+#[inline(always)]
+fn deviatoric_stress(
+    laws: &Laws,
+    kinematics: &Kinematics,
+    volume: &Lane,
+    history: &mut TriangleHistory,
+    prony: &mut [Deviator],
+    energy: &mut ElementEnergy,
+) -> Deviator {
+    let strain_increment = kinematics.strain_increment(&mut history.stretch_prev);
+    let (elastic, density) = laws.elastic.stress(kinematics);
+    let [before, after] = laws.prony.update(&elastic, &history.elastic_prev, prony);
+    let dissipation = laws.slider.update(&strain_increment, &mut history.slider_stress);
+    let stored = laws.slider.stored_energy(&history.slider_stress);
+    let mut overstress = before;
+    overstress.add(&after);
+    for l in 0..LANES {
+        energy.elastic[l] += volume[l] * density[l];
+        energy.viscous_increment[l] += 0.5 * volume[l] * overstress.contract(&strain_increment, l);
+        energy.slider_increment[l] += volume[l] * dissipation[l];
+        energy.slider_stored[l] += volume[l] * stored[l];
+    }
+    history.elastic_prev = elastic;
+    let mut total = elastic;
+    total.add(&after);
+    total.add(&history.slider_stress);
+    total
+}
+
+/// Adds V P dN/dX of one triangle of each cell to the corner forces.
+#[inline(always)]
+fn add_force(
+    k: &Kinematics,
+    stress: &Deviator,
+    pressure: &Lane,
+    constants: &TriangleConstants,
+    hoop: Option<&[Lane; 4]>,
+    force: &mut Corners,
+) {
+    let g = &constants.shape_gradient;
+    let mut hoop_stress = ZERO;
+    for l in 0..LANES {
+        let volume = constants.reference_volume[l];
+        let spherical = pressure[l] * k.jacobian[l];
+        let (t11, t22, t12) = (stress.xx[l] + spherical, stress.yy[l] + spherical, stress.xy[l]);
+        // U^-1 of the section is the adjugate over J / U33, and 1/J is the cube of J^(-1/3).
+        let root = k.inverse_cbrt_j[l];
+        let inverse = k.u33[l] * (root * root * root);
+        let (i11, i22, i12) = (k.u22[l] * inverse, k.u11[l] * inverse, -k.u12[l] * inverse);
+        let (b11, b12) = (t11 * i11 + t12 * i12, t11 * i12 + t12 * i22);
+        let (b21, b22) = (t12 * i11 + t22 * i12, t12 * i12 + t22 * i22);
+        let (cos, sin) = (volume * k.cos[l], volume * k.sin[l]);
+        let (p11, p12) = (cos * b11 - sin * b21, cos * b12 - sin * b22);
+        let (p21, p22) = (sin * b11 + cos * b21, sin * b12 + cos * b22);
+        let mut sum = [0.0; 2];
+        for a in 0..3 {
+            let x = p11 * g[a][0][l] + p12 * g[a][1][l];
+            let y = p21 * g[a][0][l] + p22 * g[a][1][l];
+            force[a + 1][0][l] += x;
+            force[a + 1][1][l] += y;
+            sum[0] += x;
+            sum[1] += y;
+        }
+        force[0][0][l] -= sum[0];
+        force[0][1][l] -= sum[1];
+        hoop_stress[l] = volume * (spherical - (stress.xx[l] + stress.yy[l]));
+    }
+    if let Some(weight) = hoop {
+        for l in 0..LANES {
+            let p33 = hoop_stress[l] / k.u33[l];
+            for a in 0..4 {
+                force[a][0][l] += p33 * weight[a][l];
+            }
+        }
+    }
+}
+
+/// Constants of one triangle of one cell, before they are put into lanes.
+pub(crate) struct Triangle {
+    /// dN_a/dX of the four corners, 1/m.
+    pub gradient: [[f64; 2]; 4],
+    /// V0, m3.
+    pub volume: f64,
+    /// 1/(3 R) for the triangle's corners, 1/m.
+    pub hoop: [f64; 4],
+}
+
+impl Triangle {
+    /// Triangle `t` of cell (u, v).
+    pub fn new(scenario: &Scenario, grid: &Grid, u: usize, v: usize, t: usize) -> Self {
+        let corner = |c: usize| {
+            let (du, dv) = [(0, 0), (1, 0), (1, 1), (0, 1)][c];
+            reference_position(scenario, grid, u + du, v + dv)
+        };
+        let nodes = triangles(u, v)[t];
+        let [a, b, c] = nodes.map(corner);
+        // The corners run counter-clockwise, so this is positive.
+        let double_area = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
+        let radius = (a[0] + b[0] + c[0]) / 3.0;
+        let mut triangle = Self {
+            gradient: [[0.0; 2]; 4],
+            volume: 0.5 * double_area * out_of_plane(scenario, radius),
+            hoop: [0.0; 4],
+        };
+        for (node, (p, q)) in nodes.into_iter().zip([(b, c), (c, a), (a, b)]) {
+            triangle.gradient[node] = [(p[1] - q[1]) / double_area, (q[0] - p[0]) / double_area];
+            triangle.hoop[node] = 1.0 / (3.0 * radius);
+        }
+        triangle
+    }
+
+    /// Writes the triangle into lane `l`.
+    pub fn store(&self, l: usize, constants: &mut TriangleConstants, patch_volume: f64) {
+        for a in 0..3 {
+            for j in 0..2 {
+                constants.shape_gradient[a][j][l] = self.gradient[a + 1][j];
+            }
+        }
+        constants.reference_volume[l] = self.volume;
+        constants.patch_weight[l] = self.volume / patch_volume;
+    }
+}

@@ -1,0 +1,241 @@
+//! What can go wrong, one enum per operation. Every message names the value, its unit and what is legal.
+
+use core::fmt;
+
+/// A parameter value that is not legal.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ParameterError {
+    /// Name of the parameter.
+    pub name: &'static str,
+    /// The refused value.
+    pub value: f64,
+    /// Unit of the value.
+    pub unit: &'static str,
+    /// Smallest legal value.
+    pub min: f64,
+    /// Largest legal value.
+    pub max: f64,
+}
+
+/// Shows a quantity with its unit; "1" is not shown.
+struct Quantity(f64, &'static str);
+
+impl fmt::Display for Quantity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.1 {
+            "1" => write!(f, "{}", self.0),
+            unit => write!(f, "{} {unit}", self.0),
+        }
+    }
+}
+
+impl fmt::Display for ParameterError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let legal = Quantity(self.max, self.unit);
+        write!(f, "{} = {} is refused: legal is {} to {legal}", self.name, Quantity(self.value, self.unit), self.min)
+    }
+}
+
+impl core::error::Error for ParameterError {}
+
+/// A scenario that cannot be simulated.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ScenarioError {
+    /// One value is out of its range.
+    Parameter(ParameterError),
+    /// The Prony coefficients leave no long-term stiffness.
+    PronySum {
+        /// sum g_i.
+        sum: f64,
+    },
+    /// The elastic law has no positive shear modulus at rest.
+    ShearModulus {
+        /// 2 (C10 + C01), Pa.
+        modulus: f64,
+    },
+    /// The face does not cover the anvil, so the chord thickness ends inside the section.
+    FaceTooSmall {
+        /// Diameter of the face, m.
+        diameter: f64,
+        /// Smallest legal diameter for this anvil, m.
+        minimum: f64,
+    },
+}
+
+impl From<ParameterError> for ScenarioError {
+    fn from(error: ParameterError) -> Self {
+        Self::Parameter(error)
+    }
+}
+
+impl fmt::Display for ScenarioError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Parameter(error) => error.fmt(f),
+            Self::PronySum { sum } => {
+                write!(f, "silicone.prony_g_1 to _5 sum to {sum}: legal is a sum of at least 0 and below 1")
+            }
+            Self::ShearModulus { modulus } => {
+                write!(f, "silicone.c10 and c01 give a shear modulus of {modulus} Pa: legal is above 0 Pa")
+            }
+            Self::FaceTooSmall { diameter, minimum } => write!(
+                f,
+                "impactor.face_diameter = {diameter} m is refused: over this anvil legal is at least {minimum} m"
+            ),
+        }
+    }
+}
+
+impl core::error::Error for ScenarioError {}
+
+/// Why a model or a state could not be built.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ModelError {
+    /// The scenario is refused.
+    Scenario(ScenarioError),
+    /// The mesh would have more cells than [`crate::mesh::MAX_CELLS`].
+    TooManyCells {
+        /// Cells that the element size asks for.
+        cells: f64,
+    },
+    /// The stable step is below the smallest divisor of the sampling interval that is offered.
+    StepTooSmall {
+        /// Stable step, s.
+        step: f64,
+        /// Smallest step, s.
+        smallest: f64,
+    },
+    /// The given step is above the stability limit at rest.
+    StepTooLarge {
+        /// Given step, s.
+        step: f64,
+        /// Stability limit, s.
+        limit: f64,
+    },
+    /// The memory given is smaller than [`crate::storage::Size`] says.
+    Memory {
+        /// What the memory is for.
+        what: &'static str,
+        /// Items given.
+        given: usize,
+        /// Items needed.
+        needed: usize,
+    },
+}
+
+impl From<ScenarioError> for ModelError {
+    fn from(error: ScenarioError) -> Self {
+        Self::Scenario(error)
+    }
+}
+
+impl fmt::Display for ModelError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Scenario(error) => error.fmt(f),
+            Self::TooManyCells { cells } => write!(
+                f,
+                "mesh.element_size asks for {cells} cells: legal is 1 to {} (choose a larger size, in m)",
+                crate::mesh::MAX_CELLS
+            ),
+            Self::StepTooSmall { step, smallest } => {
+                write!(f, "the stable time step is {step} s: legal is at least {smallest} s (softer or coarser)")
+            }
+            Self::StepTooLarge { step, limit } => {
+                write!(f, "time.step = {step} s is refused: legal is above 0 s and up to {limit} s at rest")
+            }
+            Self::Memory { what, given, needed } => {
+                write!(f, "memory for {what} holds {given} items: legal is at least {needed}")
+            }
+        }
+    }
+}
+
+impl core::error::Error for ModelError {}
+
+/// Why a step could not be completed. The state stays as the failing step left it; every further step gives the
+/// same error until the state is reset or restored.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum StepError {
+    /// A triangle turned inside out, or its shape is not finite.
+    Inverted {
+        /// Index of the triangle.
+        element: u32,
+        /// Simulated time, s.
+        time: f64,
+    },
+    /// The step exceeds the current stability limit of a triangle.
+    Unstable {
+        /// Index of the triangle.
+        element: u32,
+        /// Simulated time, s.
+        time: f64,
+        /// Stability limit there, s.
+        limit: f64,
+        /// The fixed step, s.
+        step: f64,
+    },
+    /// The input of a step (driven position, m, or external force, N) is not a finite number.
+    Input {
+        /// The refused value.
+        value: f64,
+        /// Simulated time, s.
+        time: f64,
+    },
+}
+
+impl fmt::Display for StepError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Inverted { element, time } => {
+                write!(f, "element {element} is inverted or not finite at {time} s")
+            }
+            Self::Unstable { element, time, limit, step } => write!(
+                f,
+                "the time step of {step} s is above the stability limit {limit} s of element {element} at {time} s \
+                 (lower time.safety_factor)"
+            ),
+            Self::Input { value, time } => {
+                write!(f, "input {value} at {time} s is refused: legal is a finite number")
+            }
+        }
+    }
+}
+
+impl core::error::Error for StepError {}
+
+/// Why a saved state was refused.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SnapshotError {
+    /// The buffer is not as long as the snapshot of this model.
+    Length {
+        /// Bytes given.
+        given: usize,
+        /// Bytes needed.
+        needed: usize,
+    },
+    /// The bytes are not a snapshot of this format version.
+    Format,
+    /// The snapshot belongs to a different model.
+    Foreign,
+    /// The checksum does not match.
+    Corrupt,
+    /// The state has failed; there is nothing worth saving.
+    Failed,
+}
+
+impl fmt::Display for SnapshotError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Length { given, needed } => {
+                write!(f, "the snapshot buffer has {given} bytes: legal is exactly {needed}")
+            }
+            Self::Format => f.write_str("the bytes are not a snapshot of this version"),
+            Self::Foreign => f.write_str("the snapshot belongs to a different model"),
+            Self::Corrupt => f.write_str("the snapshot's checksum does not match its content"),
+            Self::Failed => f.write_str("the state has failed and cannot be saved: reset or restore it first"),
+        }
+    }
+}
+
+impl core::error::Error for SnapshotError {}

@@ -1,0 +1,58 @@
+//! Softanvil's kernel: drop-weight impact of a rigid mass on a soft layer over a rigid core, by explicit finite elements
+//! with a fixed step, bit-identical on every target.
+//!
+//! From top to bottom:
+//!
+//! 1. [`scenario`] describes a test; [`parameter`] is the table of its parameters, [`preset`] ready-made ones.
+//! 2. [`model`] is everything that does not change ([`mesh`], element constants, masses, [`time_step`]), [`state`]
+//!    everything that does; both live in memory that the caller lends ([`storage`]).
+//! 3. [`step()`] is the algorithm: internal forces ([`element`], [`material`]), the core ([`core_contact`]), the
+//!    face ([`face`]), motion ([`impactor`]), the books ([`energy`], [`measurement`]).
+//! 4. [`snapshot`] saves and restores a state, [`digest`] fingerprints it.
+//! 5. [`lanes`] and [`math`] are the ground: data in lanes, and mathematics with a fixed sequence of operations.
+//!
+//! No function allocates or panics, and none reads anything but its arguments.
+
+#![no_std]
+#![forbid(unsafe_code)]
+#![allow(clippy::needless_range_loop, reason = "loops over lanes read as what they compile to")]
+
+#[cfg(feature = "alloc")]
+extern crate alloc;
+
+pub mod core_contact;
+pub mod digest;
+pub mod element;
+pub mod energy;
+pub mod error;
+pub mod face;
+pub mod impactor;
+pub mod lanes;
+pub mod material;
+pub mod math;
+pub mod measurement;
+pub mod mesh;
+pub mod model;
+pub mod output;
+pub mod parameter;
+pub mod preset;
+pub mod scenario;
+#[cfg(feature = "alloc")]
+pub mod simulation;
+pub mod snapshot;
+pub mod state;
+mod step;
+pub mod storage;
+pub mod time_step;
+
+pub use error::{ModelError, ParameterError, ScenarioError, SnapshotError, StepError};
+pub use impactor::StepInput;
+pub use model::{Constants, Model, SAMPLING_INTERVAL};
+pub use output::{OUTPUTS, Output};
+pub use parameter::{PARAMETERS, Parameter};
+pub use scenario::Scenario;
+#[cfg(feature = "alloc")]
+pub use simulation::Simulation;
+pub use state::{Scalars, State};
+pub use step::step;
+pub use storage::{ModelMemory, Size, StateMemory};

@@ -1,0 +1,92 @@
+//! Mooney-Rivlin with five parameters, isochoric (Mooney 1940, Rivlin 1948; the polynomial form of degree two):
+//!
+//! W = C10 (I1-3) + C01 (I2-3) + C11 (I1-3)(I2-3) + C20 (I1-3)^2 + C02 (I2-3)^2
+//!
+//! with the invariants of C-bar = J^(-2/3) C. With W1 = dW/dI1 and W2 = dW/dI2 the Kirchhoff stress in the unrotated
+//! frame is tau = dev(2 W1 C-bar - 2 W2 C-bar^-1), because I2 = tr C-bar^-1 when det C-bar = 1.
+
+use crate::element::Kinematics;
+use crate::lanes::{Deviator, LANES, Lane};
+use crate::math;
+use crate::scenario::Material;
+
+/// Long-term coefficients, Pa.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MooneyRivlin {
+    /// Of (I1-3).
+    pub c10: f64,
+    /// Of (I2-3).
+    pub c01: f64,
+    /// Of (I1-3)(I2-3).
+    pub c11: f64,
+    /// Of (I1-3)^2.
+    pub c20: f64,
+    /// Of (I2-3)^2.
+    pub c02: f64,
+}
+
+impl MooneyRivlin {
+    /// The long-term law of `material`.
+    pub fn new(material: &Material) -> Self {
+        let scale = material.long_term_scale();
+        Self {
+            c10: scale * material.c10,
+            c01: scale * material.c01,
+            c11: scale * material.c11,
+            c20: scale * material.c20,
+            c02: scale * material.c02,
+        }
+    }
+
+    /// (dW/dI1, dW/dI2), Pa.
+    #[inline(always)]
+    fn derivatives(&self, i1: f64, i2: f64) -> (f64, f64) {
+        let (a, b) = (i1 - 3.0, i2 - 3.0);
+        (self.c10 + 2.0 * self.c20 * a + self.c11 * b, self.c01 + 2.0 * self.c02 * b + self.c11 * a)
+    }
+
+    /// W, J/m3 of reference volume.
+    #[inline(always)]
+    pub fn strain_energy_density(&self, i1: f64, i2: f64) -> f64 {
+        let (a, b) = (i1 - 3.0, i2 - 3.0);
+        a * (self.c10 + self.c20 * a + self.c11 * b) + b * (self.c01 + self.c02 * b)
+    }
+
+    /// Kirchhoff stress in the unrotated frame, Pa, and W, J/m3, of a block of triangles.
+    #[inline(always)]
+    pub fn stress(&self, kinematics: &Kinematics) -> (Deviator, Lane) {
+        let mut tau = Deviator::ZERO;
+        let mut energy = [0.0; LANES];
+        for l in 0..LANES {
+            let (u11, u22, u12, u33) = (kinematics.u11[l], kinematics.u22[l], kinematics.u12[l], kinematics.u33[l]);
+            let (c11, c22, c33) = (u11 * u11 + u12 * u12, u22 * u22 + u12 * u12, u33 * u33);
+            let c12 = u12 * (u11 + u22);
+            // J^(-2/3) scales C, J^(-4/3) its cofactors, which are C^-1 when det C-bar = 1.
+            let scale = kinematics.inverse_cbrt_j[l] * kinematics.inverse_cbrt_j[l];
+            let cofactor_scale = scale * scale;
+            let cof33 = c11 * c22 - c12 * c12;
+            let i1 = scale * (c11 + c22 + c33);
+            let i2 = cofactor_scale * ((c11 + c22) * c33 + cof33);
+            let (w1, w2) = self.derivatives(i1, i2);
+            let (a, b) = (2.0 * w1 * scale, 2.0 * w2 * cofactor_scale);
+            let mean = (2.0 / 3.0) * (w1 * i1 - w2 * i2);
+            tau.xx[l] = a * c11 - b * (c22 * c33) - mean;
+            tau.yy[l] = a * c22 - b * (c11 * c33) - mean;
+            tau.xy[l] = a * c12 + b * (c12 * c33);
+            energy[l] = self.strain_energy_density(i1, i2);
+        }
+        (tau, energy)
+    }
+
+    /// An upper bound of the shear tangent, Pa, at isochoric invariants `i1` and `i2`.
+    ///
+    /// In a plane isochoric stretch l, where I1 = I2 = I and l^2 + l^-2 = I - 1, the tangent of pure shear is
+    /// W' (I-1) + W'' ((I-1)^2 - 4) with the derivatives along I1 = I2; it exceeds those of simple shear.
+    pub fn shear_tangent(&self, i1: f64, i2: f64) -> f64 {
+        let (w1, w2) = self.derivatives(i1, i2);
+        let i = math::larger(i1, i2) - 1.0;
+        let first = math::larger(w1 + w2, 0.0);
+        let second = math::larger(2.0 * (self.c20 + self.c02 + self.c11), 0.0);
+        first * i + second * math::larger(i * i - 4.0, 0.0)
+    }
+}

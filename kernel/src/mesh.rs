@@ -1,0 +1,114 @@
+//! The structured mesh of the section: rows of cells from the core (v = 0) to the surface, columns from the centre
+//! line (u = 0) outwards.
+//!
+//! The topology is implicit: cell (u, v) has the corners (u, v), (u + 1, v), (u + 1, v + 1), (u, v + 1), numbered 0 to
+//! 3 in this order, and is split into two triangles by a diagonal whose direction alternates from cell to cell. Blocks
+//! of [`LANES`] cells lie along a row, so that the data of neighbouring cells are neighbours in memory and the element
+//! loop needs no index table. A row is padded to whole blocks with cells of no volume and nodes of no mobility.
+
+use crate::error::ModelError;
+use crate::lanes::LANES;
+use crate::math;
+use crate::scenario::{Formulation, Scenario, Shape};
+
+/// Largest number of cells of a mesh.
+pub const MAX_CELLS: usize = 1 << 20;
+
+/// Counts and strides of the structured mesh.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Grid {
+    /// Cells along a row, from the centre line outwards.
+    pub n_u: usize,
+    /// Rows of cells, from the core to the surface.
+    pub n_v: usize,
+}
+
+impl Grid {
+    /// The grid whose cells come nearest to the scenario's element size.
+    ///
+    /// # Errors
+    /// An element size that asks for more than [`MAX_CELLS`] cells.
+    pub fn new(scenario: &Scenario) -> Result<Self, ModelError> {
+        let geometry = &scenario.geometry;
+        let thickness = geometry.layer_thickness();
+        let width = match geometry.shape {
+            Shape::Round => HALF_PI * (geometry.core_radius + 0.5 * thickness),
+            Shape::Block => 0.5 * geometry.block_width,
+        };
+        let count = |length: f64| math::larger(1.0, math::round(length / scenario.mesh.element_size));
+        let cells = count(width) * count(thickness);
+        if cells > MAX_CELLS as f64 {
+            return Err(ModelError::TooManyCells { cells });
+        }
+        Ok(Self { n_u: count(width) as usize, n_v: count(thickness) as usize })
+    }
+
+    /// Blocks that hold a row of cells.
+    pub fn blocks_per_row(&self) -> usize {
+        self.n_u.div_ceil(LANES)
+    }
+
+    /// Blocks of the whole mesh.
+    pub fn n_block(&self) -> usize {
+        self.blocks_per_row() * self.n_v
+    }
+
+    /// Nodes from one row to the next, padding included.
+    pub fn stride(&self) -> usize {
+        self.blocks_per_row() * LANES + 1
+    }
+
+    /// Nodes of the whole mesh, padding included.
+    pub fn n_node(&self) -> usize {
+        self.stride() * (self.n_v + 1)
+    }
+
+    /// Triangles of the whole mesh, padding excluded.
+    pub fn n_elem(&self) -> usize {
+        2 * self.n_u * self.n_v
+    }
+
+    /// Index of the triangle `t` (0 or 1) of lane `l` in block `block`, counted row by row without padding.
+    pub fn element_index(&self, block: usize, l: usize, t: usize) -> u32 {
+        let row = block / self.blocks_per_row().max(1);
+        let column = (block % self.blocks_per_row().max(1)) * LANES + l;
+        (2 * (row * self.n_u + column) + t) as u32
+    }
+}
+
+/// Position of node (u, v) at rest, m.
+pub fn reference_position(scenario: &Scenario, grid: &Grid, u: usize, v: usize) -> [f64; 2] {
+    let geometry = &scenario.geometry;
+    let across = u as f64 / grid.n_u as f64;
+    let depth = geometry.layer_thickness() * (v as f64 / grid.n_v as f64);
+    match geometry.shape {
+        Shape::Round => {
+            let radius = geometry.core_radius + depth;
+            let angle = HALF_PI * across;
+            [radius * math::sin(angle), radius * math::cos(angle)]
+        }
+        Shape::Block => [0.5 * geometry.block_width * across, depth],
+    }
+}
+
+/// Reference volume per area of section at distance `x` from the centre line, m: the out-of-plane thickness in plane
+/// strain, the circumference when axisymmetric.
+pub fn out_of_plane(scenario: &Scenario, x: f64) -> f64 {
+    let geometry = &scenario.geometry;
+    match (geometry.formulation, geometry.shape) {
+        (Formulation::Axisymmetric, _) => 2.0 * core::f64::consts::PI * x,
+        (Formulation::PlaneStrain, Shape::Block) => geometry.length,
+        (Formulation::PlaneStrain, Shape::Round) => {
+            let radius = 0.5 * scenario.impactor.face_diameter;
+            let chord = 2.0 * math::sqrt(math::larger(0.0, radius * radius - x * x));
+            if chord < geometry.length { chord } else { geometry.length }
+        }
+    }
+}
+
+/// Corners of the two triangles of cell (u, v).
+pub fn triangles(u: usize, v: usize) -> [[usize; 3]; 2] {
+    if (u + v).is_multiple_of(2) { [[0, 1, 2], [0, 2, 3]] } else { [[0, 1, 3], [1, 2, 3]] }
+}
+
+const HALF_PI: f64 = core::f64::consts::FRAC_PI_2;

@@ -1,0 +1,230 @@
+//! [`Model`]: everything about a simulation that does not change, built once in memory that the caller lends.
+
+use crate::digest::Digest;
+use crate::element::{CellConstants, HoopConstants, Triangle};
+use crate::error::ModelError;
+use crate::lanes::LANES;
+use crate::material::Laws;
+use crate::mesh::{Grid, reference_position};
+use crate::parameter::PARAMETERS;
+use crate::scenario::{Formulation, Interface, Scenario, Shape};
+use crate::storage::{MODEL_NODE_FIELDS, ModelMemory, Size, split_row, take};
+use crate::time_step;
+
+/// Interval between samples of the force, s: the 20 kHz of the study's load cells.
+pub const SAMPLING_INTERVAL: f64 = 50e-6;
+
+/// The scalar constants of a model.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Constants {
+    /// The scenario that the model was built from.
+    pub scenario: Scenario,
+    /// Counts and strides of the mesh.
+    pub grid: Grid,
+    /// Sizes of the memory of model and state.
+    pub size: Size,
+    /// Fixed time step, s.
+    pub dt: f64,
+    /// Steps in a sampling interval; `dt` times it is [`SAMPLING_INTERVAL`].
+    pub steps_per_sample: u32,
+    /// Laws of the layer.
+    pub laws: Laws,
+    /// Forces of the whole anvil per force of the meshed section: 2 in plane strain, which meshes one half.
+    pub section_factor: f64,
+    /// Height of the undeformed anvil's top above the origin, m.
+    pub top_height: f64,
+    /// Fingerprint of the scenario, which a snapshot must match.
+    pub fingerprint: u64,
+}
+
+impl Constants {
+    /// Mass of the impactor that belongs to the meshed section, kg.
+    pub fn section_mass(&self) -> f64 {
+        self.scenario.impactor.mass / self.section_factor
+    }
+
+    /// Simulated time after `step_index` steps, s.
+    pub fn time(&self, step_index: u64) -> f64 {
+        step_index as f64 * SAMPLING_INTERVAL / f64::from(self.steps_per_sample)
+    }
+
+    /// Steps that cover `duration` s, rounded up to whole sampling intervals.
+    pub fn steps_in(&self, duration: f64) -> u64 {
+        // A duration within one part in 10^9 of a whole number of samples counts as that number.
+        let samples = crate::math::ceil(duration / SAMPLING_INTERVAL * (1.0 - 1e-9));
+        samples as u64 * u64::from(self.steps_per_sample)
+    }
+}
+
+/// Constants of every node, one slice per quantity, rows of [`Grid::stride`].
+pub(crate) struct ModelNodes<'a> {
+    /// Reference x, m.
+    pub reference_x: &'a [f64],
+    /// Reference height above the origin, m.
+    pub reference_y: &'a [f64],
+    /// 1/m along x, 1/kg; 0 where fixed.
+    pub inverse_mass_x: &'a [f64],
+    /// 1/m along y, 1/kg; 0 where fixed.
+    pub inverse_mass_y: &'a [f64],
+    /// Lumped mass, kg.
+    pub nodal_mass: &'a [f64],
+}
+
+/// The immutable part of a simulation. One model may serve any number of states at once.
+pub struct Model<'a> {
+    /// Scalar constants.
+    pub constants: Constants,
+    pub(crate) nodes: ModelNodes<'a>,
+    pub(crate) cells: &'a [CellConstants],
+    pub(crate) hoops: &'a [HoopConstants],
+}
+
+impl<'a> Model<'a> {
+    /// Builds the model of `scenario` in `memory`, whose size [`Size::of`] tells.
+    ///
+    /// # Errors
+    /// A refused scenario, a mesh or step out of bounds, or too little memory; see [`ModelError`].
+    pub fn new(scenario: &Scenario, memory: ModelMemory<'a>) -> Result<Self, ModelError> {
+        let size = Size::of(scenario)?;
+        let grid = Grid::new(scenario)?;
+        let nodes = take(memory.nodes, size.model_nodes, "model nodes")?;
+        let cells = take(memory.cells, size.model_cells, "model cells")?;
+        let hoops = take(memory.hoops, size.model_hoops, "model hoops")?;
+        build_cells(scenario, &grid, cells, hoops);
+        build_nodes(scenario, &grid, cells, nodes);
+        let steps_per_sample = time_step::steps_per_sample(scenario, cells)?;
+        let dt = SAMPLING_INTERVAL / f64::from(steps_per_sample);
+        let constants = Constants {
+            scenario: *scenario,
+            grid,
+            size,
+            dt,
+            steps_per_sample,
+            laws: Laws::new(&scenario.silicone, dt),
+            section_factor: if scenario.geometry.formulation == Formulation::PlaneStrain { 2.0 } else { 1.0 },
+            top_height: reference_position(scenario, &grid, 0, grid.n_v)[1],
+            fingerprint: fingerprint(scenario),
+        };
+        Ok(Self::view(constants, nodes, cells, hoops))
+    }
+
+    /// A model over memory that [`Model::new`] filled for the same `constants`.
+    pub fn view(
+        constants: Constants,
+        mut nodes: &'a [f64],
+        cells: &'a [CellConstants],
+        hoops: &'a [HoopConstants],
+    ) -> Self {
+        let n = constants.grid.n_node();
+        let mut row = || {
+            let (head, tail) = nodes.split_at_checked(n).unwrap_or_default();
+            nodes = tail;
+            head
+        };
+        let nodes = ModelNodes {
+            reference_x: row(),
+            reference_y: row(),
+            inverse_mass_x: row(),
+            inverse_mass_y: row(),
+            nodal_mass: row(),
+        };
+        Self { constants, nodes, cells, hoops }
+    }
+
+    /// Positions of the nodes at rest, m, in rows of [`Grid::stride`] from the core to the surface, the first
+    /// `n_u + 1` of each row in use.
+    pub fn reference_position(&self) -> [&[f64]; 2] {
+        [self.nodes.reference_x, self.nodes.reference_y]
+    }
+
+    /// Volume of all triangles of the section, m3.
+    pub fn reference_volume(&self) -> f64 {
+        self.cells
+            .iter()
+            .flat_map(|cell| &cell.triangle)
+            .flat_map(|triangle| &triangle.reference_volume)
+            .fold(0.0, |sum, volume| sum + volume)
+    }
+}
+
+fn fingerprint(scenario: &Scenario) -> u64 {
+    let mut digest = Digest::new();
+    for parameter in PARAMETERS {
+        digest.number(parameter.get(scenario));
+    }
+    digest.value()
+}
+
+fn build_cells(scenario: &Scenario, grid: &Grid, cells: &mut [CellConstants], hoops: &mut [HoopConstants]) {
+    let blocks = grid.blocks_per_row();
+    cells.fill(CellConstants::ZERO);
+    hoops.fill(HoopConstants::ZERO);
+    for (block, cell) in cells.iter_mut().enumerate() {
+        let v = block / blocks.max(1);
+        for l in 0..LANES {
+            let u = (block % blocks.max(1)) * LANES + l;
+            if u >= grid.n_u {
+                continue;
+            }
+            let pair = [Triangle::new(scenario, grid, u, v, 0), Triangle::new(scenario, grid, u, v, 1)];
+            let volume = pair[0].volume + pair[1].volume;
+            for (t, triangle) in pair.iter().enumerate() {
+                triangle.store(l, &mut cell.triangle[t], volume);
+                if let Some(hoop) = hoops.get_mut(block) {
+                    for a in 0..4 {
+                        hoop.weight[t][a][l] = triangle.hoop[a];
+                    }
+                }
+            }
+        }
+    }
+}
+
+fn build_nodes(scenario: &Scenario, grid: &Grid, cells: &[CellConstants], mut nodes: &mut [f64]) {
+    nodes.fill(0.0);
+    let n = grid.n_node();
+    let [x, y, inverse_x, inverse_y, mass]: [&mut [f64]; MODEL_NODE_FIELDS] =
+        core::array::from_fn(|_| split_row(&mut nodes, n));
+    lump_mass(scenario, grid, cells, mass);
+    for v in 0..=grid.n_v {
+        for u in 0..=grid.n_u {
+            let node = v * grid.stride() + u;
+            let fixed = fixed_directions(scenario, u, v);
+            let [px, py] = reference_position(scenario, grid, u, v);
+            x[node] = px;
+            y[node] = py;
+            inverse_x[node] = if fixed[0] { 0.0 } else { 1.0 / mass[node] };
+            inverse_y[node] = if fixed[1] { 0.0 } else { 1.0 / mass[node] };
+        }
+    }
+}
+
+/// The centre line moves only along y; a bonded core not at all.
+fn fixed_directions(scenario: &Scenario, u: usize, v: usize) -> [bool; 2] {
+    let bonded = v == 0 && scenario.core.interface == Interface::Bonded;
+    [u == 0 || bonded, bonded]
+}
+
+/// A third of each triangle's mass to each of its corners.
+fn lump_mass(scenario: &Scenario, grid: &Grid, cells: &[CellConstants], mass: &mut [f64]) {
+    for v in 0..grid.n_v {
+        for u in 0..grid.n_u {
+            let corner = [(0, 0), (1, 0), (1, 1), (0, 1)].map(|(du, dv)| (v + dv) * grid.stride() + u + du);
+            let Some(cell) = cells.get(v * grid.blocks_per_row() + u / LANES) else { continue };
+            for (t, nodes) in crate::mesh::triangles(u, v).into_iter().enumerate() {
+                let third = cell.triangle[t].reference_volume[u % LANES] * scenario.silicone.density / 3.0;
+                for a in nodes {
+                    mass[corner[a]] += third;
+                }
+            }
+        }
+    }
+}
+
+/// Radius of the curved core surface, m; none for a flat one.
+pub(crate) fn core_radius(scenario: &Scenario) -> Option<f64> {
+    match scenario.geometry.shape {
+        Shape::Round => Some(scenario.geometry.core_radius),
+        Shape::Block => None,
+    }
+}

@@ -1,0 +1,367 @@
+//! The table of parameters: name, unit, legal range and meaning of every field of a [`Scenario`], in one place.
+//!
+//! Scenario files, the C ABI and the FMU are all generated from or checked against this table.
+
+use crate::error::ParameterError;
+use crate::scenario::{DropBy, Formulation, Interface, Moduli, Motion, Scenario, Shape, StepBy, VolumetricBy};
+
+/// One row of the table.
+pub struct Parameter {
+    /// Structured name, `group.field`.
+    pub name: &'static str,
+    /// What the value is and how it is stored.
+    pub kind: Kind,
+    /// Meaning, one line.
+    pub description: &'static str,
+}
+
+/// What a parameter's value is.
+pub enum Kind {
+    /// A physical quantity in an SI unit ("1" for a ratio), legal from `min` to `max`, both included.
+    Real {
+        /// SI unit.
+        unit: &'static str,
+        /// Smallest legal value.
+        min: f64,
+        /// Largest legal value.
+        max: f64,
+        /// The field in a scenario.
+        field: fn(&mut Scenario) -> &mut f64,
+    },
+    /// One of several named choices, numbered from 0 in this order.
+    Choice {
+        /// Names of the choices.
+        labels: &'static [&'static str],
+        /// Index of the scenario's choice.
+        read: fn(&Scenario) -> usize,
+        /// Sets the choice by its index.
+        write: fn(&mut Scenario, usize),
+    },
+}
+
+impl Parameter {
+    /// The row called `name`.
+    pub fn find(name: &str) -> Option<&'static Parameter> {
+        PARAMETERS.iter().find(|parameter| parameter.name == name)
+    }
+
+    /// Unit of the value; "1" for ratios and choices.
+    pub fn unit(&self) -> &'static str {
+        match self.kind {
+            Kind::Real { unit, .. } => unit,
+            Kind::Choice { .. } => "1",
+        }
+    }
+
+    /// Smallest and largest legal value.
+    pub fn range(&self) -> (f64, f64) {
+        match self.kind {
+            Kind::Real { min, max, .. } => (min, max),
+            Kind::Choice { labels, .. } => (0.0, labels.len() as f64 - 1.0),
+        }
+    }
+
+    /// The value in `scenario`; a choice as its index.
+    pub fn get(&self, scenario: &Scenario) -> f64 {
+        match self.kind {
+            Kind::Real { field, .. } => *field(&mut { *scenario }),
+            Kind::Choice { read, .. } => read(scenario) as f64,
+        }
+    }
+
+    /// Sets the value in `scenario`; a choice by its index.
+    ///
+    /// # Errors
+    /// A value that is not legal is refused and changes nothing.
+    pub fn set(&self, scenario: &mut Scenario, value: f64) -> Result<(), ParameterError> {
+        self.check(value)?;
+        match self.kind {
+            Kind::Real { field, .. } => *field(scenario) = value,
+            Kind::Choice { write, .. } => write(scenario, value as usize),
+        }
+        Ok(())
+    }
+
+    /// Whether `value` is legal: finite, in range, and whole for a choice.
+    ///
+    /// # Errors
+    /// The name, value, unit and legal range of a refused value.
+    pub fn check(&self, value: f64) -> Result<(), ParameterError> {
+        let (min, max) = self.range();
+        let in_range = value >= min && value <= max;
+        let whole = match self.kind {
+            Kind::Real { .. } => true,
+            Kind::Choice { .. } => in_range && value as usize as f64 == value,
+        };
+        if in_range && whole {
+            return Ok(());
+        }
+        Err(ParameterError { name: self.name, value, unit: self.unit(), min, max })
+    }
+}
+
+const fn real(
+    name: &'static str,
+    unit: &'static str,
+    range: (f64, f64),
+    field: fn(&mut Scenario) -> &mut f64,
+    description: &'static str,
+) -> Parameter {
+    Parameter { name, kind: Kind::Real { unit, min: range.0, max: range.1, field }, description }
+}
+
+const fn choice(
+    name: &'static str,
+    labels: &'static [&'static str],
+    read: fn(&Scenario) -> usize,
+    write: fn(&mut Scenario, usize),
+    description: &'static str,
+) -> Parameter {
+    Parameter { name, kind: Kind::Choice { labels, read, write }, description }
+}
+
+/// Every parameter of a scenario, in the order in which users meet them.
+pub static PARAMETERS: &[Parameter] = &[
+    choice(
+        "geometry.shape",
+        &["round", "block"],
+        |s| s.geometry.shape as usize,
+        |s, i| s.geometry.shape = if i == 0 { Shape::Round } else { Shape::Block },
+        "layer on a round core, or a flat block on a flat core",
+    ),
+    choice(
+        "geometry.formulation",
+        &["plane_strain", "axisymmetric"],
+        |s| s.geometry.formulation as usize,
+        |s, i| s.geometry.formulation = if i == 0 { Formulation::PlaneStrain } else { Formulation::Axisymmetric },
+        "kinematics of the section",
+    ),
+    real(
+        "geometry.core_radius",
+        "m",
+        (1e-3, 1.0),
+        |s| &mut s.geometry.core_radius,
+        "radius of the rigid core (round shape)",
+    ),
+    real(
+        "geometry.silicone_thickness",
+        "m",
+        (1e-4, 0.5),
+        |s| &mut s.geometry.silicone_thickness,
+        "thickness of the silicone",
+    ),
+    real(
+        "geometry.skin_thickness",
+        "m",
+        (0.0, 0.1),
+        |s| &mut s.geometry.skin_thickness,
+        "thickness of the skin, which has the silicone's material",
+    ),
+    real(
+        "geometry.length",
+        "m",
+        (1e-3, 10.0),
+        |s| &mut s.geometry.length,
+        "largest out-of-plane thickness in plane strain (effective length of the layer)",
+    ),
+    real(
+        "geometry.block_width",
+        "m",
+        (1e-4, 10.0),
+        |s| &mut s.geometry.block_width,
+        "full width, or diameter if axisymmetric (block shape)",
+    ),
+    choice(
+        "impactor.motion",
+        &["drop", "driven"],
+        |s| s.impactor.motion as usize,
+        |s, i| s.impactor.motion = if i == 0 { Motion::Drop } else { Motion::Driven },
+        "a falling mass, or a position given from outside at every step",
+    ),
+    real("impactor.mass", "kg", (1e-3, 1e4), |s| &mut s.impactor.mass, "mass of the impactor"),
+    real(
+        "impactor.face_diameter",
+        "m",
+        (1e-3, 10.0),
+        |s| &mut s.impactor.face_diameter,
+        "diameter of the flat face; its chord is the thickness of a round section in plane strain",
+    ),
+    real("impactor.gap", "m", (0.0, 1.0), |s| &mut s.impactor.gap, "height of the face above the anvil at the start"),
+    real("impactor.gravity", "m/s2", (0.0, 100.0), |s| &mut s.impactor.gravity, "acceleration of gravity"),
+    choice(
+        "impactor.drop_by",
+        &["height", "energy", "speed"],
+        |s| s.impactor.drop_by as usize,
+        |s, i| {
+            s.impactor.drop_by = match i {
+                0 => DropBy::Height,
+                1 => DropBy::Energy,
+                _ => DropBy::Speed,
+            }
+        },
+        "which of the next three states the drop",
+    ),
+    real("impactor.drop_height", "m", (0.0, 100.0), |s| &mut s.impactor.drop_height, "free fall before the start"),
+    real("impactor.drop_energy", "J", (0.0, 1e5), |s| &mut s.impactor.drop_energy, "kinetic energy at the start"),
+    real("impactor.drop_speed", "m/s", (0.0, 100.0), |s| &mut s.impactor.drop_speed, "downward speed at the start"),
+    real("silicone.density", "kg/m3", (10.0, 2e4), |s| &mut s.silicone.density, "density of the layer"),
+    choice(
+        "silicone.moduli",
+        &["long_term", "instantaneous"],
+        |s| s.silicone.moduli as usize,
+        |s, i| s.silicone.moduli = if i == 0 { Moduli::LongTerm } else { Moduli::Instantaneous },
+        "what the elastic coefficients are: after full relaxation, or before any",
+    ),
+    real("silicone.c10", "Pa", (-1e9, 1e9), |s| &mut s.silicone.c10, "Mooney-Rivlin coefficient of (I1 - 3)"),
+    real("silicone.c01", "Pa", (-1e9, 1e9), |s| &mut s.silicone.c01, "Mooney-Rivlin coefficient of (I2 - 3)"),
+    real("silicone.c11", "Pa", (-1e9, 1e9), |s| &mut s.silicone.c11, "Mooney-Rivlin coefficient of (I1 - 3)(I2 - 3)"),
+    real("silicone.c20", "Pa", (-1e9, 1e9), |s| &mut s.silicone.c20, "Mooney-Rivlin coefficient of (I1 - 3)^2"),
+    real("silicone.c02", "Pa", (-1e9, 1e9), |s| &mut s.silicone.c02, "Mooney-Rivlin coefficient of (I2 - 3)^2"),
+    choice(
+        "silicone.volumetric_by",
+        &["bulk_modulus", "poissons_ratio"],
+        |s| s.silicone.volumetric_by as usize,
+        |s, i| s.silicone.volumetric_by = if i == 0 { VolumetricBy::BulkModulus } else { VolumetricBy::PoissonsRatio },
+        "which of the next two states the compressibility",
+    ),
+    real("silicone.bulk_modulus", "Pa", (1e2, 1e12), |s| &mut s.silicone.bulk_modulus, "bulk modulus"),
+    real(
+        "silicone.poissons_ratio",
+        "1",
+        (0.0, 0.4999),
+        |s| &mut s.silicone.poissons_ratio,
+        "Poisson's ratio of the long-term law",
+    ),
+    real("silicone.prony_g_1", "1", (0.0, 0.9999), |s| &mut s.silicone.prony_g[0], PRONY_G),
+    real("silicone.prony_tau_1", "s", (1e-7, 1e6), |s| &mut s.silicone.prony_tau[0], PRONY_TAU),
+    real("silicone.prony_g_2", "1", (0.0, 0.9999), |s| &mut s.silicone.prony_g[1], PRONY_G),
+    real("silicone.prony_tau_2", "s", (1e-7, 1e6), |s| &mut s.silicone.prony_tau[1], PRONY_TAU),
+    real("silicone.prony_g_3", "1", (0.0, 0.9999), |s| &mut s.silicone.prony_g[2], PRONY_G),
+    real("silicone.prony_tau_3", "s", (1e-7, 1e6), |s| &mut s.silicone.prony_tau[2], PRONY_TAU),
+    real("silicone.prony_g_4", "1", (0.0, 0.9999), |s| &mut s.silicone.prony_g[3], PRONY_G),
+    real("silicone.prony_tau_4", "s", (1e-7, 1e6), |s| &mut s.silicone.prony_tau[3], PRONY_TAU),
+    real("silicone.prony_g_5", "1", (0.0, 0.9999), |s| &mut s.silicone.prony_g[4], PRONY_G),
+    real("silicone.prony_tau_5", "s", (1e-7, 1e6), |s| &mut s.silicone.prony_tau[4], PRONY_TAU),
+    real(
+        "silicone.slider_stiffness",
+        "Pa",
+        (0.0, 1e11),
+        |s| &mut s.silicone.slider_stiffness,
+        "shear modulus G of the damping spring; 0 switches the spring-slider off",
+    ),
+    real(
+        "silicone.slider_yield_stress",
+        "Pa",
+        (0.0, 1e10),
+        |s| &mut s.silicone.slider_yield_stress,
+        "von Mises stress SIGF at which the slider slips",
+    ),
+    choice(
+        "core.interface",
+        &["bonded", "frictional"],
+        |s| s.core.interface as usize,
+        |s, i| s.core.interface = if i == 0 { Interface::Bonded } else { Interface::Frictional },
+        "how the layer sits on the core",
+    ),
+    real(
+        "core.friction_coefficient",
+        "1",
+        (0.0, 10.0),
+        |s| &mut s.core.friction_coefficient,
+        "Coulomb coefficient of a frictional core",
+    ),
+    real(
+        "face.friction_coefficient",
+        "1",
+        (0.0, 10.0),
+        |s| &mut s.face.friction_coefficient,
+        "Coulomb coefficient under the impactor",
+    ),
+    real(
+        "mesh.element_size",
+        "m",
+        (1e-5, 0.1),
+        |s| &mut s.mesh.element_size,
+        "edge length that the structured mesh aims at",
+    ),
+    choice(
+        "time.step_by",
+        &["safety_factor", "given"],
+        |s| s.time.step_by as usize,
+        |s, i| s.time.step_by = if i == 0 { StepBy::SafetyFactor } else { StepBy::Given },
+        "which of the next two states the time step",
+    ),
+    real(
+        "time.safety_factor",
+        "1",
+        (0.01, 1.0),
+        |s| &mut s.time.safety_factor,
+        "fraction of the stability limit of the stiffest expected state",
+    ),
+    real(
+        "time.step",
+        "s",
+        (1e-8, 5e-5),
+        |s| &mut s.time.step,
+        "requested step; the largest whole divisor of 50 us not above it is used",
+    ),
+    real("time.duration", "s", (5e-5, 100.0), |s| &mut s.time.duration, "simulated time of a run"),
+    real(
+        "measurement.force_threshold",
+        "N",
+        (0.0, 1e5),
+        |s| &mut s.measurement.force_threshold,
+        "force that begins and ends the impact duration (the default is just above the 5 kg mass's weight)",
+    ),
+];
+
+const PRONY_G: &str = "Prony coefficient, normalised on the instantaneous modulus; 0 switches the term off";
+const PRONY_TAU: &str = "relaxation time of the Prony term";
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::preset;
+
+    #[test]
+    fn every_value_survives_a_round_trip() {
+        for parameter in PARAMETERS {
+            let mut scenario = preset::study();
+            let (min, max) = parameter.range();
+            for value in [min, max] {
+                parameter.set(&mut scenario, value).unwrap();
+                assert_eq!(parameter.get(&scenario), value, "{}", parameter.name);
+            }
+        }
+    }
+
+    #[test]
+    fn illegal_values_are_refused_and_change_nothing() {
+        for parameter in PARAMETERS {
+            let (min, max) = parameter.range();
+            for value in [min - 1.0, max + 1.0 + max.abs(), f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+                let mut scenario = preset::study();
+                let error = parameter.set(&mut scenario, value).unwrap_err();
+                assert_eq!((error.name, error.min, error.max), (parameter.name, min, max));
+                assert_eq!(scenario, preset::study());
+            }
+        }
+    }
+
+    #[test]
+    fn names_are_unique_and_choices_are_whole() {
+        for (i, parameter) in PARAMETERS.iter().enumerate() {
+            assert!(PARAMETERS[..i].iter().all(|other| other.name != parameter.name), "{}", parameter.name);
+            if let Kind::Choice { .. } = parameter.kind {
+                assert!(parameter.check(0.5).is_err(), "{}", parameter.name);
+            }
+        }
+    }
+
+    #[test]
+    fn a_refused_value_names_itself_its_unit_and_its_range() {
+        let error = Parameter::find("impactor.mass").unwrap().set(&mut preset::study(), -1.0).unwrap_err();
+        extern crate std;
+        assert_eq!(std::format!("{error}"), "impactor.mass = -1 kg is refused: legal is 0.001 to 10000 kg");
+    }
+}

@@ -1,0 +1,313 @@
+//! The description of one drop test: geometry, impactor, material, interfaces, mesh, time.
+//!
+//! A [`Scenario`] is plain data. Every field is a row of [`crate::parameter::PARAMETERS`], which holds its name,
+//! unit, legal range and meaning; [`Scenario::validate`] checks the rows and what several fields say together.
+
+use crate::error::ScenarioError;
+use crate::material::MAX_PRONY_TERMS;
+use crate::parameter::PARAMETERS;
+
+/// Everything that defines a simulation, in SI units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scenario {
+    /// Shape and size of the anvil.
+    pub geometry: Geometry,
+    /// The drop mass.
+    pub impactor: Impactor,
+    /// Material of the soft layer.
+    pub silicone: Material,
+    /// Interface between layer and core.
+    pub core: CoreInterface,
+    /// Interface between impactor and layer.
+    pub face: FaceInterface,
+    /// Spatial discretisation.
+    pub mesh: Mesh,
+    /// Temporal discretisation and simulated time.
+    pub time: Time,
+    /// How the numbers of the test are read from the force.
+    pub measurement: Measurement,
+}
+
+/// Shape of the section.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shape {
+    /// A layer on a round core: half a cylinder in plane strain, half a sphere when axisymmetric.
+    Round,
+    /// A flat block on a flat core, for material and verification tests.
+    Block,
+}
+
+/// Kinematics of the section.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Formulation {
+    /// No strain out of the section, whose thickness is the chord of the face (limited to the length).
+    PlaneStrain,
+    /// The section turned about its centre line.
+    Axisymmetric,
+}
+
+/// Shape and size of the anvil.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Geometry {
+    /// Round or block.
+    pub shape: Shape,
+    /// Plane strain or axisymmetric.
+    pub formulation: Formulation,
+    /// Radius of the rigid core of a round anvil, m.
+    pub core_radius: f64,
+    /// Thickness of the silicone, m.
+    pub silicone_thickness: f64,
+    /// Thickness of the skin on top of it, m.
+    pub skin_thickness: f64,
+    /// Largest out-of-plane thickness in plane strain, m.
+    pub length: f64,
+    /// Full width (plane strain) or diameter (axisymmetric) of a block, m.
+    pub block_width: f64,
+}
+
+impl Geometry {
+    /// Thickness of the whole soft layer, m.
+    pub fn layer_thickness(&self) -> f64 {
+        self.silicone_thickness + self.skin_thickness
+    }
+}
+
+/// How the impactor moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Motion {
+    /// A free mass that falls.
+    Drop,
+    /// The position is given from outside at every step.
+    Driven,
+}
+
+/// Which of the three numbers states the drop.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DropBy {
+    /// [`Impactor::drop_height`].
+    Height,
+    /// [`Impactor::drop_energy`].
+    Energy,
+    /// [`Impactor::drop_speed`].
+    Speed,
+}
+
+/// The drop mass: rigid, flat, one vertical degree of freedom.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Impactor {
+    /// Free or driven.
+    pub motion: Motion,
+    /// Mass, kg.
+    pub mass: f64,
+    /// Diameter of the flat face, m.
+    pub face_diameter: f64,
+    /// Height of the face above the anvil at the start, m.
+    pub gap: f64,
+    /// Acceleration of gravity on the impactor, m/s2.
+    pub gravity: f64,
+    /// Which of the next three counts.
+    pub drop_by: DropBy,
+    /// Free fall before the start, m: speed sqrt(2 g h).
+    pub drop_height: f64,
+    /// Kinetic energy at the start, J.
+    pub drop_energy: f64,
+    /// Speed at the start, m/s.
+    pub drop_speed: f64,
+}
+
+impl Impactor {
+    /// Downward speed at the start, m/s, from whichever of height, energy and speed is chosen.
+    pub fn start_speed(&self) -> f64 {
+        match self.drop_by {
+            DropBy::Height => crate::math::sqrt(2.0 * self.gravity * self.drop_height),
+            DropBy::Energy => crate::math::sqrt(2.0 * self.drop_energy / self.mass),
+            DropBy::Speed => self.drop_speed,
+        }
+    }
+
+    /// The same mass dropped with a kinetic energy of `energy` J.
+    pub fn with_energy(self, energy: f64) -> Self {
+        Self { drop_by: DropBy::Energy, drop_energy: energy, ..self }
+    }
+}
+
+/// Which of the two numbers states the compressibility.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum VolumetricBy {
+    /// [`Material::bulk_modulus`].
+    BulkModulus,
+    /// [`Material::poissons_ratio`], by K = 2 G (1 + nu) / (3 (1 - 2 nu)) with G = 2 (C10 + C01) of the long-term law.
+    PoissonsRatio,
+}
+
+/// Which moduli the coefficients of the elastic law are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Moduli {
+    /// The law after full relaxation.
+    LongTerm,
+    /// The law before any relaxation; the long-term law is g_inf = 1 - sum g_i times it.
+    Instantaneous,
+}
+
+/// A visco-hyperelastic material with frequency-independent damping.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Material {
+    /// Density, kg/m3.
+    pub density: f64,
+    /// Whether the next five are long-term or instantaneous.
+    pub moduli: Moduli,
+    /// Mooney-Rivlin coefficient of (I1 - 3), Pa.
+    pub c10: f64,
+    /// Mooney-Rivlin coefficient of (I2 - 3), Pa.
+    pub c01: f64,
+    /// Mooney-Rivlin coefficient of (I1 - 3)(I2 - 3), Pa.
+    pub c11: f64,
+    /// Mooney-Rivlin coefficient of (I1 - 3)^2, Pa.
+    pub c20: f64,
+    /// Mooney-Rivlin coefficient of (I2 - 3)^2, Pa.
+    pub c02: f64,
+    /// Which of the next two counts.
+    pub volumetric_by: VolumetricBy,
+    /// Bulk modulus, Pa.
+    pub bulk_modulus: f64,
+    /// Poisson's ratio.
+    pub poissons_ratio: f64,
+    /// Prony coefficients g_i, normalised on the instantaneous modulus; a term with g = 0 is off.
+    pub prony_g: [f64; MAX_PRONY_TERMS],
+    /// Relaxation times tau_i, s.
+    pub prony_tau: [f64; MAX_PRONY_TERMS],
+    /// Shear modulus G of the damping spring, Pa; 0 switches the spring-slider off.
+    pub slider_stiffness: f64,
+    /// Von Mises stress SIGF at which the slider slips, Pa.
+    pub slider_yield_stress: f64,
+}
+
+impl Material {
+    /// g_inf = 1 - sum g_i: the part of the instantaneous modulus that does not relax.
+    pub fn prony_g_inf(&self) -> f64 {
+        1.0 - self.prony_g.iter().fold(0.0, |sum, g| sum + g)
+    }
+
+    /// Long-term shear modulus at rest, Pa: 2 (C10 + C01), scaled if the coefficients are instantaneous.
+    pub fn shear_modulus_inf(&self) -> f64 {
+        2.0 * (self.c10 + self.c01) * self.long_term_scale()
+    }
+
+    /// Factor from the given coefficients to the long-term law.
+    pub fn long_term_scale(&self) -> f64 {
+        match self.moduli {
+            Moduli::LongTerm => 1.0,
+            Moduli::Instantaneous => self.prony_g_inf(),
+        }
+    }
+
+    /// Bulk modulus, Pa, from whichever of bulk modulus and Poisson's ratio is chosen.
+    pub fn effective_bulk_modulus(&self) -> f64 {
+        match self.volumetric_by {
+            VolumetricBy::BulkModulus => self.bulk_modulus,
+            VolumetricBy::PoissonsRatio => {
+                let nu = self.poissons_ratio;
+                2.0 * self.shear_modulus_inf() * (1.0 + nu) / (3.0 * (1.0 - 2.0 * nu))
+            }
+        }
+    }
+}
+
+/// How the layer sits on the core.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Interface {
+    /// Glued: no relative motion.
+    Bonded,
+    /// Unilateral contact with Coulomb friction.
+    Frictional,
+}
+
+/// Interface between layer and core.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CoreInterface {
+    /// Bonded or frictional.
+    pub interface: Interface,
+    /// Coulomb coefficient of a frictional interface.
+    pub friction_coefficient: f64,
+}
+
+/// Interface between impactor and layer.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FaceInterface {
+    /// Coulomb coefficient under the impactor.
+    pub friction_coefficient: f64,
+}
+
+/// Spatial discretisation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mesh {
+    /// Edge length that the structured mesh aims at, m.
+    pub element_size: f64,
+}
+
+/// Which of the two numbers states the time step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StepBy {
+    /// [`Time::safety_factor`] times the stability limit of the stiffest expected state.
+    SafetyFactor,
+    /// [`Time::step`].
+    Given,
+}
+
+/// Temporal discretisation and simulated time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Time {
+    /// Which of the next two counts.
+    pub step_by: StepBy,
+    /// Fraction of the stability limit.
+    pub safety_factor: f64,
+    /// Requested step, s; the largest whole divisor of the sampling interval not above it is used.
+    pub step: f64,
+    /// Simulated time that a run covers unless told otherwise, s.
+    pub duration: f64,
+}
+
+/// How the numbers of the test are read from the force.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Measurement {
+    /// Force that begins and ends the impact duration, N.
+    pub force_threshold: f64,
+}
+
+impl Scenario {
+    /// Checks every parameter against its legal range, then what several parameters say together.
+    ///
+    /// # Errors
+    /// The first refused value, by name, with its unit and legal range.
+    pub fn validate(&self) -> Result<(), ScenarioError> {
+        for parameter in PARAMETERS {
+            parameter.check(parameter.get(self))?;
+        }
+        self.validate_material()?;
+        self.validate_geometry()
+    }
+
+    fn validate_material(&self) -> Result<(), ScenarioError> {
+        if self.silicone.prony_g_inf() <= 0.0 {
+            return Err(ScenarioError::PronySum { sum: 1.0 - self.silicone.prony_g_inf() });
+        }
+        if self.silicone.shear_modulus_inf() <= 0.0 {
+            return Err(ScenarioError::ShearModulus { modulus: self.silicone.shear_modulus_inf() });
+        }
+        Ok(())
+    }
+
+    fn validate_geometry(&self) -> Result<(), ScenarioError> {
+        let geometry = &self.geometry;
+        let outer = geometry.core_radius + geometry.layer_thickness();
+        let chord_ends = geometry.shape == Shape::Round && geometry.formulation == Formulation::PlaneStrain;
+        if chord_ends && 0.5 * self.impactor.face_diameter < FACE_MARGIN * outer {
+            let minimum = 2.0 * FACE_MARGIN * outer;
+            return Err(ScenarioError::FaceTooSmall { diameter: self.impactor.face_diameter, minimum });
+        }
+        Ok(())
+    }
+}
+
+/// The face's chord is the thickness of the section, so the face must reach past the anvil's side by this factor.
+const FACE_MARGIN: f64 = 1.02;

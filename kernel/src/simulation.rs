@@ -1,0 +1,95 @@
+//! A model and its state in memory of their own, for hosts that can allocate (feature `alloc`).
+
+use alloc::vec;
+use alloc::vec::Vec;
+
+use crate::element::{CellConstants, CellHistory, HoopConstants};
+use crate::error::{ModelError, StepError};
+use crate::impactor::StepInput;
+use crate::lanes::Deviator;
+use crate::model::{Constants, Model};
+use crate::scenario::Scenario;
+use crate::state::{Scalars, State};
+use crate::step::step;
+use crate::storage::{ModelMemory, Size, StateMemory};
+
+/// An owned simulation.
+pub struct Simulation {
+    constants: Constants,
+    scalars: Scalars,
+    model_nodes: Vec<f64>,
+    model_cells: Vec<CellConstants>,
+    model_hoops: Vec<HoopConstants>,
+    state_nodes: Vec<f64>,
+    state_cells: Vec<CellHistory>,
+    state_prony: Vec<Deviator>,
+}
+
+impl Simulation {
+    /// Allocates and builds the model of `scenario`, at the start of its drop.
+    ///
+    /// # Errors
+    /// A refused scenario; see [`ModelError`].
+    pub fn new(scenario: &Scenario) -> Result<Self, ModelError> {
+        let size = Size::of(scenario)?;
+        let mut model_nodes = vec![0.0; size.model_nodes];
+        let mut model_cells = vec![CellConstants::ZERO; size.model_cells];
+        let mut model_hoops = vec![HoopConstants::ZERO; size.model_hoops];
+        let mut state_nodes = vec![0.0; size.state_nodes];
+        let mut state_cells = vec![CellHistory::REST; size.state_cells];
+        let mut state_prony = vec![Deviator::ZERO; size.state_prony];
+        let model = Model::new(
+            scenario,
+            ModelMemory { nodes: &mut model_nodes, cells: &mut model_cells, hoops: &mut model_hoops },
+        )?;
+        let state = State::new(
+            &model,
+            StateMemory { nodes: &mut state_nodes, cells: &mut state_cells, prony: &mut state_prony },
+        )?;
+        let (constants, scalars) = (model.constants, state.scalars);
+        Ok(Self { constants, scalars, model_nodes, model_cells, model_hoops, state_nodes, state_cells, state_prony })
+    }
+
+    /// The scalar constants of the model.
+    pub fn constants(&self) -> &Constants {
+        &self.constants
+    }
+
+    /// The numbers of the state that are not arrays.
+    pub fn scalars(&self) -> &Scalars {
+        &self.scalars
+    }
+
+    /// Simulated time, s.
+    pub fn time(&self) -> f64 {
+        self.constants.time(self.scalars.step_index)
+    }
+
+    /// Runs `work` on model and state.
+    ///
+    /// # Errors
+    /// Never in practice: the memory was sized for this model.
+    pub fn with<R>(&mut self, work: impl FnOnce(&Model, &mut State) -> R) -> Result<R, ModelError> {
+        let model = Model::view(self.constants, &self.model_nodes, &self.model_cells, &self.model_hoops);
+        let memory =
+            StateMemory { nodes: &mut self.state_nodes, cells: &mut self.state_cells, prony: &mut self.state_prony };
+        let mut state = State::view(&model, self.scalars, memory)?;
+        let result = work(&model, &mut state);
+        self.scalars = state.scalars;
+        Ok(result)
+    }
+
+    /// Makes `n` steps with the same input.
+    ///
+    /// # Errors
+    /// What [`step`] refuses; the steps before it stay done.
+    pub fn step(&mut self, n: u64, input: &StepInput) -> Result<(), StepError> {
+        self.with(|model, state| (0..n).try_for_each(|_| step(model, state, input)))
+            .unwrap_or(Err(StepError::Input { value: f64::NAN, time: 0.0 }))
+    }
+
+    /// Back to the start of the drop.
+    pub fn reset(&mut self) {
+        let _ = self.with(|model, state| state.reset(model));
+    }
+}

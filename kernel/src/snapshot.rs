@@ -1,0 +1,173 @@
+//! Saving and restoring a state as bytes that mean the same on every target.
+//!
+//! Format: little-endian 64-bit words. Header: magic, format version, fingerprint of the scenario, number of words that
+//! follow before the checksum; then the scalars and the arrays in the order of [`visit`]; last the FNV-1a digest of
+//! everything before it. Equal states give equal bytes.
+
+use crate::digest::Digest;
+use crate::error::SnapshotError;
+use crate::lanes::{Deviator, LANES};
+use crate::model::{Constants, Model};
+use crate::state::{Scalars, State};
+
+/// "SOFTANVL" in ASCII, least significant byte first.
+const MAGIC: u64 = u64::from_le_bytes(*b"SOFTANVL");
+/// Changes with the format.
+const VERSION: u64 = 1;
+const HEADER_WORDS: usize = 4;
+const CHECKSUM_WORDS: usize = 1;
+const SCALAR_WORDS: usize = 7 + 15 + 12;
+/// Lanes per triangle: stretch, elastic stress, slider stress.
+const HISTORY_LANES: usize = 4 + 3 + 3;
+
+/// Bytes of a snapshot of a state of this model.
+pub fn snapshot_size(constants: &Constants) -> usize {
+    8 * (HEADER_WORDS + payload_words(constants) + CHECKSUM_WORDS)
+}
+
+fn payload_words(constants: &Constants) -> usize {
+    let size = &constants.size;
+    SCALAR_WORDS + size.state_nodes + size.state_cells * 2 * HISTORY_LANES * LANES + size.state_prony * 3 * LANES
+}
+
+/// Writes `state` into `bytes`, which has exactly [`snapshot_size`].
+///
+/// # Errors
+/// A wrong length, or a state that has failed. Nothing is written then.
+pub fn save(model: &Model, state: &mut State, bytes: &mut [u8]) -> Result<(), SnapshotError> {
+    check_length(model, bytes.len())?;
+    if state.scalars.failure.is_some() {
+        return Err(SnapshotError::Failed);
+    }
+    let payload = payload_words(&model.constants) as u64;
+    let mut digest = Digest::new();
+    let mut words = bytes.chunks_exact_mut(8);
+    let mut put = |word: u64| {
+        if let Some(chunk) = words.next() {
+            chunk.copy_from_slice(&word.to_le_bytes());
+        }
+    };
+    let mut put_and_digest = |word: u64| {
+        digest.word(word);
+        put(word);
+    };
+    [MAGIC, VERSION, model.constants.fingerprint, payload].into_iter().for_each(&mut put_and_digest);
+    visit(state, &mut |word| put_and_digest(*word));
+    put(digest.value());
+    Ok(())
+}
+
+/// Restores `state` from `bytes` that [`save`] wrote for the same model, on whatever target.
+///
+/// # Errors
+/// Bytes that are not such a snapshot; the state is not touched then.
+pub fn restore(model: &Model, state: &mut State, bytes: &[u8]) -> Result<(), SnapshotError> {
+    check_length(model, bytes.len())?;
+    check_content(model, bytes)?;
+    let mut words = bytes.chunks_exact(8).skip(HEADER_WORDS).map(word_of);
+    visit(state, &mut |word| {
+        if let Some(saved) = words.next() {
+            *word = saved;
+        }
+    });
+    state.scalars.failure = None;
+    Ok(())
+}
+
+fn check_length(model: &Model, given: usize) -> Result<(), SnapshotError> {
+    let needed = snapshot_size(&model.constants);
+    if given == needed { Ok(()) } else { Err(SnapshotError::Length { given, needed }) }
+}
+
+fn check_content(model: &Model, bytes: &[u8]) -> Result<(), SnapshotError> {
+    let mut words = bytes.chunks_exact(8).map(word_of);
+    let header: [u64; HEADER_WORDS] = core::array::from_fn(|_| words.next().unwrap_or_default());
+    let payload = payload_words(&model.constants);
+    if header[0] != MAGIC || header[1] != VERSION || header[3] != payload as u64 {
+        return Err(SnapshotError::Format);
+    }
+    if header[2] != model.constants.fingerprint {
+        return Err(SnapshotError::Foreign);
+    }
+    let mut digest = Digest::new();
+    header.into_iter().for_each(|word| digest.word(word));
+    (&mut words).take(payload).for_each(|word| digest.word(word));
+    if words.next() == Some(digest.value()) { Ok(()) } else { Err(SnapshotError::Corrupt) }
+}
+
+fn word_of(chunk: &[u8]) -> u64 {
+    chunk.first_chunk::<8>().map_or(0, |bytes| u64::from_le_bytes(*bytes))
+}
+
+/// Digest of everything that a snapshot holds.
+pub fn state_digest(state: &mut State) -> u64 {
+    let mut digest = Digest::new();
+    visit(state, &mut |word| digest.word(*word));
+    digest.value()
+}
+
+/// Shows every word of the state to `f`, always in the same order, and takes back what `f` makes of it.
+fn visit(state: &mut State, f: &mut dyn FnMut(&mut u64)) {
+    visit_scalars(&mut state.scalars, f);
+    let mut number = |value: &mut f64| {
+        let mut bits = value.to_bits();
+        f(&mut bits);
+        *value = f64::from_bits(bits);
+    };
+    for array in state.nodes.arrays_mut() {
+        array.iter_mut().for_each(&mut number);
+    }
+    for triangle in state.cells.iter_mut().flat_map(|cell| &mut cell.triangle) {
+        triangle.stretch_prev.iter_mut().flatten().for_each(&mut number);
+        visit_deviator(&mut triangle.elastic_prev, &mut number);
+        visit_deviator(&mut triangle.slider_stress, &mut number);
+    }
+    for stress in state.prony.iter_mut() {
+        visit_deviator(stress, &mut number);
+    }
+}
+
+fn visit_deviator(deviator: &mut Deviator, number: &mut impl FnMut(&mut f64)) {
+    for lane in [&mut deviator.xx, &mut deviator.yy, &mut deviator.xy] {
+        lane.iter_mut().for_each(&mut *number);
+    }
+}
+
+fn visit_scalars(scalars: &mut Scalars, f: &mut dyn FnMut(&mut u64)) {
+    let Scalars { step_index, impactor, force, sampler, metrics, energy, failure: _ } = scalars;
+    let mut steps = u64::from(sampler.steps);
+    for word in [
+        step_index,
+        &mut sampler.last.number,
+        &mut sampler.trace_hash,
+        &mut steps,
+        &mut metrics.first_sample,
+        &mut metrics.last_sample,
+        &mut metrics.first_step,
+    ] {
+        f(word);
+    }
+    sampler.steps = steps as u32;
+    let numbers = [
+        &mut impactor.position,
+        &mut impactor.velocity_half,
+        &mut impactor.acceleration,
+        &mut force.contact,
+        &mut force.core_reaction,
+        &mut sampler.last.contact_force,
+        &mut sampler.last.core_reaction,
+        &mut sampler.sum.contact,
+        &mut sampler.sum.core_reaction,
+        &mut metrics.peak_force,
+        &mut metrics.max_deformation,
+        &mut metrics.impulse,
+        &mut metrics.impact_speed,
+        &mut metrics.rebound_speed,
+        &mut metrics.contact_time,
+    ];
+    for number in numbers.into_iter().chain(energy.words_mut()) {
+        let mut bits = number.to_bits();
+        f(&mut bits);
+        *number = f64::from_bits(bits);
+    }
+}

@@ -1,0 +1,132 @@
+//! One explicit step of the whole system, stage by stage.
+
+use crate::core_contact;
+use crate::element::{self, ElementEnergy};
+use crate::energy::StepWork;
+use crate::error::StepError;
+use crate::face::{self, Contact};
+use crate::impactor::StepInput;
+use crate::lanes::subtract_at;
+use crate::model::Model;
+use crate::state::{Forces, State, corner_indices};
+use crate::time_step;
+
+/// Advances `state` by one step of `model.constants.dt`: central difference, from the positions at n and the velocities
+/// at n - 1/2 to the positions at n + 1 and the velocities at n + 1/2.
+///
+/// The work is the same in every step: no iteration depends on the data.
+///
+/// # Errors
+/// An inverted triangle, a step above the current stability limit, or an input that is not finite. The same error comes
+/// back until the state is reset or restored.
+pub fn step(model: &Model, state: &mut State, input: &StepInput) -> Result<(), StepError> {
+    if let Some(failure) = state.scalars.failure {
+        return Err(failure);
+    }
+    input.check(state.time(model))?;
+    match advance(model, state, input) {
+        Ok(()) => Ok(()),
+        Err(failure) => {
+            state.scalars.failure = Some(failure);
+            Err(failure)
+        }
+    }
+}
+
+fn advance(model: &Model, state: &mut State, input: &StepInput) -> Result<(), StepError> {
+    time_step::monitor(model, state)?;
+    let energy = internal_forces(model, state)?;
+    let core = core_contact::react(model, state);
+    let prediction = state.scalars.impactor.predict(model, input);
+    let before = state.scalars.impactor.velocity_half;
+    let face = face::contact(model, state, &prediction);
+    let layer_kinetic = move_nodes(model, state);
+    let work = StepWork {
+        element: &energy,
+        face: &face,
+        core: &core,
+        layer_kinetic,
+        impactor_velocity: [before, state.scalars.impactor.velocity_half],
+        prediction: &prediction,
+        input,
+    };
+    state.scalars.energy.book(model, &work);
+    measure(model, state, &face, &core, before);
+    state.scalars.step_index += 1;
+    Ok(())
+}
+
+/// Fills the nodal forces with minus the internal forces, block by block in index order.
+fn internal_forces(model: &Model, state: &mut State) -> Result<ElementEnergy, StepError> {
+    let grid = &model.constants.grid;
+    let laws = &model.constants.laws;
+    let terms = (2 * laws.prony.n_term()).max(1);
+    let mut energy = ElementEnergy::ZERO;
+    state.nodes.force_x.fill(0.0);
+    state.nodes.force_y.fill(0.0);
+    for (block, constants) in model.cells.iter().enumerate() {
+        let corners = state.corners(grid, block);
+        let prony = state.prony.chunks_exact_mut(terms).nth(block).unwrap_or_default();
+        let Some(history) = state.cells.get_mut(block) else { break };
+        let hoop = model.hoops.get(block);
+        let force = element::internal_force(laws, constants, hoop, &corners, history, prony, &mut energy).map_err(
+            |(lane, t)| StepError::Inverted {
+                element: grid.element_index(block, lane, t),
+                time: model.constants.time(state.scalars.step_index),
+            },
+        )?;
+        for (index, corner) in corner_indices(grid, block).into_iter().zip(&force) {
+            subtract_at(state.nodes.force_x, index, &corner[0]);
+            subtract_at(state.nodes.force_y, index, &corner[1]);
+        }
+    }
+    Ok(energy)
+}
+
+/// Moves the nodes under their forces; returns the kinetic energy of the section.
+fn move_nodes(model: &Model, state: &mut State) -> f64 {
+    let dt = model.constants.dt;
+    let (fixed, nodes) = (&model.nodes, &mut state.nodes);
+    let along_x =
+        move_along(dt, fixed.nodal_mass, fixed.inverse_mass_x, nodes.force_x, nodes.velocity_x, nodes.displacement_x);
+    let along_y =
+        move_along(dt, fixed.nodal_mass, fixed.inverse_mass_y, nodes.force_y, nodes.velocity_y, nodes.displacement_y);
+    along_x + along_y
+}
+
+fn move_along(
+    dt: f64,
+    mass: &[f64],
+    inverse_mass: &[f64],
+    force: &[f64],
+    velocity: &mut [f64],
+    displacement: &mut [f64],
+) -> f64 {
+    let mut kinetic = 0.0;
+    let constants = mass.iter().zip(inverse_mass).zip(force);
+    for (((mass, inverse_mass), force), (velocity, displacement)) in
+        constants.zip(velocity.iter_mut().zip(displacement.iter_mut()))
+    {
+        let before = *velocity;
+        *velocity = before + dt * (inverse_mass * force);
+        *displacement += dt * *velocity;
+        kinetic += 0.5 * mass * before * *velocity;
+    }
+    kinetic
+}
+
+/// Records the forces of the step and what the laboratory would read.
+fn measure(model: &Model, state: &mut State, face: &Contact, core: &Contact, velocity_before: f64) {
+    let constants = &model.constants;
+    let scalars = &mut state.scalars;
+    scalars.force = Forces {
+        contact: constants.section_factor * face.normal_force,
+        core_reaction: constants.section_factor * core.normal_force,
+    };
+    let velocity = [velocity_before, scalars.impactor.velocity_half];
+    let depth = scalars.impactor.deformation();
+    scalars.metrics.take_step(constants, scalars.step_index, scalars.force.contact, velocity, depth);
+    if let Some(sample) = scalars.sampler.take(constants, &scalars.force, scalars.impactor.position) {
+        scalars.metrics.take_sample(&sample, constants.scenario.measurement.force_threshold);
+    }
+}

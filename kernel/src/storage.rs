@@ -1,0 +1,91 @@
+//! Sizes of the memory that the caller lends to a model and a state, known before anything is built.
+
+use crate::element::{CellConstants, CellHistory, HoopConstants};
+use crate::error::ModelError;
+use crate::lanes::Deviator;
+use crate::mesh::Grid;
+use crate::scenario::{Formulation, Scenario};
+
+/// Numbers per node in a model: height of rest, inverse masses along x and y, mass, and x of rest.
+pub(crate) const MODEL_NODE_FIELDS: usize = 5;
+/// Numbers per node in a state: displacement, velocity and force, two components each.
+pub(crate) const STATE_NODE_FIELDS: usize = 6;
+/// Numbers per surface node in a state: normal and tangential contact force.
+pub(crate) const SURFACE_FIELDS: usize = 2;
+
+/// Items of each kind that a model and its states need.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Size {
+    /// Numbers for the nodes of a model.
+    pub model_nodes: usize,
+    /// Blocks of element constants of a model.
+    pub model_cells: usize,
+    /// Blocks of hoop constants of a model (none in plane strain).
+    pub model_hoops: usize,
+    /// Numbers for the nodes of a state.
+    pub state_nodes: usize,
+    /// Blocks of element history of a state.
+    pub state_cells: usize,
+    /// Blocks of Prony history of a state.
+    pub state_prony: usize,
+}
+
+impl Size {
+    /// What `scenario` needs.
+    ///
+    /// # Errors
+    /// A scenario that is refused, or too many cells.
+    pub fn of(scenario: &Scenario) -> Result<Self, ModelError> {
+        scenario.validate()?;
+        let grid = Grid::new(scenario)?;
+        let axisymmetric = scenario.geometry.formulation == Formulation::Axisymmetric;
+        let terms = scenario.silicone.prony_g.iter().filter(|g| **g > 0.0).count();
+        Ok(Self {
+            model_nodes: MODEL_NODE_FIELDS * grid.n_node(),
+            model_cells: grid.n_block(),
+            model_hoops: if axisymmetric { grid.n_block() } else { 0 },
+            state_nodes: STATE_NODE_FIELDS * grid.n_node() + SURFACE_FIELDS * grid.stride(),
+            state_cells: grid.n_block(),
+            state_prony: 2 * terms * grid.n_block(),
+        })
+    }
+}
+
+/// Memory lent to a model while it is built.
+pub struct ModelMemory<'a> {
+    /// At least [`Size::model_nodes`] numbers.
+    pub nodes: &'a mut [f64],
+    /// At least [`Size::model_cells`] blocks.
+    pub cells: &'a mut [CellConstants],
+    /// At least [`Size::model_hoops`] blocks.
+    pub hoops: &'a mut [HoopConstants],
+}
+
+/// Memory lent to a state for its lifetime.
+pub struct StateMemory<'a> {
+    /// At least [`Size::state_nodes`] numbers.
+    pub nodes: &'a mut [f64],
+    /// At least [`Size::state_cells`] blocks.
+    pub cells: &'a mut [CellHistory],
+    /// At least [`Size::state_prony`] blocks.
+    pub prony: &'a mut [Deviator],
+}
+
+/// The first `needed` items of `memory`.
+pub(crate) fn take<'a, T>(memory: &'a mut [T], needed: usize, what: &'static str) -> Result<&'a mut [T], ModelError> {
+    let given = memory.len();
+    memory.get_mut(..needed).ok_or(ModelError::Memory { what, given, needed })
+}
+
+/// Splits `n` numbers off the front of `memory`; fewer if it is too short, which [`take`] has excluded.
+pub(crate) fn split_row<'a>(memory: &mut &'a mut [f64], n: usize) -> &'a mut [f64] {
+    let whole = core::mem::take(memory);
+    let at = n.min(whole.len());
+    match whole.split_at_mut_checked(at) {
+        Some((row, rest)) => {
+            *memory = rest;
+            row
+        }
+        None => &mut [],
+    }
+}
