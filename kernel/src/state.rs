@@ -126,6 +126,37 @@ impl<'a> State<'a> {
         [self.nodes.displacement_x, self.nodes.displacement_y]
     }
 
+    /// Displacements of the nodes, m, to be changed: initial conditions, prescribed fields. Nodes beyond `n_u + 1` in a
+    /// row are padding and stay at zero.
+    pub fn displacement_mut(&mut self) -> [&mut [f64]; 2] {
+        [self.nodes.displacement_x, self.nodes.displacement_y]
+    }
+
+    /// Velocities of the nodes half a step back, m/s, laid out alike.
+    pub fn velocity(&self) -> [&[f64]; 2] {
+        [self.nodes.velocity_x, self.nodes.velocity_y]
+    }
+
+    /// Velocities of the nodes half a step back, m/s, to be changed.
+    pub fn velocity_mut(&mut self) -> [&mut [f64]; 2] {
+        [self.nodes.velocity_x, self.nodes.velocity_y]
+    }
+
+    /// Total force on each node in the last step, N: contact and friction minus internal forces.
+    pub fn force(&self) -> [&[f64]; 2] {
+        [self.nodes.force_x, self.nodes.force_y]
+    }
+
+    /// Normal force of the face on each surface node in the last step, N, by column.
+    pub fn contact_normal(&self) -> &[f64] {
+        self.nodes.contact_normal
+    }
+
+    /// Friction force of the face on each surface node in the last step, N, outwards, by column.
+    pub fn contact_tangential(&self) -> &[f64] {
+        self.nodes.contact_tangential
+    }
+
     /// Displacements of the corners of the cells of a block.
     #[inline(always)]
     pub(crate) fn corners(&self, grid: &Grid, block: usize) -> Corners {

@@ -1,0 +1,109 @@
+//! One cell of two triangles, driven through a history of deformation gradients, as the kernel's step drives it.
+
+use softanvil_kernel::element::{CellHistory, Corners, ElementEnergy, internal_force};
+use softanvil_kernel::lanes::{Deviator, LANES, ZERO, sum};
+use softanvil_kernel::material::Laws;
+use softanvil_kernel::scenario::{Formulation, Material};
+use softanvil_kernel::{Model, ModelMemory, Scenario, Size};
+
+use crate::scenes;
+
+/// A deformation gradient of the section: F11, F12, F21, F22, with the hoop stretch equal to F11 when axisymmetric.
+pub type Gradient = [[f64; 2]; 2];
+
+/// A cell at rest in lane 0 of a block, the first one beside the centre line.
+pub struct Cell {
+    memory: (Vec<f64>, Vec<softanvil_kernel::element::CellConstants>, Vec<softanvil_kernel::element::HoopConstants>),
+    corners: [[f64; 2]; 4],
+    laws: Laws,
+    history: CellHistory,
+    prony: Vec<Deviator>,
+    /// Viscous work so far, J/m3.
+    pub viscous_work: f64,
+    /// Slider dissipation so far, J/m3.
+    pub slider_dissipation: f64,
+    /// Elastic energy, J/m3.
+    pub elastic_energy: f64,
+}
+
+impl Cell {
+    /// The cell of a block of `material`, for steps of `dt` s.
+    pub fn new(material: Material, formulation: Formulation, dt: f64) -> Self {
+        let mut scenario: Scenario = scenes::block(12e-3, 3e-3, material);
+        scenario.geometry.formulation = formulation;
+        let size = Size::of(&scenario).expect("a legal block");
+        let mut memory = (
+            vec![0.0; size.model_nodes],
+            vec![softanvil_kernel::element::CellConstants::ZERO; size.model_cells],
+            vec![softanvil_kernel::element::HoopConstants::ZERO; size.model_hoops],
+        );
+        let model =
+            Model::new(&scenario, ModelMemory { nodes: &mut memory.0, cells: &mut memory.1, hoops: &mut memory.2 })
+                .expect("a legal model");
+        let [x, y] = model.reference_position();
+        let stride = model.constants.grid.stride();
+        let corners = [0, 1, stride + 1, stride].map(|node| [x[node], y[node]]);
+        Self {
+            corners,
+            laws: Laws::new(&material, dt),
+            history: CellHistory::REST,
+            prony: vec![Deviator::ZERO; size.state_prony],
+            memory,
+            viscous_work: 0.0,
+            slider_dissipation: 0.0,
+            elastic_energy: 0.0,
+        }
+    }
+
+    /// Deforms the cell homogeneously; returns the mean first Piola-Kirchhoff stress from the nodal forces, Pa:
+    /// sum_a f_a (x) X_a = V P. In an axisymmetric cell the xx entry is P11 + P33.
+    pub fn deform(&mut self, gradient: Gradient) -> Gradient {
+        let mut displacement: Corners = [[ZERO; 2]; 4];
+        for (corner, reference) in displacement.iter_mut().zip(&self.corners) {
+            for i in 0..2 {
+                let deformed = gradient[i][0] * reference[0] + gradient[i][1] * reference[1];
+                corner[i] = [0.0; LANES];
+                corner[i][0] = deformed - reference[i];
+            }
+        }
+        let constants = self.lane_zero();
+        let mut energy = ElementEnergy::ZERO;
+        let hoop = self.memory.2.first();
+        let force = internal_force(
+            &self.laws,
+            &constants,
+            hoop,
+            &displacement,
+            &mut self.history,
+            &mut self.prony,
+            &mut energy,
+        )
+        .expect("a positive Jacobian");
+        let volume: f64 = constants.triangle.iter().map(|t| t.reference_volume[0]).sum();
+        self.viscous_work += sum(&energy.viscous_increment) / volume;
+        self.slider_dissipation += sum(&energy.slider_increment) / volume;
+        self.elastic_energy = sum(&energy.elastic) / volume;
+        let mut stress = [[0.0; 2]; 2];
+        for (nodal, reference) in force.iter().zip(&self.corners) {
+            for i in 0..2 {
+                for j in 0..2 {
+                    stress[i][j] += nodal[i][0] * reference[j] / volume;
+                }
+            }
+        }
+        stress
+    }
+
+    /// The constants with every lane but the first emptied, so that lane 0 is alone.
+    fn lane_zero(&self) -> softanvil_kernel::element::CellConstants {
+        let mut constants = self.memory.1[0];
+        for triangle in &mut constants.triangle {
+            for lane in triangle.shape_gradient.iter_mut().flatten() {
+                lane[1..].fill(0.0);
+            }
+            triangle.reference_volume[1..].fill(0.0);
+            triangle.patch_weight[1..].fill(0.0);
+        }
+        constants
+    }
+}

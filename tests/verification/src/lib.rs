@@ -1,0 +1,5 @@
+//! What the verification problems share: the tolerances, a driver for one element, and scenarios.
+
+pub mod element;
+pub mod scenes;
+pub mod tolerance;

@@ -1,0 +1,149 @@
+//! The study's drops: conservation of energy and momentum, impenetrability, convergence, repeatability.
+
+use softanvil_kernel::snapshot::{restore, save, snapshot_size};
+use softanvil_kernel::{Simulation, StepInput, preset, step};
+use softanvil_verification::scenes::{ENERGIES, study_drop};
+use softanvil_verification::tolerance::{ENERGY_RESIDUAL, MESH, MOMENTUM, PENETRATION, relative_error};
+
+/// Source: conservation of energy; elastic energy from its potential against the work of the nodal forces.
+#[test]
+fn energy_is_accounted_for_at_every_step() {
+    for energy in ENERGIES {
+        let mut scenario = preset::study();
+        scenario.impactor = scenario.impactor.with_energy(energy);
+        let mut simulation = Simulation::new(&scenario).expect("a legal scenario");
+        let steps = simulation.constants().steps_in(scenario.time.duration);
+        let mut largest = 0.0_f64;
+        for _ in 0..steps {
+            simulation.step(1, &StepInput::default()).expect("a stable run");
+            largest = largest.max(simulation.scalars().energy.residual().abs());
+        }
+        assert!(largest < ENERGY_RESIDUAL * energy, "{energy} J: residual {largest} J");
+        let ledger = simulation.scalars().energy;
+        for (name, value) in [
+            ("elastic", ledger.elastic),
+            ("viscous", ledger.viscous),
+            ("slider", ledger.slider_dissipation),
+            ("friction", ledger.friction),
+            ("contact", ledger.contact),
+        ] {
+            assert!(value > 0.0, "{energy} J: {name} energy {value} J");
+        }
+    }
+}
+
+/// Source: conservation of momentum, impulse = m (v0 + v1) + m g T over the time of contact.
+#[test]
+fn impulse_balances_momentum() {
+    for energy in ENERGIES {
+        let simulation = study_drop(energy, 3e-3);
+        let impactor = simulation.constants().scenario.impactor;
+        let metrics = simulation.scalars().metrics;
+        let momentum = impactor.mass * (metrics.impact_speed + metrics.rebound_speed)
+            + impactor.mass * impactor.gravity * metrics.contact_time;
+        let error = relative_error(metrics.impulse, momentum);
+        assert!(error < MOMENTUM, "{energy} J: impulse {} N s against {momentum} N s", metrics.impulse);
+    }
+}
+
+/// Nothing passes the face, at any step, up to five times the energy of the highest drop.
+#[test]
+fn nodes_do_not_pass_the_face() {
+    for energy in [4.9, 14.7, 5.0 * 14.7] {
+        let mut scenario = preset::study();
+        scenario.impactor = scenario.impactor.with_energy(energy);
+        let mut simulation = Simulation::new(&scenario).expect("a legal scenario");
+        let steps = simulation.constants().steps_in(scenario.time.duration);
+        let deepest = simulation
+            .with(|model, state| {
+                let grid = model.constants.grid;
+                let top = grid.n_v * grid.stride();
+                let mut deepest = 0.0_f64;
+                for _ in 0..steps {
+                    step(model, state, &StepInput::default()).expect("a stable run");
+                    let face = model.constants.top_height + state.scalars.impactor.position;
+                    for node in top..=top + grid.n_u {
+                        let height = model.reference_position()[1][node] + state.displacement()[1][node];
+                        deepest = deepest.max(height - face);
+                    }
+                }
+                deepest
+            })
+            .expect("memory of the right size");
+        let limit = PENETRATION * scenario.mesh.element_size;
+        assert!(deepest <= limit, "{energy} J: {deepest} m above the face");
+    }
+}
+
+/// Peak force and deformation are numbers of the problem, not of the mesh.
+#[test]
+fn default_mesh_agrees_with_one_twice_as_fine() {
+    for energy in ENERGIES {
+        let coarse = study_drop(energy, 3e-3).scalars().metrics;
+        let fine = study_drop(energy, 1.5e-3).scalars().metrics;
+        for (name, a, b) in [
+            ("peak force", coarse.peak_force, fine.peak_force),
+            ("deformation", coarse.max_deformation, fine.max_deformation),
+        ] {
+            assert!(relative_error(a, b) < MESH, "{energy} J: {name} {a} against {b}");
+        }
+    }
+}
+
+/// A run from a restored snapshot gives the bits of the run that was not interrupted.
+#[test]
+fn snapshots_continue_with_the_same_bits() {
+    let scenario = preset::study();
+    let whole = study_drop(14.7, scenario.mesh.element_size);
+    for part in [0, 1, 997, 2500] {
+        let mut first = Simulation::new(&scenario).expect("a legal scenario");
+        let steps = first.constants().steps_in(scenario.time.duration);
+        first.step(part, &StepInput::default()).expect("a stable run");
+        let mut bytes = vec![0; snapshot_size(first.constants())];
+        first.with(|model, state| save(model, state, &mut bytes)).expect("memory").expect("a snapshot");
+
+        let mut second = Simulation::new(&scenario).expect("a legal scenario");
+        second.step(321, &StepInput::default()).expect("a stable run");
+        second.with(|model, state| restore(model, state, &bytes)).expect("memory").expect("a snapshot of this model");
+        assert_eq!(second.scalars(), first.scalars());
+        second.step(steps - part, &StepInput::default()).expect("a stable run");
+        assert_eq!(second.scalars(), whole.scalars(), "restored after {part} steps");
+    }
+}
+
+/// Damaged, truncated and foreign snapshots are refused and change nothing.
+#[test]
+fn snapshots_are_checked() {
+    let scenario = preset::study();
+    let mut simulation = Simulation::new(&scenario).expect("a legal scenario");
+    simulation.step(100, &StepInput::default()).expect("a stable run");
+    let before = *simulation.scalars();
+    let mut bytes = vec![0; snapshot_size(simulation.constants())];
+    simulation.with(|model, state| save(model, state, &mut bytes)).expect("memory").expect("a snapshot");
+
+    let mut other = scenario;
+    other.impactor.mass = 4.0;
+    let mut foreign = Simulation::new(&other).expect("a legal scenario");
+    assert!(foreign.with(|model, state| restore(model, state, &bytes)).expect("memory").is_err());
+
+    for flip in [0, 8, 16, 24, 40, bytes.len() / 2, bytes.len() - 1] {
+        let mut damaged = bytes.clone();
+        damaged[flip] ^= 1;
+        let result = simulation.with(|model, state| restore(model, state, &damaged)).expect("memory");
+        assert!(result.is_err(), "byte {flip} flipped");
+    }
+    let truncated = &bytes[..bytes.len() - 8];
+    assert!(simulation.with(|model, state| restore(model, state, truncated)).expect("memory").is_err());
+    assert_eq!(*simulation.scalars(), before);
+}
+
+/// Reset gives the bits of a new simulation.
+#[test]
+fn reset_starts_anew() {
+    let mut simulation = study_drop(14.7, 3e-3);
+    let first = *simulation.scalars();
+    simulation.reset();
+    let steps = first.step_index;
+    simulation.step(steps, &StepInput::default()).expect("a stable run");
+    assert_eq!(*simulation.scalars(), first);
+}
