@@ -1,0 +1,85 @@
+//! The command line: arguments in, text and exit code out.
+
+use std::ffi::OsString;
+
+use clap::{Parser, Subcommand};
+
+use crate::commands::{report, run, scenario, validate};
+use crate::failure::Failure;
+
+/// Drop-weight impact on a soft anvil, by explicit finite elements that give the same bits everywhere.
+///
+/// Without a command: the three drops of the study, its table side by side, and a report folder.
+#[derive(Debug, Parser)]
+#[command(name = "softanvil", version, args_conflicts_with_subcommands = true)]
+#[command(after_help = "Exit codes: 0 done, 1 the simulation or a file failed, 2 wrong input.")]
+pub struct Cli {
+    #[command(flatten)]
+    report: report::Options,
+    #[command(subcommand)]
+    command: Option<Command>,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    Run(run::Options),
+    Validate(validate::Options),
+    Scenario(scenario::Options),
+}
+
+impl Cli {
+    /// Carries out the command; returns what belongs on standard output.
+    ///
+    /// # Errors
+    /// Wrong input, or a simulation or file that failed.
+    fn carry_out(&self) -> Result<String, Failure> {
+        match &self.command {
+            None => report::carry_out(&self.report),
+            Some(Command::Run(options)) => run::carry_out(options),
+            Some(Command::Validate(options)) => validate::carry_out(options),
+            Some(Command::Scenario(options)) => scenario::carry_out(options),
+        }
+    }
+}
+
+/// How a command ended.
+#[derive(Debug)]
+pub struct Outcome {
+    /// Text for standard output.
+    pub stdout: String,
+    /// Text for standard error.
+    pub stderr: String,
+    /// 0 done, 1 failed, 2 wrong input.
+    pub exit_code: u8,
+}
+
+/// Carries out a command line, whose first argument is the name of the program.
+pub fn execute(arguments: impl IntoIterator<Item = OsString>) -> Outcome {
+    let cli = match Cli::try_parse_from(arguments) {
+        Ok(cli) => cli,
+        Err(error) if error.use_stderr() => return refused(&Failure::Input(usage_error(&error))),
+        // Help and version.
+        Err(error) => return done(error.to_string()),
+    };
+    match cli.carry_out() {
+        Ok(text) => done(text),
+        Err(failure) => refused(&failure),
+    }
+}
+
+fn done(stdout: String) -> Outcome {
+    Outcome { stdout, stderr: String::new(), exit_code: 0 }
+}
+
+fn refused(failure: &Failure) -> Outcome {
+    // Paths and messages of the system may hold line breaks; an error is one line.
+    let line = failure.to_string().replace(['\n', '\r'], " ");
+    Outcome { stdout: String::new(), stderr: format!("error: {line}\n"), exit_code: failure.exit_code() }
+}
+
+/// What is wrong, in one line, without the usage and tips that clap adds in further paragraphs.
+fn usage_error(error: &clap::Error) -> String {
+    let text = error.to_string();
+    let paragraph = text.trim_start_matches("error: ").split("\n\n").next().unwrap_or_default();
+    paragraph.split_whitespace().collect::<Vec<_>>().join(" ")
+}

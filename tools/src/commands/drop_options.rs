@@ -1,0 +1,82 @@
+//! The options that say which drop to simulate.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use softanvil_kernel::scenario::DropBy;
+use softanvil_kernel::{Parameter, Scenario};
+
+use crate::failure::Failure;
+use crate::presets::Preset;
+use crate::scenario_file;
+
+/// Which drop to simulate.
+#[derive(Debug, Args)]
+pub struct DropOptions {
+    /// Preset to start from
+    #[arg(long, value_name = "NAME", default_value = "study")]
+    preset: Preset,
+    /// Scenario file (TOML, as `softanvil scenario` prints it); keys left out keep the preset's value
+    #[arg(long, value_name = "FILE")]
+    scenario: Option<PathBuf>,
+    #[command(flatten)]
+    start: StartOptions,
+    /// Simulated time in s, instead of the scenario's
+    #[arg(long, value_name = "S", allow_negative_numbers = true)]
+    duration: Option<f64>,
+}
+
+/// How fast the impactor is at the start, instead of the scenario's.
+#[derive(Debug, Args)]
+#[group(multiple = false)]
+struct StartOptions {
+    /// Impact energy in J
+    #[arg(long, value_name = "J", allow_negative_numbers = true)]
+    energy: Option<f64>,
+    /// Drop height in m
+    #[arg(long, value_name = "M", allow_negative_numbers = true)]
+    height: Option<f64>,
+    /// Speed at the start in m/s, downwards
+    #[arg(long, value_name = "M_PER_S", allow_negative_numbers = true)]
+    speed: Option<f64>,
+}
+
+impl DropOptions {
+    /// The scenario that the options describe.
+    ///
+    /// # Errors
+    /// A scenario file or a value that is refused.
+    pub fn scenario(&self) -> Result<Scenario, Failure> {
+        let preset = self.preset.scenario();
+        let mut scenario = match &self.scenario {
+            Some(path) => scenario_file::read(path, &preset)?,
+            None => preset,
+        };
+        self.start.apply(&mut scenario)?;
+        if let Some(duration) = self.duration {
+            set(&mut scenario, "time.duration", duration)?;
+        }
+        Ok(scenario)
+    }
+}
+
+impl StartOptions {
+    fn apply(&self, scenario: &mut Scenario) -> Result<(), Failure> {
+        for (name, value, drop_by) in [
+            ("impactor.drop_energy", self.energy, DropBy::Energy),
+            ("impactor.drop_height", self.height, DropBy::Height),
+            ("impactor.drop_speed", self.speed, DropBy::Speed),
+        ] {
+            if let Some(value) = value {
+                set(scenario, name, value)?;
+                scenario.impactor.drop_by = drop_by;
+            }
+        }
+        Ok(())
+    }
+}
+
+fn set(scenario: &mut Scenario, name: &str, value: f64) -> Result<(), Failure> {
+    let parameter = Parameter::find(name).ok_or_else(|| Failure::Input(format!("{name} is unknown")))?;
+    parameter.set(scenario, value).map_err(|error| Failure::Input(error.to_string()))
+}

@@ -1,0 +1,8 @@
+//! The subcommands, one file each: an `Options` of arguments, and `carry_out`, which returns the text for standard
+//! output.
+
+pub mod drop_options;
+pub mod report;
+pub mod run;
+pub mod scenario;
+pub mod validate;

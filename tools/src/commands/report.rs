@@ -1,0 +1,31 @@
+//! `softanvil` alone: the drops of the study, its table, and a report folder.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+use crate::failure::Failure;
+use crate::presets::Preset;
+use crate::report::{self, Place};
+use crate::table;
+use crate::validation::Validation;
+
+/// What to do without a command.
+#[derive(Debug, Args)]
+pub struct Options {
+    /// Folder of the report; a report that stands there is replaced
+    #[arg(long, value_name = "DIR", default_value = "softanvil-report")]
+    out: PathBuf,
+}
+
+/// Runs the drops and writes the report; returns the table and where the report is.
+///
+/// # Errors
+/// A folder that is not ours to replace, a simulation that failed, or a file that cannot be written.
+pub fn carry_out(options: &Options) -> Result<String, Failure> {
+    let place = Place::new(&options.out)?;
+    let validation = Validation::new(Preset::default())?;
+    let names = report::write(&validation, place)?;
+    let files = names.iter().map(|name| format!("  {name}\n")).collect::<String>();
+    Ok(format!("{}\nReport in {}:\n{files}", table::of_validation(&validation), options.out.display()))
+}

@@ -1,0 +1,28 @@
+//! `softanvil validate`: the study's table, side by side.
+
+use clap::Args;
+
+use crate::failure::Failure;
+use crate::presets::Preset;
+use crate::validation::Validation;
+use crate::{json, table};
+
+/// Simulate the drops of the study and print its table side by side with ours.
+#[derive(Debug, Args)]
+pub struct Options {
+    /// Preset to validate
+    #[arg(long, value_name = "NAME", default_value = "study")]
+    preset: Preset,
+    /// Print JSON in SI units instead of the table
+    #[arg(long)]
+    json: bool,
+}
+
+/// Runs the drops; returns the table.
+///
+/// # Errors
+/// A simulation that failed.
+pub fn carry_out(options: &Options) -> Result<String, Failure> {
+    let validation = Validation::new(options.preset)?;
+    Ok(if options.json { json::text(&json::of_validation(&validation)) } else { table::of_validation(&validation) })
+}

@@ -1,0 +1,45 @@
+//! How a command ends badly: by its input, or by what it tried to do.
+
+use std::fmt::Display;
+use std::path::Path;
+
+use crate::plot::PlotError;
+use crate::trace::TraceError;
+
+/// Why a command did not do what it was asked.
+#[derive(Debug, thiserror::Error)]
+pub enum Failure {
+    /// The input is wrong; nothing was started.
+    #[error("{0}")]
+    Input(String),
+    /// The simulation failed, or a file could not be written.
+    #[error("{0}")]
+    Failed(String),
+}
+
+impl Failure {
+    /// The exit code of the process.
+    pub fn exit_code(&self) -> u8 {
+        match self {
+            Self::Failed(_) => 1,
+            Self::Input(_) => 2,
+        }
+    }
+
+    /// A file or folder that could not be written.
+    pub fn writing(path: &Path, error: impl Display) -> Self {
+        Self::Failed(format!("{} cannot be written: {error}", path.display()))
+    }
+}
+
+impl From<PlotError> for Failure {
+    fn from(error: PlotError) -> Self {
+        Self::Failed(error.to_string())
+    }
+}
+
+impl From<TraceError> for Failure {
+    fn from(error: TraceError) -> Self {
+        Self::Failed(error.to_string())
+    }
+}

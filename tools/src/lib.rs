@@ -1,0 +1,26 @@
+//! What the command line of Softanvil is made of, for its binary, its tests and other programs on a host.
+//!
+//! From top to bottom:
+//!
+//! 1. [`cli`] is the command line; each file of [`commands`] is one subcommand, [`failure`] how one ends badly.
+//! 2. [`report`] writes the report folder; [`plot`], [`table`] and [`trace`] draw, print and store results,
+//!    [`staging`] keeps half-written files away.
+//! 3. [`validation`] compares runs with the [`paper`], by the four [`quantity`]s of its table.
+//! 4. [`run`] simulates a drop; [`scenario_file`] and [`presets`] say which, [`progress`] how far it is.
+
+pub mod cli;
+pub mod commands;
+pub mod failure;
+pub mod json;
+pub mod paper;
+pub mod plot;
+pub mod presets;
+pub mod progress;
+pub mod quantity;
+pub mod report;
+pub mod run;
+pub mod scenario_file;
+pub mod staging;
+pub mod table;
+pub mod trace;
+pub mod validation;

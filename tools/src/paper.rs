@@ -1,0 +1,47 @@
+//! Table 1 of the study: what its experiment measured and what its LS-DYNA model computed.
+//!
+//! "Finite element model to simulate impact on a soft tissue simulant", Sports Engineering (2023),
+//! doi 10.1007/s12283-023-00407-7. Only values are taken from it; its percentages have misprints, so that errors are
+//! always recomputed.
+
+use crate::quantity::COUNT;
+
+/// Where the numbers come from.
+pub const SOURCE: &str = "Table 1 of doi 10.1007/s12283-023-00407-7";
+
+/// One impact energy of the table, in SI; the four numbers are in the order of [`crate::quantity::QUANTITIES`].
+#[derive(Debug)]
+pub struct Case {
+    /// Impact energy, J.
+    pub energy: f64,
+    /// Measured.
+    pub experiment: [f64; COUNT],
+    /// Computed by the study's LS-DYNA model.
+    pub ls_dyna: [f64; COUNT],
+}
+
+/// Digits after the point with which the table prints the four numbers, in their display units.
+pub const DECIMALS: [usize; COUNT] = [0, 1, 1, 0];
+
+/// The table: peak force in N, deformation in m, duration in s, impulse in N s.
+pub static TABLE_1: [Case; 3] = [
+    Case { energy: 14.7, experiment: [5499.0, 5.1e-3, 6.8e-3, 16.0], ls_dyna: [5538.0, 4.7e-3, 6.3e-3, 13.0] },
+    Case { energy: 9.8, experiment: [4071.0, 3.5e-3, 8.1e-3, 13.0], ls_dyna: [4040.0, 3.8e-3, 6.8e-3, 11.0] },
+    Case { energy: 4.9, experiment: [2399.0, 2.9e-3, 10.5e-3, 11.0], ls_dyna: [2460.0, 3.1e-3, 9.0e-3, 9.0] },
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::validation::{errors_percent, mean_absolute};
+
+    #[test]
+    fn ls_dyna_deviates_from_the_experiment_by_9_8_percent() {
+        let errors = TABLE_1.iter().map(|case| errors_percent(&case.ls_dyna, &case.experiment));
+        let means: Vec<f64> = errors.clone().map(|errors| mean_absolute(errors.into_iter())).collect();
+        for (mean, expected) in means.iter().zip([8.7, 10.2, 10.5]) {
+            assert!((mean - expected).abs() < 0.05, "{means:?}");
+        }
+        assert!((mean_absolute(errors.flatten()) - 9.8).abs() < 0.05);
+    }
+}

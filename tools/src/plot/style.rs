@@ -1,0 +1,60 @@
+//! Sizes and colours of the pictures.
+
+use plotters::chart::SeriesLabelPosition;
+use plotters::style::RGBColor;
+
+/// Drawing units in a pixel. The drawing library rounds every coordinate to a whole unit; whole pixels would make
+/// steps of the curves.
+pub const UNITS: u32 = 8;
+
+/// Width and height of one panel.
+pub const PANEL_SIZE: (u32, u32) = (800 * UNITS, 530 * UNITS);
+/// Margin around a panel.
+pub const MARGIN: u32 = 20 * UNITS;
+/// Height of the title's strip.
+pub const TITLE_AREA: u32 = 54 * UNITS;
+/// Width of the labels of the vertical axis.
+pub const Y_LABEL_AREA: u32 = 76 * UNITS;
+/// Height of the labels of the horizontal axis.
+pub const X_LABEL_AREA: u32 = 48 * UNITS;
+
+/// Font of all text; the viewer chooses it.
+pub const FONT: &str = "sans-serif";
+/// Size of the title.
+pub const TITLE_SIZE: u32 = 22 * UNITS;
+/// Size of axis descriptions and legend.
+pub const LABEL_SIZE: u32 = 18 * UNITS;
+/// Size of tick labels.
+pub const TICK_LABEL_SIZE: u32 = 17 * UNITS;
+
+/// Length of a tick.
+pub const TICK: u32 = 5 * UNITS;
+/// Width of grid and axes.
+pub const THIN: u32 = UNITS;
+/// Width of a curve.
+pub const CURVE: u32 = 9 * UNITS / 4;
+/// Length of the dashes of a measured level and of the gaps between them.
+pub const DASH: (u32, u32) = (6 * UNITS, 4 * UNITS);
+/// Radius of a marker.
+pub const MARKER: u32 = 6 * UNITS;
+/// Length of a line in the legend.
+pub const LEGEND_LINE: u32 = 28 * UNITS;
+
+/// Upper left of the axes, beside the vertical one.
+pub const LEGEND_UPPER_LEFT: SeriesLabelPosition = SeriesLabelPosition::Coordinate(2 * UNITS as i32, 2 * UNITS as i32);
+
+/// Behind everything.
+pub const BACKGROUND: RGBColor = RGBColor(255, 255, 255);
+/// Text and axes.
+pub const INK: RGBColor = RGBColor(38, 42, 48);
+/// Grid lines.
+pub const GRID: RGBColor = RGBColor(226, 229, 233);
+
+/// Colours of the runs: from the palette of Okabe and Ito, told apart with any colour vision.
+const RUNS: [RGBColor; 4] =
+    [RGBColor(0, 114, 178), RGBColor(213, 94, 0), RGBColor(0, 158, 115), RGBColor(204, 121, 167)];
+
+/// Colour of the run with this index.
+pub fn colour(index: usize) -> RGBColor {
+    RUNS[index % RUNS.len()]
+}

@@ -1,0 +1,17 @@
+//! How far the simulation is, on standard error if that is a terminal.
+
+use std::time::Duration;
+
+use indicatif::{ProgressBar, ProgressFinish, ProgressStyle};
+
+/// A bar over `steps` time steps, which vanishes when it is dropped; hidden if standard error is no terminal.
+pub fn bar(steps: u64) -> ProgressBar {
+    let style = ProgressStyle::with_template(
+        "{msg:>8} [{bar:40}] {percent:>3} %  {human_pos} of {human_len} steps, {eta} left",
+    )
+    .unwrap_or_else(|_| ProgressStyle::default_bar())
+    .progress_chars("=> ");
+    let bar = ProgressBar::new(steps).with_style(style).with_finish(ProgressFinish::AndClear);
+    bar.enable_steady_tick(Duration::from_millis(100));
+    bar
+}

@@ -1,0 +1,107 @@
+//! A simulated drop, recorded at every force sample.
+
+use softanvil_kernel::scenario::Motion;
+use softanvil_kernel::state::Scalars;
+use softanvil_kernel::{Constants, ModelError, Output, Scenario, Simulation, StepError, StepInput};
+
+use crate::failure::Failure;
+
+/// A completed run.
+#[derive(Debug)]
+pub struct Run {
+    /// Constants of the model.
+    pub constants: Constants,
+    /// The state at the start and at the end of every sampling interval; never empty.
+    samples: Vec<Scalars>,
+}
+
+/// Why a run did not complete.
+#[derive(Debug, thiserror::Error)]
+pub enum RunError {
+    /// The scenario is refused.
+    #[error("{0}")]
+    Model(#[from] ModelError),
+    /// A step failed.
+    #[error("the simulation failed: {0}")]
+    Step(#[from] StepError),
+    /// Nothing here moves a driven impactor.
+    #[error("impactor.motion = driven is refused: a run has nothing that drives the impactor; legal is drop")]
+    Driven,
+}
+
+impl From<RunError> for Failure {
+    fn from(error: RunError) -> Self {
+        match error {
+            RunError::Model(_) | RunError::Driven => Self::Input(error.to_string()),
+            RunError::Step(_) => Self::Failed(error.to_string()),
+        }
+    }
+}
+
+/// A drop that is ready to run.
+pub struct Drop {
+    simulation: Simulation,
+    steps: u64,
+}
+
+impl Drop {
+    /// Builds the model of `scenario`, which covers its `time.duration`.
+    ///
+    /// # Errors
+    /// A scenario that is refused or not a drop.
+    pub fn new(scenario: &Scenario) -> Result<Self, RunError> {
+        if scenario.impactor.motion == Motion::Driven {
+            return Err(RunError::Driven);
+        }
+        let simulation = Simulation::new(scenario)?;
+        let steps = simulation.constants().steps_in(scenario.time.duration);
+        Ok(Self { simulation, steps })
+    }
+
+    /// Steps of the run.
+    pub fn steps(&self) -> u64 {
+        self.steps
+    }
+
+    /// Runs to the end; `progress` hears of every completed sample how many steps it took.
+    ///
+    /// # Errors
+    /// The first step that fails.
+    pub fn run(mut self, mut progress: impl FnMut(u64)) -> Result<Run, RunError> {
+        let stride = u64::from(self.simulation.constants().steps_per_sample);
+        let mut samples = vec![*self.simulation.scalars()];
+        for _ in 0..self.steps / stride {
+            self.simulation.step(stride, &StepInput::default())?;
+            samples.push(*self.simulation.scalars());
+            progress(stride);
+        }
+        Ok(Run { constants: *self.simulation.constants(), samples })
+    }
+}
+
+impl Run {
+    /// The state at the start and at the end of every sampling interval.
+    pub fn samples(&self) -> &[Scalars] {
+        &self.samples
+    }
+
+    /// The state at the end.
+    pub fn end(&self) -> &Scalars {
+        &self.samples[self.samples.len() - 1]
+    }
+
+    /// Simulated time of a sample, s.
+    pub fn time(&self, sample: &Scalars) -> f64 {
+        self.constants.time(sample.step_index)
+    }
+
+    /// An output at the end, in SI.
+    pub fn result(&self, output: &Output) -> f64 {
+        (output.read)(&self.constants, self.end())
+    }
+
+    /// Fingerprint of the trace: equal for equal bits of all samples.
+    pub fn trace_hash(&self) -> String {
+        format!("{:016x}", self.end().sampler.trace_hash)
+    }
+}

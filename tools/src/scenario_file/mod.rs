@@ -1,0 +1,16 @@
+//! Scenario files: TOML in which every parameter `group.field` of the kernel's table is the key `field` of the section
+//! `[group]`. Keys left out keep their value in the scenario that the file is read upon.
+
+mod read;
+mod write;
+
+pub use read::{ScenarioFileError, parse, read};
+pub use write::to_toml;
+
+#[cfg(test)]
+mod tests;
+
+/// Group and field of a parameter's name.
+fn split(name: &'static str) -> (&'static str, &'static str) {
+    name.split_once('.').unwrap_or(("", name))
+}

@@ -1,0 +1,180 @@
+//! From TOML to a scenario.
+
+use std::ops::Range;
+use std::path::Path;
+
+use softanvil_kernel::parameter::Kind;
+use softanvil_kernel::{PARAMETERS, Parameter, ParameterError, Scenario, ScenarioError};
+use toml_edit::{Document, Item, TableLike, TomlError};
+
+use super::split;
+use crate::failure::Failure;
+
+/// Why a scenario file is refused.
+#[derive(Debug, thiserror::Error)]
+pub enum ScenarioFileError {
+    /// The text is not TOML.
+    #[error("line {line}: {message}")]
+    Syntax {
+        /// Line of the error, from 1.
+        line: usize,
+        /// What is wrong there.
+        message: String,
+    },
+    /// No parameter or section has this name.
+    #[error("line {line}: {name} is unknown{suggestion}")]
+    Unknown {
+        /// Line of the key, from 1.
+        line: usize,
+        /// The name.
+        name: String,
+        /// The nearest name, or nothing.
+        suggestion: String,
+    },
+    /// The value is of the wrong type.
+    #[error("line {line}: {name} = {found} is refused: legal is {legal}")]
+    Type {
+        /// Line of the key, from 1.
+        line: usize,
+        /// The name.
+        name: String,
+        /// What stands there.
+        found: String,
+        /// What may stand there.
+        legal: String,
+    },
+    /// The number is out of its range.
+    #[error("line {line}: {error}")]
+    Value {
+        /// Line of the key, from 1.
+        line: usize,
+        /// Value, unit and range.
+        error: ParameterError,
+    },
+    /// The parameters do not fit together.
+    #[error("{0}")]
+    Scenario(#[from] ScenarioError),
+}
+
+/// Reads a scenario file upon `base`.
+///
+/// # Errors
+/// A file that cannot be read, or what [`parse`] refuses, with the name of the file.
+pub fn read(path: &Path, base: &Scenario) -> Result<Scenario, Failure> {
+    let refuse = |error: &dyn std::fmt::Display| Failure::Input(format!("{}: {error}", path.display()));
+    let text = std::fs::read_to_string(path).map_err(|error| refuse(&error))?;
+    parse(&text, base).map_err(|error| refuse(&error))
+}
+
+/// The scenario that `text` makes of `base`.
+///
+/// # Errors
+/// The first line that is not TOML, names no parameter, or gives it an illegal value; or a scenario that does not fit
+/// together.
+pub fn parse(text: &str, base: &Scenario) -> Result<Scenario, ScenarioFileError> {
+    let document = Document::parse(text).map_err(|error| syntax(text, &error))?;
+    let mut scenario = *base;
+    for (group, item) in document.iter() {
+        let place = Place { text, line: line_of(text, key_span(document.as_table(), group)) };
+        if !PARAMETERS.iter().any(|parameter| split(parameter.name).0 == group) {
+            return Err(place.unknown(group));
+        }
+        let Some(section) = item.as_table_like() else {
+            return Err(place.wrong_type(group, item, format!("a section [{group}] of keys")));
+        };
+        read_section(&place, group, section, &mut scenario)?;
+    }
+    scenario.validate()?;
+    Ok(scenario)
+}
+
+fn read_section(
+    place: &Place,
+    group: &str,
+    section: &dyn TableLike,
+    scenario: &mut Scenario,
+) -> Result<(), ScenarioFileError> {
+    for (field, item) in section.iter() {
+        let name = format!("{group}.{field}");
+        let place = Place { line: line_of(place.text, key_span(section, field)), ..*place };
+        let Some(parameter) = Parameter::find(&name) else {
+            return Err(place.unknown(&name));
+        };
+        let value = place.value(parameter, item)?;
+        parameter.set(scenario, value).map_err(|error| ScenarioFileError::Value { line: place.line, error })?;
+    }
+    Ok(())
+}
+
+/// Where in the text something stands.
+struct Place<'a> {
+    text: &'a str,
+    line: usize,
+}
+
+impl Place<'_> {
+    /// The number that `item` gives to `parameter`; for a choice, its index.
+    fn value(&self, parameter: &Parameter, item: &Item) -> Result<f64, ScenarioFileError> {
+        match parameter.kind {
+            Kind::Real { unit, min, max, .. } => item
+                .as_float()
+                .or_else(|| item.as_integer().map(|integer| integer as f64))
+                .ok_or_else(|| self.wrong_type(parameter.name, item, format!("a number, {}", legal(min, max, unit)))),
+            Kind::Choice { labels, .. } => item
+                .as_str()
+                .and_then(|found| labels.iter().position(|label| *label == found))
+                .map(|index| index as f64)
+                .ok_or_else(|| self.wrong_type(parameter.name, item, quoted(labels))),
+        }
+    }
+
+    fn unknown(&self, name: &str) -> ScenarioFileError {
+        ScenarioFileError::Unknown { line: self.line, name: name.into(), suggestion: suggestion(name) }
+    }
+
+    fn wrong_type(&self, name: &str, item: &Item, legal: String) -> ScenarioFileError {
+        let found = match item {
+            Item::Value(value) => value.clone().decorated("", "").to_string(),
+            _ => "a section".into(),
+        };
+        ScenarioFileError::Type { line: self.line, name: name.into(), found, legal }
+    }
+}
+
+fn legal(min: f64, max: f64, unit: &str) -> String {
+    if unit == "1" { format!("{min} to {max}") } else { format!("{min} to {max} {unit}") }
+}
+
+fn quoted(labels: &[&str]) -> String {
+    labels.iter().map(|label| format!("\"{label}\"")).collect::<Vec<_>>().join(" or ")
+}
+
+/// The known name most like `name`, if one is like it.
+fn suggestion(name: &str) -> String {
+    /// Below this similarity (0 to 1) a suggestion confuses more than it helps.
+    const SIMILAR: f64 = 0.8;
+    let groups = PARAMETERS.iter().map(|parameter| split(parameter.name).0);
+    PARAMETERS
+        .iter()
+        .map(|parameter| parameter.name)
+        .chain(groups)
+        .map(|known| (strsim::jaro_winkler(known, name), known))
+        .filter(|(similarity, _)| *similarity > SIMILAR)
+        .max_by(|a, b| a.0.total_cmp(&b.0))
+        .map_or_else(String::new, |(_, known)| format!(" (did you mean {known}?)"))
+}
+
+fn syntax(text: &str, error: &TomlError) -> ScenarioFileError {
+    let message = error.message().split_whitespace().collect::<Vec<_>>().join(" ");
+    ScenarioFileError::Syntax { line: line_of(text, error.span()), message }
+}
+
+fn key_span(table: &dyn TableLike, key: &str) -> Option<Range<usize>> {
+    table.key(key).and_then(|key| key.span())
+}
+
+/// The line, from 1, in which `span` begins.
+fn line_of(text: &str, span: Option<Range<usize>>) -> usize {
+    let start = span.map_or(0, |span| span.start);
+    1 + text.bytes().take(start).filter(|byte| *byte == b'\n').count()
+}

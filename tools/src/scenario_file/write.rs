@@ -1,0 +1,90 @@
+//! From a scenario to TOML, with unit, legal range and meaning of every line.
+
+use softanvil_kernel::parameter::Kind;
+use softanvil_kernel::{PARAMETERS, Parameter, Scenario};
+use toml_edit::{DocumentMut, Item, Table, Value};
+
+use super::split;
+
+const HEADER: &str = "\
+# A scenario of Softanvil: one drop test, in SI units.
+# Every line: key = value, then its unit, its legal values (both ends included) and its meaning.
+# A line left out keeps the preset's value.
+";
+
+/// `scenario` as a scenario file with every parameter.
+pub fn to_toml(scenario: &Scenario) -> String {
+    let rows: Vec<Row> = PARAMETERS.iter().map(|parameter| Row::new(parameter, scenario)).collect();
+    let widths = Widths::of(&rows);
+    let mut document = DocumentMut::new();
+    for row in rows {
+        let section = document.entry(row.group).or_insert_with(|| Item::Table(Table::new()));
+        if let Some(section) = section.as_table_mut() {
+            let comment = row.comment(&widths);
+            let mut value = row.value;
+            value.decor_mut().set_suffix(comment);
+            section.insert(row.field, Item::Value(value));
+        }
+    }
+    format!("{HEADER}\n{document}")
+}
+
+/// One line of the file.
+struct Row {
+    group: &'static str,
+    field: &'static str,
+    value: Value,
+    unit: &'static str,
+    legal: String,
+    description: &'static str,
+}
+
+impl Row {
+    fn new(parameter: &'static Parameter, scenario: &Scenario) -> Self {
+        let (group, field) = split(parameter.name);
+        let (value, unit, legal) = match &parameter.kind {
+            Kind::Real { unit, min, max, .. } => {
+                (parameter.get(scenario).into(), *unit, format!("{} to {}", short(*min), short(*max)))
+            }
+            Kind::Choice { labels, read, .. } => {
+                (labels.get(read(scenario)).copied().unwrap_or_default().into(), "", labels.join(" | "))
+            }
+        };
+        Self { group, field, value, unit, legal, description: parameter.description }
+    }
+
+    /// Characters of `key = value`.
+    fn width(&self) -> usize {
+        self.field.len() + " = ".len() + self.value.to_string().trim().len()
+    }
+
+    fn comment(&self, widths: &Widths) -> String {
+        let gap = widths.assignment - self.width();
+        let (unit, legal) = (widths.unit, widths.legal);
+        format!("{:gap$}  # {:unit$}  {:legal$}  {}", "", self.unit, self.legal, self.description)
+    }
+}
+
+/// Widths of the columns.
+struct Widths {
+    assignment: usize,
+    unit: usize,
+    legal: usize,
+}
+
+impl Widths {
+    fn of(rows: &[Row]) -> Self {
+        let widest = |width: fn(&Row) -> usize| rows.iter().map(width).max().unwrap_or_default();
+        Self {
+            assignment: widest(Row::width),
+            unit: widest(|row| row.unit.len()),
+            legal: widest(|row| row.legal.len()),
+        }
+    }
+}
+
+/// A bound, in powers of ten where that is shorter.
+fn short(bound: f64) -> String {
+    let (plain, power) = (format!("{bound}"), format!("{bound:e}"));
+    if power.len() < plain.len() { power } else { plain }
+}

@@ -1,0 +1,155 @@
+//! Results as tables for people.
+
+use std::ops::Range;
+
+use comfy_table::presets::UTF8_HORIZONTAL_ONLY;
+use comfy_table::{CellAlignment, ContentArrangement, LineStyle, Table};
+use softanvil_kernel::{OUTPUTS, Output};
+
+use crate::paper;
+use crate::quantity::{COUNT, QUANTITIES, Quantity};
+use crate::run::Run;
+use crate::validation::{Comparison, Validation};
+
+/// The study's table: experiment, LS-DYNA and Softanvil side by side, 80 characters wide.
+pub fn of_validation(validation: &Validation) -> String {
+    let mut table = new_table(&["energy", "quantity", "experiment", "LS-DYNA", "error", "Softanvil", "error"]);
+    for case in &validation.cases {
+        table.add_row(case_row(case));
+    }
+    let means = |mean: f64, peak: f64| format!("{mean:.1} %\n{peak:.1} %");
+    table.add_row([
+        "all",
+        "mean |error|\nthe same, peak force",
+        "",
+        "",
+        &means(validation.ls_dyna_mean_error(), validation.ls_dyna_peak_error()),
+        "",
+        &means(validation.mean_error(), validation.peak_error()),
+    ]);
+    align_right(&mut table, 2..7);
+    format!("{}\n{}", table.trim_fmt(), notes(validation))
+}
+
+/// What the numbers of the table rest on.
+fn notes(validation: &Validation) -> String {
+    let mut notes = format!("Errors are against the experiment.\nExperiment, LS-DYNA: {}.\n", paper::SOURCE);
+    if let Some(Comparison { run, .. }) = validation.cases.first() {
+        let threshold = run.constants.scenario.measurement.force_threshold;
+        notes += &format!(
+            "Softanvil: preset {}, {} triangles, impact duration at forces from {threshold} N on.\n",
+            validation.preset.name(),
+            run.constants.grid.n_elem()
+        );
+    }
+    notes
+}
+
+/// One row with a line per quantity.
+fn case_row(case: &Comparison) -> [String; 7] {
+    let lines = |line: &dyn Fn(usize, &Quantity) -> String| {
+        QUANTITIES.iter().enumerate().map(|(i, quantity)| line(i, quantity)).collect::<Vec<_>>().join("\n")
+    };
+    let values = |values: &[f64; COUNT], decimals: &dyn Fn(usize) -> usize| {
+        lines(&|i, quantity| format!("{:.*}", decimals(i), values[i] * quantity.display_scale))
+    };
+    let percent = |errors: [f64; COUNT]| lines(&|i, _| format!("{:+.1} %", errors[i]));
+    [
+        format!("{} J", case.paper.energy),
+        lines(&|_, quantity| format!("{} ({})", quantity.label, quantity.display_unit)),
+        values(&case.paper.experiment, &|i| paper::DECIMALS[i]),
+        values(&case.paper.ls_dyna, &|i| paper::DECIMALS[i]),
+        percent(case.ls_dyna_errors()),
+        values(&case.softanvil, &|i| QUANTITIES[i].decimals),
+        percent(case.softanvil_errors()),
+    ]
+}
+
+/// The results and the energies at the end of a run; fitted to the terminal, if there is one.
+pub fn of_run(run: &Run) -> String {
+    let mut table = new_table(&["result", "value", "unit", "meaning"]);
+    table.load_style(UTF8_HORIZONTAL_ONLY.row_separator(LineStyle::none()));
+    table.set_content_arrangement(ContentArrangement::Dynamic);
+    for output in OUTPUTS {
+        let name = match output.name.split_once('.') {
+            Some(("result", field)) => field.replace('_', " "),
+            Some(("energy", term)) => format!("energy, {}", term.replace('_', " ")),
+            _ => continue,
+        };
+        let (unit, scale) = display_unit(output);
+        let value = four_digits(run.result(output) * scale);
+        table.add_row([&name, &value, unit, output.description]);
+    }
+    align_right(&mut table, 1..2);
+    table.trim_fmt() + "\n"
+}
+
+/// What a run was made with, in one line.
+pub fn settings(run: &Run) -> String {
+    let grid = &run.constants.grid;
+    format!(
+        "{} triangles, {} steps of {:.4} us, trace {}",
+        grid.n_elem(),
+        run.end().step_index,
+        run.constants.dt * 1e6,
+        run.trace_hash()
+    )
+}
+
+/// Unit for people and its factor: lengths and times of an impact read best in thousandths.
+fn display_unit(output: &Output) -> (&'static str, f64) {
+    match output.unit {
+        "m" => ("mm", 1e3),
+        "s" => ("ms", 1e3),
+        "1" => ("", 1.0),
+        "N.s" => ("N s", 1.0),
+        unit => (unit, 1.0),
+    }
+}
+
+/// `value` with four significant digits, in powers of ten where it is small.
+fn four_digits(value: f64) -> String {
+    let magnitude = value.abs();
+    if magnitude > 0.0 && magnitude < 1e-2 {
+        return format!("{value:.3e}");
+    }
+    let power = if magnitude > 0.0 { magnitude.log10().floor() as i32 } else { 0 };
+    format!("{value:.*}", usize::try_from(3 - power).unwrap_or_default())
+}
+
+fn new_table(header: &[&str]) -> Table {
+    let mut table = Table::new();
+    table.load_style(UTF8_HORIZONTAL_ONLY).set_header(header);
+    // One space after each cell and one between the columns are enough.
+    for column in table.column_iter_mut() {
+        column.set_padding((0, 1));
+    }
+    table
+}
+
+/// Aligns columns of numbers to the right.
+fn align_right(table: &mut Table, columns: Range<usize>) {
+    for column in table.column_iter_mut().take(columns.end).skip(columns.start) {
+        column.set_cell_alignment(CellAlignment::Right);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_show_four_significant_digits() {
+        for (value, text) in [
+            (5302.54, "5303"),
+            (16.412, "16.41"),
+            (0.77317, "0.7732"),
+            (-0.018984, "-0.01898"),
+            (1.438e-4, "1.438e-4"),
+            (0.0, "0.000"),
+            (123456.7, "123457"),
+        ] {
+            assert_eq!(four_digits(value), text);
+        }
+    }
+}

@@ -1,0 +1,37 @@
+//! The trace of a run as CSV: one line per force sample, every output that changes with time, units in the header.
+
+use softanvil_kernel::{OUTPUTS, Output};
+
+use crate::run::Run;
+
+/// The outputs of a trace. Results of the whole test are no part of it, nor is the force of a single step.
+pub fn columns() -> impl Iterator<Item = &'static Output> {
+    OUTPUTS.iter().filter(|output| !output.name.starts_with("result.") && output.name != "contact.force_step")
+}
+
+/// The trace of `run`, in SI, with as many digits as give back the same bits.
+///
+/// # Errors
+/// What the CSV library refuses.
+pub fn csv(run: &Run) -> Result<Vec<u8>, TraceError> {
+    let mut text = Vec::new();
+    write(run, &mut text)?;
+    Ok(text)
+}
+
+/// Why a trace could not be written.
+#[derive(Debug, thiserror::Error)]
+#[error("the trace cannot be written: {0}")]
+pub struct TraceError(#[from] csv::Error);
+
+fn write(run: &Run, text: &mut Vec<u8>) -> Result<(), csv::Error> {
+    let mut csv = csv::Writer::from_writer(text);
+    csv.write_field("time [s]")?;
+    csv.write_record(columns().map(|output| format!("{} [{}]", output.name, output.unit)))?;
+    for sample in run.samples() {
+        let values = columns().map(|output| (output.read)(&run.constants, sample));
+        csv.serialize(std::iter::once(run.time(sample)).chain(values).collect::<Vec<_>>())?;
+    }
+    csv.flush()?;
+    Ok(())
+}

@@ -1,0 +1,98 @@
+//! Simulated drops against the study's table: errors recomputed from values.
+
+use crate::failure::Failure;
+use crate::paper::{Case, TABLE_1};
+use crate::presets::Preset;
+use crate::progress;
+use crate::quantity::{COUNT, PEAK_FORCE, measure};
+use crate::run::{Drop, Run};
+
+/// One energy: the values of the study and a run of ours.
+pub struct Comparison {
+    /// The study's values.
+    pub paper: &'static Case,
+    /// Our run.
+    pub run: Run,
+    /// Our four numbers, in SI.
+    pub softanvil: [f64; COUNT],
+}
+
+/// All energies of the study, with one preset.
+pub struct Validation {
+    /// The preset.
+    pub preset: Preset,
+    /// One comparison per energy.
+    pub cases: Vec<Comparison>,
+}
+
+/// Deviation of `value` from `reference`, %.
+pub fn error_percent(value: f64, reference: f64) -> f64 {
+    100.0 * (value - reference) / reference
+}
+
+/// Deviation of each of the four numbers, %.
+pub fn errors_percent(values: &[f64; COUNT], references: &[f64; COUNT]) -> [f64; COUNT] {
+    std::array::from_fn(|i| error_percent(values[i], references[i]))
+}
+
+/// Mean of the absolute values; 0 of none.
+pub fn mean_absolute(errors: impl Iterator<Item = f64>) -> f64 {
+    let (sum, count) = errors.fold((0.0, 0.0), |(sum, count), error| (sum + error.abs(), count + 1.0));
+    if count > 0.0 { sum / count } else { 0.0 }
+}
+
+impl Comparison {
+    /// Errors of the study's LS-DYNA model against its experiment, %.
+    pub fn ls_dyna_errors(&self) -> [f64; COUNT] {
+        errors_percent(&self.paper.ls_dyna, &self.paper.experiment)
+    }
+
+    /// Our errors against the experiment, %.
+    pub fn softanvil_errors(&self) -> [f64; COUNT] {
+        errors_percent(&self.softanvil, &self.paper.experiment)
+    }
+}
+
+impl Validation {
+    /// Runs `preset` at every energy of the study.
+    ///
+    /// # Errors
+    /// A preset that is refused or fails.
+    pub fn new(preset: Preset) -> Result<Self, Failure> {
+        let drops = TABLE_1.iter().map(|case| prepare(preset, case)).collect::<Result<Vec<_>, _>>()?;
+        let bar = progress::bar(drops.iter().map(Drop::steps).sum());
+        let mut cases = Vec::new();
+        for (paper, drop) in TABLE_1.iter().zip(drops) {
+            bar.set_message(format!("{} J", paper.energy));
+            let run = drop.run(|steps| bar.inc(steps))?;
+            cases.push(Comparison { paper, softanvil: measure(&run), run });
+        }
+        Ok(Self { preset, cases })
+    }
+
+    /// Mean of our absolute errors, all energies and quantities, %.
+    pub fn mean_error(&self) -> f64 {
+        mean_absolute(self.cases.iter().flat_map(Comparison::softanvil_errors))
+    }
+
+    /// Mean of LS-DYNA's absolute errors, all energies and quantities, %.
+    pub fn ls_dyna_mean_error(&self) -> f64 {
+        mean_absolute(self.cases.iter().flat_map(Comparison::ls_dyna_errors))
+    }
+
+    /// Mean of our absolute errors of the peak force, %.
+    pub fn peak_error(&self) -> f64 {
+        mean_absolute(self.cases.iter().map(|case| case.softanvil_errors()[PEAK_FORCE]))
+    }
+
+    /// Mean of LS-DYNA's absolute errors of the peak force, %.
+    pub fn ls_dyna_peak_error(&self) -> f64 {
+        mean_absolute(self.cases.iter().map(|case| case.ls_dyna_errors()[PEAK_FORCE]))
+    }
+}
+
+fn prepare(preset: Preset, case: &Case) -> Result<Drop, Failure> {
+    let mut scenario = preset.scenario();
+    scenario.impactor = scenario.impactor.with_energy(case.energy);
+    Ok(Drop::new(&scenario)?)
+}

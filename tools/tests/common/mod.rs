@@ -1,0 +1,77 @@
+//! Runs the binary in a folder of its own.
+
+#![allow(dead_code, reason = "every test file uses its own part")]
+
+use std::path::Path;
+use std::process::{Command, Output};
+
+use serde_json::Value;
+
+/// Runs `softanvil` with `arguments` in `folder`.
+pub fn softanvil(folder: &Path, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_softanvil")).args(arguments).current_dir(folder).output().unwrap()
+}
+
+/// Runs `softanvil`, which must succeed in silence on standard error; returns its standard output.
+pub fn succeed(folder: &Path, arguments: &[&str]) -> String {
+    let output = softanvil(folder, arguments);
+    let stderr = String::from_utf8(output.stderr).unwrap();
+    assert_eq!((output.status.code(), stderr.as_str()), (Some(0), ""), "{arguments:?}");
+    String::from_utf8(output.stdout).unwrap()
+}
+
+/// The JSON that `softanvil` prints.
+pub fn json(folder: &Path, arguments: &[&str]) -> Value {
+    serde_json::from_str(&succeed(folder, arguments)).unwrap()
+}
+
+/// Runs `softanvil`, which must fail with `exit_code`, one line on standard error and nothing on standard output;
+/// returns the line without `error: `.
+pub fn fail(folder: &Path, arguments: &[&str], exit_code: i32) -> String {
+    let output = softanvil(folder, arguments);
+    let stderr = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(exit_code), "{arguments:?}: {stderr}");
+    assert!(output.stdout.is_empty(), "{arguments:?}");
+    assert_eq!(stderr.lines().count(), 1, "{arguments:?}: {stderr}");
+    stderr.trim_end().strip_prefix("error: ").unwrap_or_else(|| panic!("{stderr}")).to_string()
+}
+
+/// Names of everything in `folder`, sorted.
+pub fn entries(folder: &Path) -> Vec<String> {
+    let mut names: Vec<_> =
+        std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort();
+    names
+}
+
+/// Header and columns of a CSV file of numbers.
+pub fn read_csv(path: &Path) -> (Vec<String>, Vec<Vec<f64>>) {
+    let mut reader = csv::Reader::from_path(path).unwrap();
+    let header: Vec<String> = reader.headers().unwrap().iter().map(String::from).collect();
+    let mut columns = vec![Vec::new(); header.len()];
+    for record in reader.records() {
+        for (column, field) in columns.iter_mut().zip(record.unwrap().iter()) {
+            column.push(field.parse().unwrap());
+        }
+    }
+    (header, columns)
+}
+
+/// The column called `name`.
+pub fn column(path: &Path, name: &str) -> Vec<f64> {
+    let (header, columns) = read_csv(path);
+    let index = header.iter().position(|title| title == name).unwrap_or_else(|| panic!("{name} in {header:?}"));
+    columns[index].clone()
+}
+
+/// The texts of an SVG picture, which must be well formed.
+pub fn svg_texts(path: &Path) -> Vec<String> {
+    let text = std::fs::read_to_string(path).unwrap();
+    let document = roxmltree::Document::parse(&text).unwrap();
+    assert_eq!(document.root_element().tag_name().name(), "svg");
+    document
+        .descendants()
+        .filter(|node| node.has_tag_name((document.root_element().tag_name().namespace().unwrap(), "text")))
+        .map(|node| node.text().unwrap_or_default().trim().to_string())
+        .collect()
+}
