@@ -1,0 +1,100 @@
+//! The block of memory that holds a simulation: its header, then the arrays of model and state.
+//!
+//! The block holds no address, so it may be copied or moved between calls.
+
+use softanvil_kernel::element::{CellConstants, CellHistory, HoopConstants};
+use softanvil_kernel::lanes::Deviator;
+use softanvil_kernel::{Constants, Model, ModelMemory, Scalars, Scenario, Size, State, StateMemory};
+
+use crate::failure::Failure;
+use crate::ptr::{Region, padded};
+
+/// Alignment of a block, bytes: what its numbers need, and what any allocator gives.
+pub(crate) const ALIGNMENT: usize = align_of::<SoftanvilSimulation>();
+
+/// Header and arrays begin at multiples of this, bytes, so that lanes of elements do not straddle cache lines in a block
+/// that begins on one.
+pub(crate) const GRANULE: usize = 64;
+
+/// A simulation. Its content is private to the library; it lives at the front of the memory given to `softanvil_init`.
+pub struct SoftanvilSimulation {
+    /// Tells that a simulation lives here.
+    pub(crate) marker: u64,
+    /// Length of the block.
+    pub(crate) bytes: usize,
+    /// Scalar constants of the model.
+    pub(crate) constants: Constants,
+    /// Scalar numbers of the state.
+    pub(crate) scalars: Scalars,
+}
+
+impl SoftanvilSimulation {
+    /// "SOFTANV" and the version of the block's layout.
+    pub(crate) const MARKER: u64 = u64::from_le_bytes(*b"SOFTANV\x01");
+}
+
+/// The arrays behind the header.
+struct Arrays<'a> {
+    model: ModelMemory<'a>,
+    state: StateMemory<'a>,
+}
+
+impl<'a> Arrays<'a> {
+    fn cut(size: &Size, region: &mut Region<'a>) -> Option<Self> {
+        Some(Self {
+            model: ModelMemory {
+                nodes: region.take(size.model_nodes)?,
+                cells: region.take(size.model_cells)?,
+                hoops: region.take(size.model_hoops)?,
+            },
+            state: StateMemory {
+                nodes: region.take(size.state_nodes)?,
+                cells: region.take(size.state_cells)?,
+                prony: region.take(size.state_prony)?,
+            },
+        })
+    }
+}
+
+/// Length of the block of a simulation, bytes; the largest number if no address space could hold it.
+pub(crate) fn bytes(size: &Size) -> usize {
+    let parts = [
+        padded::<SoftanvilSimulation>(1),
+        padded::<f64>(size.model_nodes),
+        padded::<CellConstants>(size.model_cells),
+        padded::<HoopConstants>(size.model_hoops),
+        padded::<f64>(size.state_nodes),
+        padded::<CellHistory>(size.state_cells),
+        padded::<Deviator>(size.state_prony),
+    ];
+    parts.into_iter().fold(0, |sum: usize, part| sum.saturating_add(part.unwrap_or(usize::MAX)))
+}
+
+/// Builds a simulation of `scenario` at the start of its drop in zeroed memory of [`bytes`], and gives its address.
+pub(crate) fn build(scenario: &Scenario, size: &Size, mut region: Region) -> Result<*mut SoftanvilSimulation, Failure> {
+    let short = Failure::Short { argument: "memory", given: 0, needed: bytes(size) };
+    let slot = region.slot::<SoftanvilSimulation>().ok_or(short)?;
+    let arrays = Arrays::cut(size, &mut region).ok_or(short)?;
+    let model = Model::new(scenario, arrays.model)?;
+    let state = State::new(&model, arrays.state)?;
+    Ok(slot.place(SoftanvilSimulation {
+        marker: SoftanvilSimulation::MARKER,
+        bytes: bytes(size),
+        constants: model.constants,
+        scalars: state.scalars,
+    }))
+}
+
+/// Does `work` on the model and the state of a simulation.
+pub(crate) fn with<R>(
+    (header, mut region): (&mut SoftanvilSimulation, Region),
+    work: impl FnOnce(&Model, &mut State) -> Result<R, Failure>,
+) -> Result<R, Failure> {
+    let damaged = Failure::Uninitialised { argument: "simulation" };
+    let arrays = Arrays::cut(&header.constants.size, &mut region).ok_or(damaged)?;
+    let model = Model::view(header.constants, arrays.model.nodes, arrays.model.cells, arrays.model.hoops);
+    let mut state = State::view(&model, header.scalars, arrays.state).map_err(|_| damaged)?;
+    let result = work(&model, &mut state);
+    header.scalars = state.scalars;
+    result
+}

@@ -1,0 +1,422 @@
+//! Simulation
+
+use core::ffi::{c_char, c_void};
+
+use softanvil_kernel::{Model, Parameter, Size, State, StepInput, step};
+
+use crate::block::{self, ALIGNMENT, SoftanvilSimulation};
+use crate::c_api::scenario::SoftanvilScenario;
+use crate::c_api::tables::{find_output, output_row};
+use crate::failure::{Failure, SoftanvilError, report, status};
+use crate::ptr;
+use crate::status::SoftanvilStatus;
+
+/// What acts on the impactor from outside during steps. It always comes from `softanvil_input_default`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct SoftanvilInput {
+    /// Tells an initialised input; do not change.
+    pub marker: u32,
+    /// Bytes of this structure; do not change.
+    pub struct_size: u32,
+    /// Upward force on a falling impactor besides gravity and contact, N.
+    pub external_force: f64,
+    /// Height of the face of a driven impactor above the undeformed anvil at the end of the step, m; negative presses.
+    pub driven_position: f64,
+    /// Always 0.
+    pub reserved: [f64; 5],
+}
+
+impl SoftanvilInput {
+    /// "SAIN", least significant byte first.
+    const MARKER: u32 = u32::from_le_bytes(*b"SAIN");
+
+    fn to_kernel(self) -> Result<StepInput, Failure> {
+        if self.marker != Self::MARKER || self.struct_size as usize != size_of::<Self>() {
+            return Err(Failure::Uninitialised { argument: "input" });
+        }
+        if let Some((slot, value)) = self.reserved.into_iter().enumerate().find(|(_, value)| *value != 0.0) {
+            return Err(Failure::ReservedSlot { array: "reserved", slot, value });
+        }
+        Ok(StepInput { external_force: self.external_force, driven_position: self.driven_position })
+    }
+}
+
+/// Tells how much memory a simulation of a scenario needs; checks the scenario.
+///
+/// @param scenario The scenario.
+/// @param size Bytes.
+/// @param alignment Bytes that the address must be a multiple of; any malloc gives at least as much.
+/// @param error Details of a failure, or NULL.
+/// @return NULL_POINTER, MISALIGNED, UNINITIALISED, or a status of the scenario (200 to 299).
+///
+/// # Safety
+/// The conventions of the header.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn softanvil_memory_size(
+    scenario: *const SoftanvilScenario,
+    size: *mut usize,
+    alignment: *mut usize,
+    error: *mut SoftanvilError,
+) -> SoftanvilStatus {
+    // SAFETY: C keeps the conventions of the header.
+    let (scenario, error) = unsafe { (ptr::shared(scenario, "scenario"), ptr::optional_out(error, "error")) };
+    // SAFETY: as above.
+    let (size, alignment) = unsafe { (ptr::out(size, "size"), ptr::out(alignment, "alignment")) };
+    report(error, || {
+        let (scenario, size, alignment) = (scenario?, size?, alignment?);
+        let needed = block::bytes(&Size::of(&scenario.to_kernel()?)?);
+        size.write(needed);
+        alignment.write(ALIGNMENT);
+        Ok(())
+    })
+}
+
+/// Builds a simulation, at the start of its drop, in memory that the caller lends. The scenario is copied.
+///
+/// The simulation holds no address: between calls the memory may be copied or moved to any address of the same
+/// alignment in the same process, and the copy is a simulation of its own at its address. If the function fails because
+/// of the time step (STEP_TOO_SMALL, STEP_TOO_LARGE), the content of the memory is lost; if for anything else, untouched.
+///
+/// @param memory The memory; it stays the caller's, who keeps it until the simulation is no longer used.
+/// @param size Bytes of it, at least those of `softanvil_memory_size`.
+/// @param scenario The scenario.
+/// @param simulation The simulation, which is the address of the memory.
+/// @param error Details of a failure, or NULL.
+/// @return NULL_POINTER, MISALIGNED, UNINITIALISED, SHORT_BUFFER, or a status of the scenario (200 to 299).
+///
+/// # Safety
+/// The conventions of the header.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn softanvil_init(
+    memory: *mut c_void,
+    size: usize,
+    scenario: *const SoftanvilScenario,
+    simulation: *mut *mut SoftanvilSimulation,
+    error: *mut SoftanvilError,
+) -> SoftanvilStatus {
+    // SAFETY: C keeps the conventions of the header.
+    let (scenario, error) = unsafe { (ptr::shared(scenario, "scenario"), ptr::optional_out(error, "error")) };
+    // SAFETY: as above.
+    let simulation = unsafe { ptr::out(simulation, "simulation") };
+    report(error, || {
+        let simulation = simulation?;
+        let scenario = scenario?.to_kernel()?;
+        let counts = Size::of(&scenario)?;
+        // SAFETY: as above.
+        let region = unsafe { ptr::zeroed(memory.cast(), size, block::bytes(&counts)) }?;
+        simulation.write(block::build(&scenario, &counts, region)?);
+        Ok(())
+    })
+}
+
+/// Ends a simulation: from now on its address is refused as UNINITIALISED, as long as the memory is not used otherwise.
+/// There is nothing to free; forgetting this call leaks nothing.
+///
+/// @param simulation The simulation.
+/// @return NULL_POINTER, MISALIGNED, UNINITIALISED.
+///
+/// # Safety
+/// The conventions of the header.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn softanvil_close(simulation: *mut SoftanvilSimulation) -> SoftanvilStatus {
+    // SAFETY: C keeps the conventions of the header.
+    let block = unsafe { ptr::block(simulation) };
+    status(|| {
+        block?.0.marker = 0;
+        Ok(())
+    })
+}
+
+/// Takes a simulation back to the start of its drop.
+///
+/// @param simulation The simulation.
+/// @return NULL_POINTER, MISALIGNED, UNINITIALISED.
+///
+/// # Safety
+/// The conventions of the header.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn softanvil_reset(simulation: *mut SoftanvilSimulation) -> SoftanvilStatus {
+    // SAFETY: C keeps the conventions of the header.
+    let block = unsafe { ptr::block(simulation) };
+    status(|| {
+        block::with(block?, |model, state| {
+            state.reset(model);
+            Ok(())
+        })
+    })
+}
+
+/// Fills an input that leaves things as they are: no external force, and a driven impactor stays where it is.
+///
+/// @param simulation The simulation.
+/// @param input The input to fill.
+/// @return NULL_POINTER, MISALIGNED, UNINITIALISED.
+///
+/// # Safety
+/// The conventions of the header.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn softanvil_input_default(
+    simulation: *const SoftanvilSimulation,
+    input: *mut SoftanvilInput,
+) -> SoftanvilStatus {
+    // SAFETY: C keeps the conventions of the header.
+    let (header, input) = unsafe { (ptr::header(simulation), ptr::out(input, "input")) };
+    status(|| {
+        let (header, input) = (header?, input?);
+        input.write(SoftanvilInput {
+            marker: SoftanvilInput::MARKER,
+            struct_size: size_of::<SoftanvilInput>() as u32,
+            external_force: 0.0,
+            driven_position: header.scalars.impactor.position,
+            reserved: [0.0; 5],
+        });
+        Ok(())
+    })
+}
+
+/// Makes steps of the simulation's fixed time step, all with the same input. The work of a step is bounded and does not
+/// depend on the state.
+///
+/// A step that fails leaves the steps before it done and stops the simulation: every further step fails alike until the
+/// simulation is reset or restored.
+///
+/// @param simulation The simulation.
+/// @param steps Number of steps; 0 does nothing.
+/// @param input What acts on the impactor, or NULL for the input of `softanvil_input_default` at the call.
+/// @param error Details of a failure, or NULL.
+/// @return NULL_POINTER, MISALIGNED, UNINITIALISED, RESERVED_SLOT, or a status of a step (300 to 399).
+///
+/// # Safety
+/// The conventions of the header.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn softanvil_step(
+    simulation: *mut SoftanvilSimulation,
+    steps: u64,
+    input: *const SoftanvilInput,
+    error: *mut SoftanvilError,
+) -> SoftanvilStatus {
+    // SAFETY: C keeps the conventions of the header.
+    unsafe { advance(simulation, input, error, |_, _| Ok(steps)) }
+}
+
+/// Makes the steps up to the end of the running sampling interval of 50 us, where `contact.force` and `core.reaction`
+/// get a new value; all with the same input.
+///
+/// @param simulation The simulation.
+/// @param input What acts on the impactor, or NULL for the input of `softanvil_input_default` at the call.
+/// @param error Details of a failure, or NULL.
+/// @return As `softanvil_step`.
+///
+/// # Safety
+/// The conventions of the header.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn softanvil_step_to_sample(
+    simulation: *mut SoftanvilSimulation,
+    input: *const SoftanvilInput,
+    error: *mut SoftanvilError,
+) -> SoftanvilStatus {
+    // SAFETY: C keeps the conventions of the header.
+    unsafe { advance(simulation, input, error, |model, state| Ok(steps_to_sample(model, state))) }
+}
+
+/// Makes the steps that cover a time, rounded up to whole sampling intervals of 50 us; all with the same input. A drop
+/// of the study is over after the 15 ms of `time.duration`.
+///
+/// @param simulation The simulation.
+/// @param duration Time, s, in the legal range of `time.duration`.
+/// @param input What acts on the impactor, or NULL for the input of `softanvil_input_default` at the call.
+/// @param error Details of a failure, or NULL.
+/// @return As `softanvil_step`, and ILLEGAL_VALUE for the duration.
+///
+/// # Safety
+/// The conventions of the header.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn softanvil_run(
+    simulation: *mut SoftanvilSimulation,
+    duration: f64,
+    input: *const SoftanvilInput,
+    error: *mut SoftanvilError,
+) -> SoftanvilStatus {
+    let steps = |model: &Model, _: &State| {
+        Parameter::find("time.duration").map_or(Ok(()), |row| row.check(duration))?;
+        Ok(model.constants.steps_in(duration))
+    };
+    // SAFETY: C keeps the conventions of the header.
+    unsafe { advance(simulation, input, error, steps) }
+}
+
+/// Makes as many steps as `steps` says.
+///
+/// # Safety
+/// The conventions of the header.
+unsafe fn advance(
+    simulation: *mut SoftanvilSimulation,
+    input: *const SoftanvilInput,
+    error: *mut SoftanvilError,
+    steps: impl FnOnce(&Model, &State) -> Result<u64, Failure>,
+) -> SoftanvilStatus {
+    // SAFETY: the caller's guarantee.
+    let (block, error) = unsafe { (ptr::block(simulation), ptr::optional_out(error, "error")) };
+    // SAFETY: the caller's guarantee.
+    let input = unsafe { ptr::optional_shared(input, "input") };
+    report(error, || {
+        let input = input?.copied().map(SoftanvilInput::to_kernel).transpose()?;
+        block::with(block?, |model, state| {
+            let hold = StepInput { external_force: 0.0, driven_position: state.scalars.impactor.position };
+            let input = input.unwrap_or(hold);
+            let steps = steps(model, state)?;
+            (0..steps).try_for_each(|_| step(model, state, &input)).map_err(Failure::from)
+        })
+    })
+}
+
+fn steps_to_sample(model: &Model, state: &State) -> u64 {
+    let period = u64::from(model.constants.steps_per_sample);
+    let into = state.scalars.step_index.checked_rem(period).unwrap_or_default();
+    period.saturating_sub(into)
+}
+
+/// Reads an output at the current time.
+///
+/// @param simulation The simulation.
+/// @param output A `SoftanvilOutput`.
+/// @param value Value in the output's SI unit.
+/// @return NULL_POINTER, MISALIGNED, UNINITIALISED, UNKNOWN_ID.
+///
+/// # Safety
+/// The conventions of the header.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn softanvil_output(
+    simulation: *const SoftanvilSimulation,
+    output: u32,
+    value: *mut f64,
+) -> SoftanvilStatus {
+    let read =
+        |header: &SoftanvilSimulation| output_row(output).map(|row| (row.read)(&header.constants, &header.scalars));
+    // SAFETY: C keeps the conventions of the header.
+    unsafe { tell(simulation, value, read) }
+}
+
+/// As `softanvil_output`, by the output's name.
+///
+/// @param simulation The simulation.
+/// @param name Name, such as "contact.force".
+/// @param value Value in the output's SI unit.
+/// @return NULL_POINTER, MISALIGNED, UNINITIALISED, UNKNOWN_NAME.
+///
+/// # Safety
+/// The conventions of the header.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn softanvil_output_by_name(
+    simulation: *const SoftanvilSimulation,
+    name: *const c_char,
+    value: *mut f64,
+) -> SoftanvilStatus {
+    // SAFETY: C keeps the conventions of the header.
+    let name = unsafe { ptr::name(name, "name") };
+    let read = |header: &SoftanvilSimulation| {
+        let row = find_output(&name?)?.1;
+        Ok((row.read)(&header.constants, &header.scalars))
+    };
+    // SAFETY: as above.
+    unsafe { tell(simulation, value, read) }
+}
+
+/// Tells the simulated time: exactly the number of steps times the step, never an accumulated sum.
+///
+/// @param simulation The simulation.
+/// @param time Time since the start of the drop, s.
+/// @return NULL_POINTER, MISALIGNED, UNINITIALISED.
+///
+/// # Safety
+/// The conventions of the header.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn softanvil_time(simulation: *const SoftanvilSimulation, time: *mut f64) -> SoftanvilStatus {
+    // SAFETY: C keeps the conventions of the header.
+    unsafe { tell(simulation, time, |header| Ok(header.constants.time(header.scalars.step_index))) }
+}
+
+/// Tells the number of steps made since the start of the drop.
+///
+/// @param simulation The simulation.
+/// @param step_index Number of steps.
+/// @return NULL_POINTER, MISALIGNED, UNINITIALISED.
+///
+/// # Safety
+/// The conventions of the header.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn softanvil_step_index(
+    simulation: *const SoftanvilSimulation,
+    step_index: *mut u64,
+) -> SoftanvilStatus {
+    // SAFETY: C keeps the conventions of the header.
+    unsafe { tell(simulation, step_index, |header| Ok(header.scalars.step_index)) }
+}
+
+/// Tells the fixed time step, a whole divisor of 50 us.
+///
+/// @param simulation The simulation.
+/// @param dt Time step, s.
+/// @return NULL_POINTER, MISALIGNED, UNINITIALISED.
+///
+/// # Safety
+/// The conventions of the header.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn softanvil_dt(simulation: *const SoftanvilSimulation, dt: *mut f64) -> SoftanvilStatus {
+    // SAFETY: C keeps the conventions of the header.
+    unsafe { tell(simulation, dt, |header| Ok(header.constants.dt)) }
+}
+
+/// Tells the number of steps in a sampling interval of 50 us.
+///
+/// @param simulation The simulation.
+/// @param steps Number of steps.
+/// @return NULL_POINTER, MISALIGNED, UNINITIALISED.
+///
+/// # Safety
+/// The conventions of the header.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn softanvil_steps_per_sample(
+    simulation: *const SoftanvilSimulation,
+    steps: *mut u64,
+) -> SoftanvilStatus {
+    // SAFETY: C keeps the conventions of the header.
+    unsafe { tell(simulation, steps, |header| Ok(u64::from(header.constants.steps_per_sample))) }
+}
+
+/// Tells the digest of all samples so far (FNV-1a, 64 bit, over the bits of contact force, core reaction and impactor
+/// position at every 50 us): equal digests mean equal traces to the last bit, on whatever machine.
+///
+/// @param simulation The simulation.
+/// @param trace_hash The digest.
+/// @return NULL_POINTER, MISALIGNED, UNINITIALISED.
+///
+/// # Safety
+/// The conventions of the header.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn softanvil_trace_hash(
+    simulation: *const SoftanvilSimulation,
+    trace_hash: *mut u64,
+) -> SoftanvilStatus {
+    // SAFETY: C keeps the conventions of the header.
+    unsafe { tell(simulation, trace_hash, |header| Ok(header.scalars.sampler.trace_hash)) }
+}
+
+/// Writes one number of a simulation.
+///
+/// # Safety
+/// The conventions of the header.
+unsafe fn tell<T>(
+    simulation: *const SoftanvilSimulation,
+    value: *mut T,
+    read: impl FnOnce(&SoftanvilSimulation) -> Result<T, Failure>,
+) -> SoftanvilStatus {
+    // SAFETY: the caller's guarantee.
+    let (header, value) = unsafe { (ptr::header(simulation), ptr::out(value, "value")) };
+    status(|| {
+        let (header, value) = (header?, value?);
+        value.write(read(header)?);
+        Ok(())
+    })
+}

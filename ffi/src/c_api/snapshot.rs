@@ -1,0 +1,91 @@
+//! Snapshot
+
+use softanvil_kernel::snapshot;
+
+use crate::block::{self, SoftanvilSimulation};
+use crate::failure::{Failure, SoftanvilError, report, status};
+use crate::ptr;
+use crate::status::SoftanvilStatus;
+
+/// Tells how long a snapshot of a simulation is.
+///
+/// @param simulation The simulation.
+/// @param size Bytes.
+/// @return NULL_POINTER, MISALIGNED, UNINITIALISED.
+///
+/// # Safety
+/// The conventions of the header.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn softanvil_snapshot_size(
+    simulation: *const SoftanvilSimulation,
+    size: *mut usize,
+) -> SoftanvilStatus {
+    // SAFETY: C keeps the conventions of the header.
+    let (header, size) = unsafe { (ptr::header(simulation), ptr::out(size, "size")) };
+    status(|| {
+        let (header, size) = (header?, size?);
+        size.write(snapshot::snapshot_size(&header.constants));
+        Ok(())
+    })
+}
+
+/// Saves the state of a simulation. The bytes mean the same on every machine; equal states give equal bytes.
+///
+/// @param simulation The simulation; its numbers stay the same.
+/// @param bytes Where the snapshot goes.
+/// @param size Bytes there, at least those of `softanvil_snapshot_size`; the rest stays untouched.
+/// @param error Details of a failure, or NULL.
+/// @return NULL_POINTER, MISALIGNED, UNINITIALISED, SHORT_BUFFER, SNAPSHOT_FAILED.
+///
+/// # Safety
+/// The conventions of the header.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn softanvil_snapshot_save(
+    simulation: *mut SoftanvilSimulation,
+    bytes: *mut u8,
+    size: usize,
+    error: *mut SoftanvilError,
+) -> SoftanvilStatus {
+    // SAFETY: C keeps the conventions of the header.
+    let (block, error) = unsafe { (ptr::block(simulation), ptr::optional_out(error, "error")) };
+    // SAFETY: as above.
+    let bytes = unsafe { ptr::bytes_mut(bytes, size, "bytes") };
+    report(error, || {
+        let (block, bytes) = (block?, bytes?);
+        let (given, needed) = (bytes.len(), snapshot::snapshot_size(&block.0.constants));
+        let bytes = bytes.get_mut(..needed).ok_or(Failure::Short { argument: "bytes", given, needed })?;
+        block::with(block, |model, state| snapshot::save(model, state, bytes).map_err(Failure::from))
+    })
+}
+
+/// Restores the state of a simulation from a snapshot of the same scenario, whichever machine saved it. What follows
+/// has the same bits as if nothing had been saved. A snapshot that is refused changes nothing.
+///
+/// The checksum finds damage, not malice: restore only what comes from a trusted place.
+///
+/// @param simulation The simulation, which may have failed.
+/// @param bytes The snapshot.
+/// @param size Bytes of it, at least those of `softanvil_snapshot_size`; the rest is not read.
+/// @param error Details of a failure, or NULL.
+/// @return NULL_POINTER, MISALIGNED, UNINITIALISED, SHORT_BUFFER, or a status of a snapshot (400 to 499).
+///
+/// # Safety
+/// The conventions of the header.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn softanvil_snapshot_restore(
+    simulation: *mut SoftanvilSimulation,
+    bytes: *const u8,
+    size: usize,
+    error: *mut SoftanvilError,
+) -> SoftanvilStatus {
+    // SAFETY: C keeps the conventions of the header.
+    let (block, error) = unsafe { (ptr::block(simulation), ptr::optional_out(error, "error")) };
+    // SAFETY: as above.
+    let bytes = unsafe { ptr::bytes(bytes, size, "bytes") };
+    report(error, || {
+        let (block, bytes) = (block?, bytes?);
+        let (given, needed) = (bytes.len(), snapshot::snapshot_size(&block.0.constants));
+        let bytes = bytes.get(..needed).ok_or(Failure::Short { argument: "bytes", given, needed })?;
+        block::with(block, |model, state| snapshot::restore(model, state, bytes).map_err(Failure::from))
+    })
+}

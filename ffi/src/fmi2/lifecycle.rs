@@ -1,0 +1,140 @@
+//! From instantiation to the end of an instance.
+
+use core::ffi::{CStr, c_char};
+
+use super::calls;
+use super::component::{Component, enter};
+use super::log::{Log, category};
+use super::types::{self, Boolean, CO_SIMULATION, CallbackFunctions, FmuType, Real, Status};
+use crate::foreign::{Array, Given, Handle, Text};
+use crate::instance::Error;
+use crate::variables::token;
+
+/// "default": 64-bit numbers, 32-bit integers.
+#[unsafe(no_mangle)]
+pub extern "C" fn fmi2GetTypesPlatform() -> *const c_char {
+    c"default".as_ptr()
+}
+
+/// The version of the standard.
+#[unsafe(no_mangle)]
+pub extern "C" fn fmi2GetVersion() -> *const c_char {
+    c"2.0".as_ptr()
+}
+
+/// Switches the messages about changes of mode; errors are always told.
+#[unsafe(no_mangle)]
+pub extern "C" fn fmi2SetDebugLogging(
+    mut component: types::Component,
+    logging_on: Boolean,
+    n_categories: usize,
+    categories: Array<Text>,
+) -> Status {
+    enter(&mut component, &calls::SET_DEBUG_LOGGING, |component| {
+        let categories = categories.items(n_categories).ok_or(Error::Null { argument: "categories" })?;
+        let mut names_events = categories.is_empty();
+        for (index, name) in categories.iter().enumerate() {
+            let name = name.get().ok_or(Error::Null { argument: "categories" })?;
+            if !CATEGORIES.contains(&name) {
+                return Err(Error::Argument { argument: "the name of category", value: index as i64 });
+            }
+            names_events |= name == category::EVENTS || name == category::ALL;
+        }
+        if names_events {
+            component.log.events = logging_on != 0;
+        }
+        Ok(())
+    })
+}
+
+const CATEGORIES: [&CStr; 4] = [category::EVENTS, category::ERROR, category::DISCARD, category::ALL];
+
+/// A new instance; null, with the reason in the log, for what cannot be one.
+#[unsafe(no_mangle)]
+pub extern "C" fn fmi2Instantiate(
+    instance_name: Text,
+    fmu_type: FmuType,
+    guid: Text,
+    _resource_location: Text,
+    functions: Given<CallbackFunctions>,
+    _visible: Boolean,
+    logging_on: Boolean,
+) -> types::Component {
+    let Some(callbacks) = functions.get() else { return Handle::NULL };
+    let name = instance_name.get().unwrap_or_default();
+    let log = Log::new(&callbacks, name, logging_on != 0);
+    let refusal = if name.is_empty() {
+        "the instance name is missing"
+    } else if fmu_type != CO_SIMULATION {
+        "fmuType is refused: legal is fmi2CoSimulation (1)"
+    } else if guid.get().map(CStr::to_bytes) != Some(token().as_bytes()) {
+        "the GUID is not that of this library: model description and binary do not belong together"
+    } else {
+        log.event("instantiated");
+        return Handle::new(Component::new(log));
+    };
+    log.error("fmi2Instantiate", &refusal);
+    Handle::NULL
+}
+
+/// Ends an instance, in whatever mode; null is fine.
+#[unsafe(no_mangle)]
+pub extern "C" fn fmi2FreeInstance(mut component: types::Component) {
+    component.free();
+}
+
+/// Sets start and end of the experiment; a tolerance has no meaning for a fixed step.
+#[unsafe(no_mangle)]
+pub extern "C" fn fmi2SetupExperiment(
+    mut component: types::Component,
+    _tolerance_defined: Boolean,
+    _tolerance: Real,
+    start_time: Real,
+    stop_time_defined: Boolean,
+    stop_time: Real,
+) -> Status {
+    enter(&mut component, &calls::SETUP_EXPERIMENT, |component| {
+        component.instance.setup(start_time, (stop_time_defined != 0).then_some(stop_time))
+    })
+}
+
+/// Begins initialization.
+#[unsafe(no_mangle)]
+pub extern "C" fn fmi2EnterInitializationMode(mut component: types::Component) -> Status {
+    enter(&mut component, &calls::ENTER_INITIALIZATION_MODE, |component| {
+        component.instance.enter_initialization();
+        Ok(())
+    })
+}
+
+/// Builds the model.
+#[unsafe(no_mangle)]
+pub extern "C" fn fmi2ExitInitializationMode(mut component: types::Component) -> Status {
+    enter(&mut component, &calls::EXIT_INITIALIZATION_MODE, |component| {
+        component.instance.exit_initialization()?;
+        if component.log.events {
+            component.log.event(&component.instance.summary());
+        }
+        Ok(())
+    })
+}
+
+/// Ends the simulation.
+#[unsafe(no_mangle)]
+pub extern "C" fn fmi2Terminate(mut component: types::Component) -> Status {
+    enter(&mut component, &calls::TERMINATE, |component| {
+        component.instance.terminate();
+        component.log.event("terminated");
+        Ok(())
+    })
+}
+
+/// Back to a new instance.
+#[unsafe(no_mangle)]
+pub extern "C" fn fmi2Reset(mut component: types::Component) -> Status {
+    enter(&mut component, &calls::RESET, |component| {
+        component.instance.reset();
+        component.log.event("reset");
+        Ok(())
+    })
+}

@@ -1,0 +1,14 @@
+//! The functions of FMI 2.0 for co-simulation: a thin translation between the standard's C types and
+//! [`crate::instance`]. Nothing here knows physics.
+//!
+//! A refused call is logged and returns `fmi2Error`; it changes nothing.
+
+mod calls;
+mod component;
+mod lifecycle;
+pub mod log;
+mod state;
+mod status;
+mod step;
+pub mod types;
+mod values;

@@ -1,0 +1,159 @@
+//! The stable numbers of the C ABI: the place of a row in these tables is its number, for ever.
+//!
+//! Names, units, ranges and meanings stay in the kernel's tables; here is only the order. A new row goes to the end of
+//! its table, wherever the kernel has put it, and no row ever leaves.
+
+use softanvil_kernel::{OUTPUTS, Output, PARAMETERS, Parameter, Scenario, preset};
+
+/// A preset: its name and what makes it.
+pub struct Preset {
+    /// Name, as in `SOFTANVIL_PRESET_...`.
+    pub name: &'static str,
+    /// Meaning, one line.
+    pub description: &'static str,
+    /// The scenario.
+    pub scenario: fn() -> Scenario,
+}
+
+/// Presets by number.
+pub static PRESET_BY_ID: [Preset; 1] = [Preset {
+    name: "study",
+    description: "The soft anvil of doi 10.1007/s12283-023-00407-7, dropped on with 14.7 J.",
+    scenario: preset::study,
+}];
+
+/// Parameters by number, which is also their slot in a `SoftanvilScenario`.
+pub static PARAMETER_BY_ID: [&Parameter; 47] = [
+    parameter_row("geometry.shape"),
+    parameter_row("geometry.formulation"),
+    parameter_row("geometry.core_radius"),
+    parameter_row("geometry.silicone_thickness"),
+    parameter_row("geometry.skin_thickness"),
+    parameter_row("geometry.length"),
+    parameter_row("geometry.block_width"),
+    parameter_row("impactor.motion"),
+    parameter_row("impactor.mass"),
+    parameter_row("impactor.face_diameter"),
+    parameter_row("impactor.gap"),
+    parameter_row("impactor.gravity"),
+    parameter_row("impactor.drop_by"),
+    parameter_row("impactor.drop_height"),
+    parameter_row("impactor.drop_energy"),
+    parameter_row("impactor.drop_speed"),
+    parameter_row("silicone.density"),
+    parameter_row("silicone.moduli"),
+    parameter_row("silicone.c10"),
+    parameter_row("silicone.c01"),
+    parameter_row("silicone.c11"),
+    parameter_row("silicone.c20"),
+    parameter_row("silicone.c02"),
+    parameter_row("silicone.volumetric_by"),
+    parameter_row("silicone.bulk_modulus"),
+    parameter_row("silicone.poissons_ratio"),
+    parameter_row("silicone.prony_g_1"),
+    parameter_row("silicone.prony_tau_1"),
+    parameter_row("silicone.prony_g_2"),
+    parameter_row("silicone.prony_tau_2"),
+    parameter_row("silicone.prony_g_3"),
+    parameter_row("silicone.prony_tau_3"),
+    parameter_row("silicone.prony_g_4"),
+    parameter_row("silicone.prony_tau_4"),
+    parameter_row("silicone.prony_g_5"),
+    parameter_row("silicone.prony_tau_5"),
+    parameter_row("silicone.slider_stiffness"),
+    parameter_row("silicone.slider_yield_stress"),
+    parameter_row("core.interface"),
+    parameter_row("core.friction_coefficient"),
+    parameter_row("face.friction_coefficient"),
+    parameter_row("mesh.element_size"),
+    parameter_row("time.step_by"),
+    parameter_row("time.safety_factor"),
+    parameter_row("time.step"),
+    parameter_row("time.duration"),
+    parameter_row("measurement.force_threshold"),
+];
+
+/// Outputs by number.
+pub static OUTPUT_BY_ID: [&Output; 25] = [
+    output_row("contact.force"),
+    output_row("contact.force_step"),
+    output_row("core.reaction"),
+    output_row("impactor.position"),
+    output_row("impactor.velocity"),
+    output_row("impactor.acceleration"),
+    output_row("impactor.deformation"),
+    output_row("result.peak_force"),
+    output_row("result.max_deformation"),
+    output_row("result.impact_duration"),
+    output_row("result.impulse"),
+    output_row("result.impact_speed"),
+    output_row("result.rebound_speed"),
+    output_row("result.restitution"),
+    output_row("result.contact_time"),
+    output_row("energy.impactor_kinetic"),
+    output_row("energy.layer_kinetic"),
+    output_row("energy.elastic"),
+    output_row("energy.viscous"),
+    output_row("energy.slider_stored"),
+    output_row("energy.slider_dissipation"),
+    output_row("energy.friction"),
+    output_row("energy.contact"),
+    output_row("energy.external"),
+    output_row("energy.residual"),
+];
+
+/// The kernel's row called `name`; a name that the kernel does not have stops the compiler.
+const fn parameter_row(name: &str) -> &'static Parameter {
+    let mut i = 0;
+    while i < PARAMETERS.len() {
+        if same(PARAMETERS[i].name, name) {
+            return &PARAMETERS[i];
+        }
+        i += 1;
+    }
+    panic!("the kernel has no such parameter")
+}
+
+/// As [`parameter_row`], for outputs.
+const fn output_row(name: &str) -> &'static Output {
+    let mut i = 0;
+    while i < OUTPUTS.len() {
+        if same(OUTPUTS[i].name, name) {
+            return &OUTPUTS[i];
+        }
+        i += 1;
+    }
+    panic!("the kernel has no such output")
+}
+
+const fn same(a: &str, b: &str) -> bool {
+    let (a, b) = (a.as_bytes(), b.as_bytes());
+    let mut i = 0;
+    while i < a.len() && i < b.len() && a[i] == b[i] {
+        i += 1;
+    }
+    i == a.len() && i == b.len()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_parameter_has_exactly_one_number() {
+        for parameter in PARAMETERS {
+            let numbers = PARAMETER_BY_ID.iter().filter(|row| row.name == parameter.name).count();
+            assert_eq!(numbers, 1, "{}", parameter.name);
+        }
+        assert_eq!(PARAMETER_BY_ID.len(), PARAMETERS.len());
+    }
+
+    #[test]
+    fn every_output_has_exactly_one_number() {
+        for output in OUTPUTS {
+            let numbers = OUTPUT_BY_ID.iter().filter(|row| row.name == output.name).count();
+            assert_eq!(numbers, 1, "{}", output.name);
+        }
+        assert_eq!(OUTPUT_BY_ID.len(), OUTPUTS.len());
+    }
+}

@@ -1,0 +1,147 @@
+//! [`Instance`]: one simulation as an FMI master sees it, whatever the version of the standard.
+//!
+//! A call that is refused changes nothing. The only exception is a step that the kernel cannot complete: it leads to
+//! [`Mode::Failed`], from which the instance can be reset or restored.
+
+mod error;
+mod mode;
+mod saved;
+mod stepping;
+mod values;
+
+use alloc::string::String;
+
+use softanvil_kernel::{Scenario, Simulation, preset};
+
+use crate::variables::{Inputs, Table, same_bits};
+
+pub use error::Error;
+pub use mode::{Function, Mode};
+pub use saved::SavedState;
+pub use values::HASH_DIGITS;
+
+/// Start and end of the experiment in the master's time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Experiment {
+    /// Time at the start of the drop, s.
+    start: f64,
+    /// Time past which no step may lead, s.
+    stop: Option<f64>,
+}
+
+/// One simulation as a master sees it.
+pub struct Instance {
+    table: Table,
+    mode: Mode,
+    scenario: Scenario,
+    inputs: Inputs,
+    experiment: Experiment,
+    /// The model that was built last, which may be older than the scenario until the drop starts.
+    simulation: Option<Simulation>,
+}
+
+impl Instance {
+    /// A new instance of the preset.
+    pub fn new() -> Self {
+        Self {
+            table: Table::new(),
+            mode: Mode::Instantiated,
+            scenario: preset::study(),
+            inputs: Inputs::start(),
+            experiment: Experiment { start: 0.0, stop: None },
+            simulation: None,
+        }
+    }
+
+    /// Refuses `function` where the standard does not allow it.
+    ///
+    /// # Errors
+    /// The function and the mode in which it was called.
+    pub fn check_call(&self, function: &Function) -> Result<(), Error> {
+        if function.legal & self.mode as u8 != 0 { Ok(()) } else { Err(Error::Call { mode: self.mode }) }
+    }
+
+    /// Sets start and end of the experiment, s.
+    ///
+    /// # Errors
+    /// Times that are not finite, or an end before the start.
+    pub fn setup(&mut self, start: f64, stop: Option<f64>) -> Result<(), Error> {
+        if !start.is_finite() {
+            return Err(Error::StartTime { start });
+        }
+        if let Some(stop) = stop
+            && !(stop.is_finite() && stop >= start)
+        {
+            return Err(Error::StopTime { stop, start });
+        }
+        self.experiment = Experiment { start, stop };
+        Ok(())
+    }
+
+    /// Begins initialization. The scenario may still change, so nothing is built yet.
+    pub fn enter_initialization(&mut self) {
+        self.mode = Mode::Initialization;
+    }
+
+    /// Builds the model and gets ready for the first step.
+    ///
+    /// # Errors
+    /// A scenario that cannot be simulated; it can be corrected.
+    pub fn exit_initialization(&mut self) -> Result<(), Error> {
+        self.prepare()?;
+        self.mode = Mode::Step;
+        Ok(())
+    }
+
+    /// Ends the simulation; its results stay readable.
+    pub fn terminate(&mut self) {
+        self.mode = Mode::Terminated;
+    }
+
+    /// Back to a new instance. The model is kept, in case the next run wants the same one.
+    pub fn reset(&mut self) {
+        let simulation = self.simulation.take();
+        *self = Self { simulation, ..Self::new() };
+    }
+
+    /// Whether the last step could not be completed.
+    pub fn has_failed(&self) -> bool {
+        self.mode == Mode::Failed
+    }
+
+    /// One line on the model, for the log.
+    pub fn summary(&self) -> String {
+        match &self.simulation {
+            Some(simulation) => alloc::format!(
+                "model of {} elements, time step {} s",
+                simulation.constants().grid.n_elem(),
+                simulation.constants().dt
+            ),
+            None => String::new(),
+        }
+    }
+
+    /// The simulation at the start of the current scenario's drop.
+    fn prepare(&mut self) -> Result<&mut Simulation, Error> {
+        let kept = self.simulation.take().filter(|kept| same_bits(&kept.constants().scenario, &self.scenario));
+        let simulation = match kept {
+            Some(mut kept) => {
+                if kept.scalars().step_index != 0 || kept.scalars().failure.is_some() {
+                    kept.reset();
+                }
+                kept
+            }
+            None => Simulation::new(&self.scenario).map_err(Error::Model)?,
+        };
+        Ok(self.simulation.insert(simulation))
+    }
+}
+
+impl Default for Instance {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,193 @@
+//! Saved states: bytes without pointers that mean the same on every platform.
+//!
+//! Format: little-endian 64-bit words. Magic, format version, digest of the variable table, length of the whole in
+//! bytes; mode, start, whether there is a stop, stop; the inputs; the parameters in the order of the kernel's table; the
+//! kernel's own snapshot, which is empty before the first step can be made; last the FNV-1a digest of everything before.
+
+use alloc::vec;
+use alloc::vec::Vec;
+
+use softanvil_kernel::digest::Digest;
+use softanvil_kernel::snapshot::{restore, save, snapshot_size};
+use softanvil_kernel::{PARAMETERS, Scenario, Simulation, SnapshotError, preset};
+
+use super::{Error, Experiment, Instance, Mode};
+use crate::variables::{INPUTS, Inputs, same_bits};
+
+/// "SOFTAFMU" in ASCII, least significant byte first.
+const MAGIC: u64 = u64::from_le_bytes(*b"SOFTAFMU");
+/// Changes with the format.
+const VERSION: u64 = 1;
+
+/// A saved state, checked to be whole and of this version.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SavedState(Vec<u8>);
+
+/// What a saved state says besides the kernel's snapshot.
+struct Content<'a> {
+    mode: Mode,
+    experiment: Experiment,
+    inputs: Inputs,
+    scenario: Scenario,
+    snapshot: &'a [u8],
+}
+
+impl SavedState {
+    /// The bytes, which any process on any platform can read back.
+    pub fn bytes(&self) -> &[u8] {
+        &self.0
+    }
+
+    fn content(&self) -> Result<Content<'_>, Error> {
+        let corrupt = Error::Snapshot(SnapshotError::Corrupt);
+        let (header, mut rest) = self.0.split_at_checked(8 * HEADER_WORDS).ok_or(corrupt)?;
+        let mut words = header.chunks_exact(8).map(word).skip(4);
+        let mut next = || words.next().unwrap_or_default();
+        let mode = Mode::from_code(next()).ok_or(corrupt)?;
+        let (start, has_stop, stop) = (f64::from_bits(next()), next() != 0, f64::from_bits(next()));
+        let experiment = Experiment { start, stop: has_stop.then_some(stop) };
+        let (inputs, scenario) = (read_inputs(&mut rest)?, read_scenario(&mut rest)?);
+        let snapshot = rest.len().checked_sub(8).and_then(|end| rest.get(..end)).ok_or(corrupt)?;
+        if snapshot.is_empty() == matches!(mode, Mode::Step | Mode::Terminated) || !start.is_finite() {
+            return Err(corrupt);
+        }
+        Ok(Content { mode, experiment, inputs, scenario, snapshot })
+    }
+}
+
+/// Words before the inputs.
+const HEADER_WORDS: usize = 8;
+
+/// The header's words, if the bytes claim to be of this format and of their length.
+fn header(bytes: &[u8]) -> Option<[u64; 4]> {
+    let header: [u64; 4] = core::array::from_fn(|i| bytes.get(8 * i..8 * i + 8).map_or(0, word));
+    let whole = bytes.len().is_multiple_of(8) && header[3] == bytes.len() as u64;
+    (whole && header[0] == MAGIC && header[1] == VERSION).then_some(header)
+}
+
+fn word(chunk: &[u8]) -> u64 {
+    chunk.first_chunk::<8>().map_or(0, |bytes| u64::from_le_bytes(*bytes))
+}
+
+fn digest_of(bytes: &[u8]) -> u64 {
+    let mut digest = Digest::new();
+    bytes.chunks_exact(8).for_each(|chunk| digest.word(word(chunk)));
+    digest.value()
+}
+
+/// Takes one number off the front.
+fn read_number(rest: &mut &[u8]) -> Result<f64, Error> {
+    let (head, tail) = rest.split_at_checked(8).ok_or(Error::Snapshot(SnapshotError::Corrupt))?;
+    *rest = tail;
+    Ok(f64::from_bits(word(head)))
+}
+
+fn read_inputs(rest: &mut &[u8]) -> Result<Inputs, Error> {
+    let mut inputs = Inputs::start();
+    for input in INPUTS {
+        let value = read_number(rest)?;
+        input.check(value)?;
+        *(input.field)(&mut inputs) = value;
+    }
+    Ok(inputs)
+}
+
+fn read_scenario(rest: &mut &[u8]) -> Result<Scenario, Error> {
+    let mut scenario = preset::study();
+    for parameter in PARAMETERS {
+        parameter.set(&mut scenario, read_number(rest)?)?;
+    }
+    Ok(scenario)
+}
+
+impl Instance {
+    /// The state, to go back to later.
+    ///
+    /// # Errors
+    /// A state that has failed.
+    pub fn save(&mut self) -> Result<SavedState, Error> {
+        let snapshot = self.snapshot()?;
+        let Experiment { start, stop } = self.experiment;
+        let words = HEADER_WORDS + INPUTS.len() + PARAMETERS.len() + 1;
+        let length = 8 * words + snapshot.len();
+        let mut bytes = Vec::with_capacity(length);
+        let mut put = |word: u64| bytes.extend_from_slice(&word.to_le_bytes());
+        [MAGIC, VERSION, self.table.digest(), length as u64].into_iter().for_each(&mut put);
+        put(self.mode as u64);
+        [start.to_bits(), u64::from(stop.is_some()), stop.unwrap_or_default().to_bits()].into_iter().for_each(&mut put);
+        INPUTS.iter().for_each(|input| put((input.field)(&mut self.inputs).to_bits()));
+        PARAMETERS.iter().for_each(|parameter| put(parameter.get(&self.scenario).to_bits()));
+        bytes.extend_from_slice(&snapshot);
+        let checksum = digest_of(&bytes);
+        bytes.extend_from_slice(&checksum.to_le_bytes());
+        Ok(SavedState(bytes))
+    }
+
+    /// The kernel's part; empty before the first step can be made.
+    fn snapshot(&mut self) -> Result<Vec<u8>, Error> {
+        if self.simulation_at_work().is_none() {
+            return Ok(Vec::new());
+        }
+        let Some(simulation) = &mut self.simulation else { return Ok(Vec::new()) };
+        let mut bytes = vec![0; snapshot_size(simulation.constants())];
+        simulation
+            .with(|model, state| save(model, state, &mut bytes))
+            .map_err(Error::Model)?
+            .map_err(Error::Snapshot)?;
+        Ok(bytes)
+    }
+
+    /// Reads back the bytes of a saved state.
+    ///
+    /// # Errors
+    /// Bytes that are no saved state, of another version, cut short or altered.
+    pub fn read_state(&self, bytes: &[u8]) -> Result<SavedState, Error> {
+        let header = header(bytes).ok_or(Error::Snapshot(SnapshotError::Format))?;
+        if header[2] != self.table.digest() {
+            return Err(Error::Snapshot(SnapshotError::Foreign));
+        }
+        let corrupt = Error::Snapshot(SnapshotError::Corrupt);
+        let (content, checksum) = bytes.split_last_chunk::<8>().ok_or(corrupt)?;
+        if u64::from_le_bytes(*checksum) != digest_of(content) {
+            return Err(corrupt);
+        }
+        let state = SavedState(bytes.to_vec());
+        state.content()?;
+        Ok(state)
+    }
+
+    /// Goes back to a saved state, also one of another instance or process.
+    ///
+    /// # Errors
+    /// A state that does not fit together; the instance is as before.
+    pub fn restore(&mut self, state: &SavedState) -> Result<(), Error> {
+        let content = state.content()?;
+        if !content.snapshot.is_empty() {
+            self.restore_simulation(&content.scenario, content.snapshot)?;
+        }
+        self.mode = content.mode;
+        self.experiment = content.experiment;
+        self.inputs = content.inputs;
+        self.scenario = content.scenario;
+        Ok(())
+    }
+
+    /// Restores into the model at hand if it is the right one, else into a new one.
+    fn restore_simulation(&mut self, scenario: &Scenario, snapshot: &[u8]) -> Result<(), Error> {
+        let fill = |simulation: &mut Simulation| {
+            simulation
+                .with(|model, state| restore(model, state, snapshot))
+                .map_err(Error::Model)?
+                .map_err(Error::Snapshot)
+        };
+        match &mut self.simulation {
+            Some(simulation) if same_bits(&simulation.constants().scenario, scenario) => fill(simulation),
+            other => {
+                let mut simulation = Simulation::new(scenario).map_err(Error::Model)?;
+                fill(&mut simulation)?;
+                *other = Some(simulation);
+                Ok(())
+            }
+        }
+    }
+}

@@ -1,0 +1,323 @@
+//! The table of FMI variables. It serves the getters, the setters and the model description alike.
+//!
+//! Parameters and outputs come from the kernel's tables; only what a master sees and the kernel does not stands here:
+//! time, inputs, and what an instance knows about its model.
+
+pub mod references;
+mod token;
+pub mod units;
+
+use alloc::vec::Vec;
+
+use softanvil_kernel::parameter::Kind;
+use softanvil_kernel::{OUTPUTS, Output, PARAMETERS, Parameter, ParameterError, Scenario, preset};
+
+pub use token::token;
+
+/// One variable.
+#[derive(Clone, Copy)]
+pub struct Variable {
+    /// Number by which a master names it.
+    pub reference: u32,
+    /// Structured name, unique in the table.
+    pub name: &'static str,
+    /// Meaning, one line.
+    pub description: &'static str,
+    /// Type, with unit and range or names.
+    pub value: ValueType,
+    /// Where the value lives.
+    pub source: Source,
+}
+
+/// Type of a variable.
+#[derive(Clone, Copy)]
+pub enum ValueType {
+    /// A physical quantity.
+    Real {
+        /// SI unit.
+        unit: &'static str,
+        /// Smallest and largest legal value of what can be set.
+        range: Option<(f64, f64)>,
+    },
+    /// A count.
+    Integer,
+    /// One of several named choices, numbered from 0.
+    Enumeration {
+        /// Names of the choices.
+        labels: &'static [&'static str],
+    },
+    /// Yes or no.
+    Boolean,
+    /// Text.
+    String,
+}
+
+impl ValueType {
+    /// Name of the type, for messages.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Real { .. } => "Real",
+            Self::Integer => "Integer",
+            Self::Enumeration { .. } => "Enumeration",
+            Self::Boolean => "Boolean",
+            Self::String => "String",
+        }
+    }
+}
+
+/// Where the value of a variable lives.
+#[derive(Clone, Copy)]
+pub enum Source {
+    /// Simulated time.
+    Time,
+    /// A parameter of the scenario.
+    Parameter(&'static Parameter),
+    /// Set by the master at communication points.
+    Input(&'static Input),
+    /// A result of the kernel.
+    Output(&'static Output),
+    /// Time step of the kernel.
+    TimeStep,
+    /// Number of elements.
+    Elements,
+    /// Whether the impactor touches the layer.
+    ContactActive,
+    /// Digest of the force samples.
+    TraceHash,
+}
+
+/// What the master gives at communication points.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Inputs {
+    /// Upward force on a falling impactor, N.
+    pub external_force: f64,
+    /// Height that a driven impactor aims at, m.
+    pub driven_position: f64,
+    /// Velocity that a driven impactor aims at, m/s.
+    pub driven_velocity: f64,
+}
+
+impl Inputs {
+    /// No force, and the impactor at rest where the preset has it.
+    pub fn start() -> Self {
+        Self { external_force: 0.0, driven_position: preset::study().impactor.gap, driven_velocity: 0.0 }
+    }
+}
+
+/// One row of the table of inputs.
+pub struct Input {
+    reference: u32,
+    name: &'static str,
+    unit: &'static str,
+    range: (f64, f64),
+    /// The field in the inputs.
+    pub field: fn(&mut Inputs) -> &mut f64,
+    description: &'static str,
+}
+
+impl Input {
+    /// Whether `value` is legal: finite and in range.
+    ///
+    /// # Errors
+    /// The name, value, unit and legal range of a refused value.
+    pub fn check(&self, value: f64) -> Result<(), ParameterError> {
+        let (min, max) = self.range;
+        let in_range = value >= min && value <= max;
+        if in_range { Ok(()) } else { Err(ParameterError { name: self.name, value, unit: self.unit, min, max }) }
+    }
+}
+
+/// Every input.
+pub static INPUTS: &[Input] = &[
+    Input {
+        reference: references::EXTERNAL_FORCE,
+        name: "impactor.external_force",
+        unit: "N",
+        range: (-1e6, 1e6),
+        field: |inputs| &mut inputs.external_force,
+        description: "upward force on a falling impactor besides gravity and contact, held over a communication step",
+    },
+    Input {
+        reference: references::DRIVEN_POSITION,
+        name: "impactor.driven_position",
+        unit: "m",
+        range: (-1.0, 1.0),
+        field: |inputs| &mut inputs.driven_position,
+        description: "height of the face of a driven impactor at the start of a communication step",
+    },
+    Input {
+        reference: references::DRIVEN_VELOCITY,
+        name: "impactor.driven_velocity",
+        unit: "m/s",
+        range: (-100.0, 100.0),
+        field: |inputs| &mut inputs.driven_velocity,
+        description: "upward velocity of a driven impactor, which moves evenly to driven_position + driven_velocity h \
+                      over a communication step h",
+    },
+];
+
+impl Variable {
+    /// FMI's name for the role of the variable.
+    pub fn causality(&self) -> &'static str {
+        match self.source {
+            Source::Time => "independent",
+            Source::Parameter(_) => "parameter",
+            Source::Input(_) => "input",
+            Source::TimeStep | Source::Elements => "calculatedParameter",
+            Source::Output(_) | Source::ContactActive | Source::TraceHash => "output",
+        }
+    }
+
+    /// FMI's name for when the value can change.
+    pub fn variability(&self) -> &'static str {
+        match self.source {
+            Source::Time | Source::Input(_) | Source::Output(_) => "continuous",
+            Source::Parameter(_) | Source::TimeStep | Source::Elements => "fixed",
+            Source::ContactActive | Source::TraceHash => "discrete",
+        }
+    }
+
+    /// FMI's name for how the value comes about before the first step; none where the standard forbids the attribute.
+    pub fn initial(&self) -> Option<&'static str> {
+        match self.source {
+            Source::Time | Source::Input(_) => None,
+            Source::Parameter(_) => Some("exact"),
+            _ => Some("calculated"),
+        }
+    }
+
+    /// Value of a new instance, for what a master can set; a choice as its number.
+    pub fn start(&self) -> Option<f64> {
+        match self.source {
+            Source::Parameter(parameter) => Some(parameter.get(&preset::study())),
+            Source::Input(input) => Some(*(input.field)(&mut Inputs::start())),
+            _ => None,
+        }
+    }
+
+    fn of_parameter(parameter: &'static Parameter) -> Option<Self> {
+        let value = match parameter.kind {
+            Kind::Real { unit, min, max, .. } => ValueType::Real { unit, range: Some((min, max)) },
+            Kind::Choice { labels, .. } => ValueType::Enumeration { labels },
+        };
+        Some(Self {
+            reference: references::reference_of(references::PARAMETERS, parameter.name)?,
+            name: parameter.name,
+            description: parameter.description,
+            value,
+            source: Source::Parameter(parameter),
+        })
+    }
+
+    fn of_input(input: &'static Input) -> Self {
+        Self {
+            reference: input.reference,
+            name: input.name,
+            description: input.description,
+            value: ValueType::Real { unit: input.unit, range: Some(input.range) },
+            source: Source::Input(input),
+        }
+    }
+
+    fn of_output(output: &'static Output) -> Option<Self> {
+        Some(Self {
+            reference: references::reference_of(references::OUTPUTS, output.name)?,
+            name: output.name,
+            description: output.description,
+            value: ValueType::Real { unit: output.unit, range: None },
+            source: Source::Output(output),
+        })
+    }
+}
+
+/// Simulated time.
+static TIME: Variable = Variable {
+    reference: references::TIME,
+    name: "time",
+    description: "simulated time",
+    value: ValueType::Real { unit: "s", range: None },
+    source: Source::Time,
+};
+
+/// What an instance knows about its model and state besides the kernel's outputs.
+static MODEL: [Variable; 4] = [
+    Variable {
+        reference: references::TIME_STEP,
+        name: "model.time_step",
+        description: "time step of the kernel; a communication step is a whole multiple of it",
+        value: ValueType::Real { unit: "s", range: None },
+        source: Source::TimeStep,
+    },
+    Variable {
+        reference: references::ELEMENTS,
+        name: "model.elements",
+        description: "number of elements of the mesh",
+        value: ValueType::Integer,
+        source: Source::Elements,
+    },
+    Variable {
+        reference: references::CONTACT_ACTIVE,
+        name: "contact.active",
+        description: "whether the impactor touched the layer in the last step",
+        value: ValueType::Boolean,
+        source: Source::ContactActive,
+    },
+    Variable {
+        reference: references::TRACE_HASH,
+        name: "result.trace_hash",
+        description: "digest (FNV-1a, 64 bit, hexadecimal) of all force samples so far: equal runs have equal digests",
+        value: ValueType::String,
+        source: Source::TraceHash,
+    },
+];
+
+/// All variables, in ascending order of their references.
+pub struct Table {
+    rows: Vec<Variable>,
+    digest: u64,
+}
+
+impl Table {
+    /// The table, made from the kernel's.
+    pub fn new() -> Self {
+        let mut rows: Vec<Variable> = core::iter::once(TIME)
+            .chain(PARAMETERS.iter().filter_map(Variable::of_parameter))
+            .chain(INPUTS.iter().map(Variable::of_input))
+            .chain(OUTPUTS.iter().filter_map(Variable::of_output))
+            .chain(MODEL)
+            .collect();
+        rows.sort_by_key(|variable| variable.reference);
+        let digest = token::digest(0, &rows);
+        Self { rows, digest }
+    }
+
+    /// Every variable.
+    pub fn rows(&self) -> &[Variable] {
+        &self.rows
+    }
+
+    /// Digest of everything that a master can know of the table, which a saved state must match.
+    pub fn digest(&self) -> u64 {
+        self.digest
+    }
+
+    /// The variable that a master calls `reference`.
+    pub fn find(&self, reference: u32) -> Option<&Variable> {
+        let row = self.rows.binary_search_by_key(&reference, |variable| variable.reference).ok()?;
+        self.rows.get(row)
+    }
+}
+
+impl Default for Table {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+/// Whether two scenarios agree in every bit.
+pub(crate) fn same_bits(a: &Scenario, b: &Scenario) -> bool {
+    PARAMETERS.iter().all(|parameter| parameter.get(a).to_bits() == parameter.get(b).to_bits())
+}
+
+#[cfg(test)]
+mod tests;

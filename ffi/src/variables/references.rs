@@ -1,0 +1,119 @@
+//! Value references: fixed numbers, so that a system model that names them survives a new version of the FMU.
+//!
+//! | range        | variables                                     |
+//! |--------------|-----------------------------------------------|
+//! | 0            | time                                          |
+//! | 1000 to 1999 | parameters                                    |
+//! | 2000 to 2999 | inputs                                        |
+//! | 3000 to 3999 | scalar outputs                                |
+//! | 4000 to 4999 | calculated parameters                         |
+//! | 5000 to 5999 | outputs that are no quantity (states, texts)  |
+//! | 6000 to 6999 | reserved for arrays                           |
+//!
+//! Within a range a group of names starts at a multiple of 100. A number is never given away twice: what leaves the
+//! kernel's tables leaves a gap here.
+
+/// The independent variable.
+pub const TIME: u32 = 0;
+
+/// Inputs.
+pub const EXTERNAL_FORCE: u32 = 2000;
+/// Height of a driven impactor.
+pub const DRIVEN_POSITION: u32 = 2001;
+/// Velocity of a driven impactor.
+pub const DRIVEN_VELOCITY: u32 = 2002;
+
+/// The kernel's time step.
+pub const TIME_STEP: u32 = 4000;
+/// Number of elements of the mesh.
+pub const ELEMENTS: u32 = 4001;
+
+/// Whether the impactor touches the layer.
+pub const CONTACT_ACTIVE: u32 = 5000;
+/// Digest of the force samples.
+pub const TRACE_HASH: u32 = 5001;
+
+/// Reference of every row of the kernel's table of parameters.
+pub static PARAMETERS: &[(&str, u32)] = &[
+    ("geometry.shape", 1000),
+    ("geometry.formulation", 1001),
+    ("geometry.core_radius", 1002),
+    ("geometry.silicone_thickness", 1003),
+    ("geometry.skin_thickness", 1004),
+    ("geometry.length", 1005),
+    ("geometry.block_width", 1006),
+    ("impactor.motion", 1100),
+    ("impactor.mass", 1101),
+    ("impactor.face_diameter", 1102),
+    ("impactor.gap", 1103),
+    ("impactor.gravity", 1104),
+    ("impactor.drop_by", 1105),
+    ("impactor.drop_height", 1106),
+    ("impactor.drop_energy", 1107),
+    ("impactor.drop_speed", 1108),
+    ("silicone.density", 1200),
+    ("silicone.moduli", 1201),
+    ("silicone.c10", 1202),
+    ("silicone.c01", 1203),
+    ("silicone.c11", 1204),
+    ("silicone.c20", 1205),
+    ("silicone.c02", 1206),
+    ("silicone.volumetric_by", 1207),
+    ("silicone.bulk_modulus", 1208),
+    ("silicone.poissons_ratio", 1209),
+    ("silicone.prony_g_1", 1210),
+    ("silicone.prony_tau_1", 1211),
+    ("silicone.prony_g_2", 1212),
+    ("silicone.prony_tau_2", 1213),
+    ("silicone.prony_g_3", 1214),
+    ("silicone.prony_tau_3", 1215),
+    ("silicone.prony_g_4", 1216),
+    ("silicone.prony_tau_4", 1217),
+    ("silicone.prony_g_5", 1218),
+    ("silicone.prony_tau_5", 1219),
+    ("silicone.slider_stiffness", 1220),
+    ("silicone.slider_yield_stress", 1221),
+    ("core.interface", 1300),
+    ("core.friction_coefficient", 1301),
+    ("face.friction_coefficient", 1400),
+    ("mesh.element_size", 1500),
+    ("time.step_by", 1600),
+    ("time.safety_factor", 1601),
+    ("time.step", 1602),
+    ("time.duration", 1603),
+    ("measurement.force_threshold", 1700),
+];
+
+/// Reference of every row of the kernel's table of outputs.
+pub static OUTPUTS: &[(&str, u32)] = &[
+    ("contact.force", 3000),
+    ("contact.force_step", 3001),
+    ("core.reaction", 3100),
+    ("impactor.position", 3200),
+    ("impactor.velocity", 3201),
+    ("impactor.acceleration", 3202),
+    ("impactor.deformation", 3203),
+    ("result.peak_force", 3300),
+    ("result.max_deformation", 3301),
+    ("result.impact_duration", 3302),
+    ("result.impulse", 3303),
+    ("result.impact_speed", 3304),
+    ("result.rebound_speed", 3305),
+    ("result.restitution", 3306),
+    ("result.contact_time", 3307),
+    ("energy.impactor_kinetic", 3400),
+    ("energy.layer_kinetic", 3401),
+    ("energy.elastic", 3402),
+    ("energy.viscous", 3403),
+    ("energy.slider_stored", 3404),
+    ("energy.slider_dissipation", 3405),
+    ("energy.friction", 3406),
+    ("energy.contact", 3407),
+    ("energy.external", 3408),
+    ("energy.residual", 3409),
+];
+
+/// The number that `list` has for `name`.
+pub(super) fn reference_of(list: &[(&str, u32)], name: &str) -> Option<u32> {
+    list.iter().find(|(listed, _)| *listed == name).map(|(_, reference)| *reference)
+}

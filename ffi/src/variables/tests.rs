@@ -1,0 +1,75 @@
+use super::*;
+
+#[test]
+fn every_row_of_the_kernels_tables_has_a_reference_and_no_reference_is_idle() {
+    let named = |list: &[(&'static str, u32)]| list.iter().map(|(name, _)| *name).collect::<Vec<_>>();
+    let parameters: Vec<_> = PARAMETERS.iter().map(|parameter| parameter.name).collect();
+    let outputs: Vec<_> = OUTPUTS.iter().map(|output| output.name).collect();
+    for (names, list) in [(&parameters, references::PARAMETERS), (&outputs, references::OUTPUTS)] {
+        let missing: Vec<_> = names.iter().filter(|name| !named(list).contains(name)).collect();
+        assert!(missing.is_empty(), "{missing:?} need numbers in references.rs");
+    }
+    assert!(named(references::PARAMETERS).iter().all(|name| parameters.contains(name)));
+    assert!(named(references::OUTPUTS).iter().all(|name| outputs.contains(name)));
+}
+
+#[test]
+fn references_and_names_are_unique() {
+    let table = Table::new();
+    assert!(table.rows().windows(2).all(|pair| pair[0].reference < pair[1].reference));
+    for (i, variable) in table.rows().iter().enumerate() {
+        assert!(table.rows()[..i].iter().all(|other| other.name != variable.name), "{}", variable.name);
+    }
+}
+
+#[test]
+fn references_lie_in_the_range_of_their_kind() {
+    for variable in Table::new().rows() {
+        let range = match variable.source {
+            Source::Time => 0..1,
+            Source::Parameter(_) => 1000..2000,
+            Source::Input(_) => 2000..3000,
+            Source::Output(_) => 3000..4000,
+            Source::TimeStep | Source::Elements => 4000..5000,
+            Source::ContactActive | Source::TraceHash => 5000..6000,
+        };
+        assert!(range.contains(&variable.reference), "{}", variable.name);
+    }
+}
+
+#[test]
+fn lookup_finds_every_variable_and_nothing_else() {
+    let table = Table::new();
+    for variable in table.rows() {
+        assert_eq!(table.find(variable.reference).map(|found| found.name), Some(variable.name));
+    }
+    for unknown in [1, 999, 1999, 6000, u32::MAX] {
+        assert!(table.find(unknown).is_none());
+    }
+}
+
+#[test]
+fn every_unit_is_defined() {
+    for variable in Table::new().rows() {
+        if let ValueType::Real { unit, .. } = variable.value {
+            assert!(units::find(unit).is_some(), "{}: unit {unit} needs a row in units.rs", variable.name);
+        }
+    }
+}
+
+#[test]
+fn start_values_are_legal() {
+    for variable in Table::new().rows() {
+        if let (Some(start), ValueType::Real { range: Some((min, max)), .. }) = (variable.start(), variable.value) {
+            assert!(start >= min && start <= max, "{}", variable.name);
+        }
+    }
+}
+
+#[test]
+fn the_token_is_stable_and_has_the_form_of_a_guid() {
+    let token = token();
+    assert_eq!(token, super::token());
+    assert_eq!(token.len(), 38);
+    assert_eq!(token.char_indices().filter(|(_, c)| *c == '-').map(|(i, _)| i).collect::<Vec<_>>(), [9, 14, 19, 24]);
+}

@@ -1,0 +1,40 @@
+//! Sizes, alignments, offsets and status numbers on the Rust side against `tests/c/abi.inc`, which `tests/c/abi.c`
+//! checks on the C side.
+
+use std::mem::{align_of, offset_of, size_of};
+
+use softanvil::c_api::scenario::{SOFTANVIL_PARAMETER_SLOTS, SoftanvilScenario};
+use softanvil::c_api::simulation::SoftanvilInput;
+use softanvil::c_api::tables::{SoftanvilOutputInfo, SoftanvilParameterInfo};
+use softanvil::failure::SoftanvilError;
+use softanvil::status::SoftanvilStatus;
+
+macro_rules! structure {
+    ($lines:ident, $type:ident: $($field:ident)*) => {
+        $lines.push(format!("SIZE({}, {})", stringify!($type), size_of::<$type>()));
+        $lines.push(format!("ALIGNMENT({}, {})", stringify!($type), align_of::<$type>()));
+        $($lines.push(format!(
+            "FIELD({}, {}, {})", stringify!($type), stringify!($field), offset_of!($type, $field)
+        ));)*
+    };
+}
+
+#[test]
+fn the_layout_is_the_frozen_one() {
+    let mut lines = vec![format!("SIZE(SoftanvilStatus, {})", size_of::<SoftanvilStatus>())];
+    lines.extend(SoftanvilStatus::ALL.iter().map(|status| {
+        let name = format!("{status:?}").chars().fold(String::new(), |name, c| match c {
+            c if c.is_uppercase() => format!("{name}_{c}"),
+            c => name + &c.to_uppercase().to_string(),
+        });
+        format!("VALUE(SOFTANVIL_STATUS{name}, {})", *status as i32)
+    }));
+    lines.push(format!("VALUE(SOFTANVIL_PARAMETER_SLOTS, {SOFTANVIL_PARAMETER_SLOTS})"));
+    structure!(lines, SoftanvilError: status parameter element reserved_word value min max time reserved text);
+    structure!(lines, SoftanvilScenario: marker struct_size preset count value);
+    structure!(lines, SoftanvilInput: marker struct_size external_force driven_position reserved);
+    structure!(lines, SoftanvilParameterInfo: id choices min max reserved name unit description);
+    structure!(lines, SoftanvilOutputInfo: id reserved_word reserved name unit description);
+    let frozen = include_str!("../../tests/c/abi.inc").lines().skip(1).collect::<Vec<_>>();
+    assert_eq!(lines, frozen);
+}

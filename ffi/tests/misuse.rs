@@ -1,0 +1,229 @@
+//! The C ABI called from Rust, misused on purpose: what a caller in C can get wrong without breaking its contract, and
+//! what the unsafe code must get right. The rigs in `tests/c` and `tests/cpp` do the same from outside.
+
+use std::alloc::{Layout, alloc, dealloc};
+use std::ffi::{CStr, c_void};
+use std::mem::MaybeUninit;
+use std::ptr::{null, null_mut};
+
+use softanvil::block::SoftanvilSimulation;
+use softanvil::c_api::library::{softanvil_status_text, softanvil_version, softanvil_version_text};
+use softanvil::c_api::scenario::*;
+use softanvil::c_api::simulation::*;
+use softanvil::c_api::snapshot::*;
+use softanvil::c_api::tables::*;
+use softanvil::failure::SoftanvilError;
+use softanvil::ids::{OUTPUT_BY_ID, PARAMETER_BY_ID};
+use softanvil::status::SoftanvilStatus as Status;
+use softanvil_kernel::{Simulation, StepInput, preset};
+
+/// A block of exactly the size and alignment that was asked for, uninitialised as malloc gives it.
+struct Block {
+    pointer: *mut c_void,
+    layout: Layout,
+}
+
+impl Block {
+    fn new(size: usize, alignment: usize) -> Self {
+        let layout = Layout::from_size_align(size, alignment).unwrap();
+        // SAFETY: the layout is not of zero size.
+        Self { pointer: unsafe { alloc(layout) }.cast(), layout }
+    }
+}
+
+impl Drop for Block {
+    fn drop(&mut self) {
+        // SAFETY: allocated in `new` with this layout.
+        unsafe { dealloc(self.pointer.cast(), self.layout) }
+    }
+}
+
+/// A scenario with a coarse mesh, for speed.
+fn coarse() -> SoftanvilScenario {
+    let mut scenario = MaybeUninit::uninit();
+    // SAFETY: valid for writes, and written when the status is checked.
+    unsafe {
+        assert_eq!(softanvil_scenario_default(0, scenario.as_mut_ptr()), Status::Ok);
+        let mut scenario = scenario.assume_init();
+        assert_eq!(
+            softanvil_scenario_set_by_name(&mut scenario, c"mesh.element_size".as_ptr(), 7e-3, null_mut()),
+            Status::Ok
+        );
+        scenario
+    }
+}
+
+fn size(scenario: &SoftanvilScenario) -> (usize, usize) {
+    let (mut size, mut alignment) = (0, 0);
+    // SAFETY: references are valid pointers.
+    let status = unsafe { softanvil_memory_size(scenario, &mut size, &mut alignment, null_mut()) };
+    assert_eq!(status, Status::Ok);
+    (size, alignment)
+}
+
+fn build(block: &Block, scenario: &SoftanvilScenario) -> *mut SoftanvilSimulation {
+    let mut simulation = null_mut();
+    // SAFETY: the block is as long as its layout says.
+    let status = unsafe { softanvil_init(block.pointer, block.layout.size(), scenario, &mut simulation, null_mut()) };
+    assert_eq!(status, Status::Ok);
+    simulation
+}
+
+#[test]
+fn the_smallest_legal_block_gives_the_kernels_trace() {
+    let scenario = coarse();
+    let (size, alignment) = size(&scenario);
+    let block = Block::new(size, alignment);
+    let simulation = build(&block, &scenario);
+    let mut hash = 0;
+    // SAFETY: the simulation lives in the block.
+    unsafe {
+        assert_eq!(softanvil_run(simulation, 1e-3, null(), null_mut()), Status::Ok);
+        assert_eq!(softanvil_trace_hash(simulation, &mut hash), Status::Ok);
+    }
+    let mut kernel = preset::study();
+    kernel.mesh.element_size = 7e-3;
+    let mut kernel = Simulation::new(&kernel).unwrap();
+    let steps = kernel.constants().steps_in(1e-3);
+    kernel.step(steps, &StepInput::default()).unwrap();
+    assert_eq!(hash, kernel.scalars().sampler.trace_hash);
+}
+
+#[test]
+fn the_slices_of_time_do_not_matter() {
+    let scenario = coarse();
+    let (size, alignment) = size(&scenario);
+    let (first, second) = (Block::new(size, alignment), Block::new(size, alignment));
+    let (first, second) = (build(&first, &scenario), build(&second, &scenario));
+    let (mut hashes, mut steps) = ([0; 2], 0);
+    // SAFETY: the simulations live in their blocks.
+    unsafe {
+        assert_eq!(softanvil_run(first, 1e-3, null(), null_mut()), Status::Ok);
+        assert_eq!(softanvil_step_index(first, &mut steps), Status::Ok);
+        for _ in 0..3 {
+            assert_eq!(softanvil_step(second, 1, null(), null_mut()), Status::Ok);
+        }
+        for _ in 0..20 {
+            assert_eq!(softanvil_step_to_sample(second, null(), null_mut()), Status::Ok);
+        }
+        assert_eq!(softanvil_trace_hash(first, &mut hashes[0]), Status::Ok);
+        assert_eq!(softanvil_trace_hash(second, &mut hashes[1]), Status::Ok);
+        let mut other = 0;
+        assert_eq!(softanvil_step_index(second, &mut other), Status::Ok);
+        assert_eq!(steps, other);
+    }
+    assert_eq!(hashes[0], hashes[1]);
+}
+
+#[test]
+fn an_error_is_written_whole_and_a_success_leaves_it_alone() {
+    let mut scenario = coarse();
+    let mut error = MaybeUninit::<SoftanvilError>::uninit();
+    // SAFETY: valid for writes; read only after a failure has written it.
+    let error = unsafe {
+        let status = softanvil_scenario_set(&mut scenario, 8, f64::NAN, error.as_mut_ptr());
+        assert_eq!(status, Status::IllegalValue);
+        let before = error.assume_init();
+        assert_eq!(softanvil_scenario_set(&mut scenario, 8, 6.0, error.as_mut_ptr()), Status::Ok);
+        let after = error.assume_init();
+        assert_eq!(before.text, after.text);
+        after
+    };
+    // SAFETY: the library ends it with a NUL.
+    let text = unsafe { CStr::from_ptr(error.text.as_ptr()) }.to_str().unwrap();
+    assert_eq!(text, "impactor.mass = NaN kg is refused: legal is 0.001 to 10000 kg");
+    assert_eq!((error.status, error.parameter, error.min, error.max), (200, 8, 1e-3, 1e4));
+    assert!(error.value.is_nan() && error.time.is_nan());
+}
+
+#[test]
+fn every_row_of_the_tables_fits_and_is_found() {
+    for (id, row) in (0..).zip(PARAMETER_BY_ID) {
+        let mut info = MaybeUninit::<SoftanvilParameterInfo>::uninit();
+        let mut found = u32::MAX;
+        // SAFETY: valid for writes; read after success.
+        let info = unsafe {
+            assert_eq!(softanvil_parameter_info(id, info.as_mut_ptr()), Status::Ok, "{}", row.name);
+            assert_eq!(softanvil_parameter_find((*info.as_ptr()).name.as_ptr(), &mut found), Status::Ok);
+            info.assume_init()
+        };
+        assert_eq!((found, info.id, (info.min, info.max)), (id, id, row.range()));
+        assert_eq!(text(&info.description), row.description);
+        assert_eq!(text(&info.unit), row.unit());
+    }
+    for (id, row) in (0..).zip(OUTPUT_BY_ID) {
+        let mut info = MaybeUninit::<SoftanvilOutputInfo>::uninit();
+        let mut found = u32::MAX;
+        // SAFETY: valid for writes; read after success.
+        let info = unsafe {
+            assert_eq!(softanvil_output_info(id, info.as_mut_ptr()), Status::Ok, "{}", row.name);
+            assert_eq!(softanvil_output_find((*info.as_ptr()).name.as_ptr(), &mut found), Status::Ok);
+            info.assume_init()
+        };
+        assert_eq!((found, text(&info.description), text(&info.unit)), (id, row.description, row.unit));
+    }
+}
+
+fn text(characters: &[std::ffi::c_char]) -> &str {
+    // SAFETY: the library ends every text with a NUL inside its array, which the slice covers.
+    unsafe { CStr::from_ptr(characters.as_ptr()) }.to_str().unwrap()
+}
+
+#[test]
+fn a_wrong_marker_is_refused_and_a_moved_block_is_not() {
+    let scenario = coarse();
+    let (size, alignment) = size(&scenario);
+    let (block, other) = (Block::new(size, alignment), Block::new(size, alignment));
+    let simulation = build(&block, &scenario);
+    let mut time = -1.0;
+    // SAFETY: both blocks have `size` bytes; the first is initialised.
+    unsafe {
+        std::ptr::write_bytes(other.pointer.cast::<u8>(), 0, size);
+        assert_eq!(softanvil_time(other.pointer.cast(), &mut time), Status::Uninitialised);
+        assert_eq!(time, -1.0);
+        std::ptr::copy_nonoverlapping(simulation.cast::<u8>(), other.pointer.cast(), size);
+        std::ptr::write_bytes(block.pointer.cast::<u8>(), 0xFF, size);
+        assert_eq!(softanvil_step(other.pointer.cast(), 5, null(), null_mut()), Status::Ok);
+        assert_eq!(softanvil_close(other.pointer.cast()), Status::Ok);
+        assert_eq!(softanvil_time(other.pointer.cast(), &mut time), Status::Uninitialised);
+    }
+}
+
+#[test]
+fn a_snapshot_of_exactly_its_size_is_enough_and_one_byte_less_is_not() {
+    let scenario = coarse();
+    let (bytes, alignment) = size(&scenario);
+    let block = Block::new(bytes, alignment);
+    let simulation = build(&block, &scenario);
+    let mut size = 0;
+    // SAFETY: the simulation lives in the block, the vector has `size` bytes.
+    unsafe {
+        assert_eq!(softanvil_snapshot_size(simulation, &mut size), Status::Ok);
+        let mut snapshot = vec![0_u8; size];
+        assert_eq!(
+            softanvil_snapshot_save(simulation, snapshot.as_mut_ptr(), size - 1, null_mut()),
+            Status::ShortBuffer
+        );
+        assert!(snapshot.iter().all(|byte| *byte == 0));
+        assert_eq!(softanvil_snapshot_save(simulation, snapshot.as_mut_ptr(), size, null_mut()), Status::Ok);
+        assert_eq!(
+            softanvil_snapshot_restore(simulation, snapshot.as_ptr(), size - 1, null_mut()),
+            Status::ShortBuffer
+        );
+        assert_eq!(softanvil_snapshot_restore(simulation, snapshot.as_ptr(), size, null_mut()), Status::Ok);
+    }
+}
+
+#[test]
+fn versions_and_texts_are_those_of_the_package() {
+    let [major, minor, patch] =
+        [env!("CARGO_PKG_VERSION_MAJOR"), env!("CARGO_PKG_VERSION_MINOR"), env!("CARGO_PKG_VERSION_PATCH")]
+            .map(|part| part.parse::<u32>().unwrap());
+    assert_eq!(softanvil_version(), major * 1_000_000 + minor * 1_000 + patch);
+    // SAFETY: static strings.
+    unsafe {
+        assert_eq!(CStr::from_ptr(softanvil_version_text()).to_str(), Ok(env!("CARGO_PKG_VERSION")));
+        assert_eq!(CStr::from_ptr(softanvil_status_text(0)), c"done");
+        assert_eq!(CStr::from_ptr(softanvil_status_text(-1)), c"unknown status");
+    }
+}

@@ -1,0 +1,102 @@
+//! `modelDescription.xml`, from the variable table that also serves the getters and setters.
+
+mod structure;
+mod units;
+mod variables;
+
+use std::io;
+
+use quick_xml::Writer;
+use quick_xml::events::{BytesDecl, Event};
+use softanvil::variables::{Table, token};
+use softanvil_kernel::{SAMPLING_INTERVAL, preset};
+
+use crate::MODEL_IDENTIFIER;
+
+/// Where the XML goes.
+type Xml = Writer<Vec<u8>>;
+
+/// Name of the model in tools.
+const MODEL_NAME: &str = "Softanvil";
+/// What the model is, in one line.
+const DESCRIPTION: &str = "Impact of a falling or driven rigid mass on a soft anvil (visco-hyperelastic layer on a rigid \
+                           core), explicit finite elements with a fixed step";
+
+/// The model description of FMI 2.0 for co-simulation.
+pub fn fmi2() -> String {
+    let mut xml = Writer::new_with_indent(Vec::new(), b' ', 2);
+    // Writing to memory does not fail.
+    let _ = write(&mut xml);
+    String::from_utf8_lossy(&xml.into_inner()).into_owned() + "\n"
+}
+
+fn write(xml: &mut Xml) -> io::Result<()> {
+    let table = Table::new();
+    xml.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))?;
+    xml.create_element("fmiModelDescription")
+        .with_attributes([
+            ("fmiVersion", "2.0"),
+            ("modelName", MODEL_NAME),
+            ("guid", &token()),
+            ("description", DESCRIPTION),
+            ("author", env!("CARGO_PKG_AUTHORS")),
+            ("version", env!("CARGO_PKG_VERSION")),
+            ("license", env!("CARGO_PKG_LICENSE")),
+            ("generationTool", concat!("softanvil ", env!("CARGO_PKG_VERSION"))),
+            ("variableNamingConvention", "structured"),
+        ])
+        .write_inner_content(|xml| {
+            co_simulation(xml)?;
+            units::write(xml)?;
+            variables::write_types(xml, &table)?;
+            log_categories(xml)?;
+            default_experiment(xml)?;
+            variables::write(xml, &table)?;
+            structure::write(xml, &table)
+        })?;
+    Ok(())
+}
+
+fn co_simulation(xml: &mut Xml) -> io::Result<()> {
+    xml.create_element("CoSimulation")
+        .with_attributes([
+            ("modelIdentifier", MODEL_IDENTIFIER),
+            ("canHandleVariableCommunicationStepSize", "true"),
+            ("canBeInstantiatedOnlyOncePerProcess", "false"),
+            ("canNotUseMemoryManagementFunctions", "true"),
+            ("canGetAndSetFMUstate", "true"),
+            ("canSerializeFMUstate", "true"),
+        ])
+        .write_empty()?;
+    Ok(())
+}
+
+fn log_categories(xml: &mut Xml) -> io::Result<()> {
+    let categories = [
+        ("logEvents", "changes of mode"),
+        ("logStatusError", "refused calls and failed steps"),
+        ("logStatusDiscard", "status inquiries that have no answer"),
+        ("logAll", "all of them"),
+    ];
+    xml.create_element("LogCategories").write_inner_content(|xml| {
+        for (name, description) in categories {
+            let attributes = [("name", name), ("description", description)];
+            xml.create_element("Category").with_attributes(attributes).write_empty()?;
+        }
+        Ok(())
+    })?;
+    Ok(())
+}
+
+fn default_experiment(xml: &mut Xml) -> io::Result<()> {
+    let (stop, step) = (number(preset::study().time.duration), number(SAMPLING_INTERVAL));
+    xml.create_element("DefaultExperiment")
+        .with_attributes([("startTime", "0.0"), ("stopTime", &stop), ("stepSize", &step)])
+        .write_empty()?;
+    Ok(())
+}
+
+/// The shortest text that reads back as the same number.
+fn number(value: f64) -> String {
+    format!("{value:?}")
+}

@@ -1,0 +1,102 @@
+#!/usr/bin/env bash
+# Builds the rigs in C and C++ against the library in LIBDIR, static and shared, and runs them: their traces agree with
+# each other and, if SOFTANVIL_CLI names the command line program, with its own. The rig of faults also runs under
+# valgrind and under the address and undefined-behaviour sanitizers.
+#
+#     tests/c/run.sh LIBDIR
+set -euo pipefail
+
+if [ $# -ne 1 ] || [ ! -e "$1/libsoftanvil.a" ] || [ ! -e "$1/libsoftanvil.so" ]; then
+    echo "usage: tests/c/run.sh LIBDIR (with libsoftanvil.a and libsoftanvil.so)" >&2
+    exit 2
+fi
+libdir=$(cd "$1" && pwd)
+tests=$(cd "$(dirname "$0")/.." && pwd)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+warnings=(-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -ffp-contract=off -O1 -g)
+c=(gcc -std=c11 -Wstrict-prototypes "${warnings[@]}")
+cpp=(g++ -std=c++17 "${warnings[@]}")
+include=(-I "$tests/../include" -I "$tests/c")
+static=("$libdir/libsoftanvil.a" -lpthread -ldl -lm)
+shared=(-L "$libdir" -lsoftanvil "-Wl,-rpath,$libdir")
+sanitize=(-fsanitize=address,undefined -fno-sanitize-recover=all)
+
+passed=0
+failed=0
+
+# check NAME COMMAND...: runs the command and counts; its output is shown if it fails.
+check() {
+    local name=$1
+    shift
+    if "$@" >"$work/output" 2>&1; then
+        passed=$((passed + 1))
+        echo "ok      $name"
+    else
+        failed=$((failed + 1))
+        echo "FAILED  $name"
+        sed 's/^/        /' "$work/output"
+    fi
+}
+
+# Runs a rig and keeps what it prints.
+trace() { "$work/$1" >"$work/$1.txt"; }
+
+# The header alone, in every dialect that it promises, and as both languages.
+for dialect in c99 c11 c17; do
+    check "header as $dialect" gcc -std=$dialect -Wall -Wextra -Wpedantic -Werror -fsyntax-only -x c \
+        "$tests/../include/softanvil.h"
+done
+for dialect in c++11 c++17 c++20; do
+    check "header as $dialect" g++ -std=$dialect -Wall -Wextra -Wpedantic -Werror -fsyntax-only -x c++ \
+        "$tests/../include/softanvil.h"
+done
+check "layout frozen" "${c[@]}" "${include[@]}" -fsyntax-only "$tests/c/abi.c"
+
+for linkage in static shared; do
+    declare -n library=$linkage
+    check "build C rig, $linkage" "${c[@]}" "${include[@]}" "$tests/c/rig.c" -o "$work/c-$linkage" "${library[@]}"
+    check "build C++ rig, $linkage" "${cpp[@]}" "${include[@]}" "$tests/cpp/rig.cpp" -o "$work/cpp-$linkage" \
+        "${library[@]}"
+    check "build rig of faults, $linkage" "${c[@]}" "${include[@]}" "$tests/c/faults.c" -o "$work/faults-$linkage" \
+        "${library[@]}"
+    check "run C rig, $linkage" trace "c-$linkage"
+    check "run C++ rig, $linkage" trace "cpp-$linkage"
+    check "run rig of faults, $linkage" "$work/faults-$linkage"
+done
+for other in c-shared cpp-static cpp-shared; do
+    check "c-static and $other agree" cmp "$work/c-static.txt" "$work/$other.txt"
+done
+
+check "build sanitized rig of faults" "${c[@]}" "${include[@]}" "${sanitize[@]}" "$tests/c/faults.c" \
+    -o "$work/faults-sanitized" "${static[@]}"
+check "run sanitized rig of faults" "$work/faults-sanitized"
+check "build sanitized C++ rig" "${cpp[@]}" "${include[@]}" "${sanitize[@]}" "$tests/cpp/rig.cpp" \
+    -o "$work/cpp-sanitized" "${static[@]}"
+check "run sanitized C++ rig" "$work/cpp-sanitized"
+check "rig of faults under valgrind" valgrind -q --error-exitcode=9 --leak-check=full "$work/faults-static"
+
+# Only the ABI leaves the shared library.
+only_abi() {
+    nm -D --defined-only "$libdir/libsoftanvil.so" | awk '{print $3}' >"$work/symbols"
+    grep -q '^softanvil_init$' "$work/symbols" && ! grep -Ev '^(softanvil_|fmi[23])' "$work/symbols"
+}
+check "only the ABI is exported" only_abi
+
+# The command line program gives the same trace for the same energy.
+same_as_cli() {
+    local wanted
+    wanted=$("$SOFTANVIL_CLI" run --energy "$1" --json | sed -n 's/.*"trace_hash": *"\([0-9a-f]*\)".*/\1/p')
+    echo "command line: $wanted"
+    [ -n "$wanted" ] && grep -E "^ *$1 J .* hash $wanted\$" "$work/c-static.txt"
+}
+if [ -n "${SOFTANVIL_CLI:-}" ]; then
+    for energy in 14.7 9.8 4.9; do
+        check "C rig and command line agree at $energy J" same_as_cli "$energy"
+    done
+fi
+
+cat "$work/c-static.txt"
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ]
