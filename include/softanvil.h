@@ -194,7 +194,7 @@ const char *softanvil_status_text(int32_t status);
 
 /** Ready-made scenarios. */
 enum SoftanvilPreset {
-    /** The soft anvil of doi 10.1007/s12283-023-00407-7, dropped on with 14.7 J. */
+    /** the soft anvil of the study, one set of parameters for 4.9, 9.8 and 14.7 J */
     SOFTANVIL_PRESET_STUDY = 0
 };
 
@@ -292,7 +292,7 @@ enum SoftanvilParameter {
     SOFTANVIL_PARAMETER_TIME_STEP = 44,
     /** time.duration, s, from 5e-5 to 100: simulated time of a run. */
     SOFTANVIL_PARAMETER_TIME_DURATION = 45,
-    /** measurement.force_threshold, N, from 0 to 1e5: force that begins and ends the impact duration (the default is just above the 5 kg mass's weight). */
+    /** measurement.force_threshold, N, from 0 to 1e5: force that begins and ends the impact duration. */
     SOFTANVIL_PARAMETER_MEASUREMENT_FORCE_THRESHOLD = 46
 };
 

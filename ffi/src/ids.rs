@@ -3,24 +3,11 @@
 //! Names, units, ranges and meanings stay in the kernel's tables; here is only the order. A new row goes to the end of
 //! its table, wherever the kernel has put it, and no row ever leaves.
 
-use softanvil_kernel::{OUTPUTS, Output, PARAMETERS, Parameter, Scenario, preset};
-
-/// A preset: its name and what makes it.
-pub struct Preset {
-    /// Name, as in `SOFTANVIL_PRESET_...`.
-    pub name: &'static str,
-    /// Meaning, one line.
-    pub description: &'static str,
-    /// The scenario.
-    pub scenario: fn() -> Scenario,
-}
+use softanvil_kernel::preset::{PRESETS, Preset};
+use softanvil_kernel::{OUTPUTS, Output, PARAMETERS, Parameter};
 
 /// Presets by number.
-pub static PRESET_BY_ID: [Preset; 1] = [Preset {
-    name: "study",
-    description: "The soft anvil of doi 10.1007/s12283-023-00407-7, dropped on with 14.7 J.",
-    scenario: preset::study,
-}];
+pub static PRESET_BY_ID: [&Preset; 1] = [preset_row("study")];
 
 /// Parameters by number, which is also their slot in a `SoftanvilScenario`.
 pub static PARAMETER_BY_ID: [&Parameter; 47] = [
@@ -124,6 +111,18 @@ const fn output_row(name: &str) -> &'static Output {
         i += 1;
     }
     panic!("the kernel has no such output")
+}
+
+/// As [`parameter_row`], for presets.
+const fn preset_row(name: &str) -> &'static Preset {
+    let mut i = 0;
+    while i < PRESETS.len() {
+        if same(PRESETS[i].name, name) {
+            return &PRESETS[i];
+        }
+        i += 1;
+    }
+    panic!("the kernel has no such preset")
 }
 
 const fn same(a: &str, b: &str) -> bool {

@@ -311,7 +311,7 @@ pub static PARAMETERS: &[Parameter] = &[
         "N",
         (0.0, 1e5),
         |s| &mut s.measurement.force_threshold,
-        "force that begins and ends the impact duration (the default is just above the 5 kg mass's weight)",
+        "force that begins and ends the impact duration",
     ),
 ];
 

@@ -5,12 +5,31 @@ use crate::scenario::{
     Moduli, Motion, Scenario, Shape, StepBy, Time, VolumetricBy,
 };
 
+/// A scenario with a name.
+#[derive(Clone, Copy, Debug)]
+pub struct Preset {
+    /// Name.
+    pub name: &'static str,
+    /// Makes the scenario.
+    pub scenario: fn() -> Scenario,
+    /// Meaning, one line.
+    pub description: &'static str,
+}
+
+/// Every preset; the first is the default.
+pub static PRESETS: &[Preset] = &[Preset {
+    name: "study",
+    scenario: study,
+    description: "the soft anvil of the study, one set of parameters for 4.9, 9.8 and 14.7 J",
+}];
+
 /// The soft anvil of "Finite element model to simulate impact on a soft tissue simulant", Sports Engineering (2023),
 /// doi 10.1007/s12283-023-00407-7, dropped on with 14.7 J.
 ///
-/// Geometry, impactor, density, friction under the face and element size are the paper's. The coefficients of its
-/// material models are not published; [`study_silicone`] and the effective length were identified with this kernel
-/// from the paper's measured drops.
+/// Geometry, impactor, density, friction under the face and element size are the paper's; the core is bonded, as in its
+/// experiment. The coefficients of its material models are not published: [`study_silicone`] and the effective length
+/// (the largest out-of-plane thickness) were identified with this kernel from the twelve numbers of its measured drops.
+/// The force threshold of the impact duration, which the paper does not state, is just under 1 % of its smallest peak.
 pub fn study() -> Scenario {
     Scenario {
         geometry: Geometry {
@@ -19,7 +38,7 @@ pub fn study() -> Scenario {
             core_radius: 37.5e-3,
             silicone_thickness: 14e-3,
             skin_thickness: 1e-3,
-            length: 99e-3,
+            length: 128.3e-3,
             block_width: 30e-3,
         },
         impactor: Impactor {
@@ -38,26 +57,36 @@ pub fn study() -> Scenario {
         face: FaceInterface { friction_coefficient: 0.3 },
         mesh: Mesh { element_size: 3e-3 },
         time: Time { step_by: StepBy::SafetyFactor, safety_factor: 0.9, step: 2e-6, duration: 15e-3 },
-        measurement: Measurement { force_threshold: 50.0 },
+        measurement: Measurement { force_threshold: 20.0 },
     }
 }
 
-/// The silicone of [`study`].
+/// The silicone of [`study`]: found by differential evolution over thirteen parameters, with the force threshold fixed,
+/// for the smallest mean of the twelve relative errors of Table 1, weighted with their root mean square, with Poisson's
+/// ratio at least 0.38 and the overstress at most 60.
+///
+/// Its long-term shear modulus 2 (C10 + C01) = 0.38 MPa is near the paper's relaxed 0.33 MPa, far above its quasi-static
+/// 0.06 MPa; the fast Prony term does nearly all of the damping, and the damping spring and slider little, although the
+/// paper uses them. What twelve numbers cannot tell apart (fast Prony term against slider, length against stiffness) they
+/// do not pin.
 fn study_silicone() -> Material {
+    // Instantaneous overstress of the two Prony terms over the long-term stress.
+    let overstress = [59.7, 0.042];
+    let instantaneous = 1.0 + overstress[0] + overstress[1];
     Material {
         density: 1072.0,
         moduli: Moduli::LongTerm,
-        c10: 0.101e6,
-        c01: 0.0658e6,
-        c11: 0.0274e6,
-        c20: 0.00133e6,
-        c02: 0.0515e6,
-        volumetric_by: VolumetricBy::BulkModulus,
-        bulk_modulus: 1.67e6,
-        poissons_ratio: 0.48,
-        prony_g: [19.9 / 21.25, 0.35 / 21.25, 0.0, 0.0, 0.0],
-        prony_tau: [0.38e-3, 22e-3, 1.0, 1.0, 1.0],
-        slider_stiffness: 61.6e6,
-        slider_yield_stress: 0.126e6,
+        c10: 0.107e6,
+        c01: 0.082e6,
+        c11: 0.088e6,
+        c20: 0.09e3,
+        c02: 15.5e3,
+        volumetric_by: VolumetricBy::PoissonsRatio,
+        bulk_modulus: 1.449e6,
+        poissons_ratio: 0.38,
+        prony_g: [overstress[0] / instantaneous, overstress[1] / instantaneous, 0.0, 0.0, 0.0],
+        prony_tau: [0.1816e-3, 1.68, 1.0, 1.0, 1.0],
+        slider_stiffness: 50.8e6,
+        slider_yield_stress: 5.44e3,
     }
 }

@@ -31,7 +31,7 @@ pub fn of_run(run: &Run) -> Value {
 /// The study's table side by side with ours.
 pub fn of_validation(validation: &Validation) -> Value {
     json!({
-        "preset": validation.preset.name(),
+        "preset": validation.preset.name,
         "source": paper::SOURCE,
         "mean_error_percent": validation.mean_error(),
         "peak_force_mean_error_percent": validation.peak_error(),

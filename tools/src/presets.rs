@@ -1,41 +1,14 @@
-//! The names by which the command line knows the kernel's presets.
+//! The kernel's presets on the command line.
 
-use clap::builder::PossibleValue;
-use softanvil_kernel::{Scenario, preset};
+use softanvil_kernel::preset::{PRESETS, Preset};
 
-/// A ready-made scenario.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Preset {
-    /// The soft anvil of the study.
-    #[default]
-    Study,
-}
-
-impl Preset {
-    /// Every preset.
-    pub const ALL: &'static [Preset] = &[Preset::Study];
-
-    /// Its name on the command line.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Study => "study",
-        }
-    }
-
-    /// Its scenario.
-    pub fn scenario(self) -> Scenario {
-        match self {
-            Self::Study => preset::study(),
-        }
-    }
-}
-
-impl clap::ValueEnum for Preset {
-    fn value_variants<'a>() -> &'a [Self] {
-        Self::ALL
-    }
-
-    fn to_possible_value(&self) -> Option<PossibleValue> {
-        Some(PossibleValue::new(self.name()))
-    }
+/// The preset called `name`, for clap.
+///
+/// # Errors
+/// The names that there are.
+pub fn parse(name: &str) -> Result<&'static Preset, String> {
+    PRESETS.iter().find(|preset| preset.name == name).ok_or_else(|| {
+        let names: Vec<_> = PRESETS.iter().map(|preset| preset.name).collect();
+        format!("legal is {}", names.join(", "))
+    })
 }

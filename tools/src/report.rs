@@ -100,7 +100,7 @@ fn files(validation: &Validation) -> Result<Vec<(String, Vec<u8>)>, Failure> {
             plot::force_deformation("Drops on the soft anvil: force over deformation", &shown)?.into(),
         ),
         ("table.txt".to_string(), table::of_validation(validation).into()),
-        ("scenario.toml".to_string(), scenario_file::to_toml(&validation.preset.scenario()).into()),
+        ("scenario.toml".to_string(), scenario_file::to_toml(&(validation.preset.scenario)()).into()),
     ];
     for case in &validation.cases {
         files.push((format!("trace-{}J.csv", case.paper.energy), trace::csv(&case.run)?));

@@ -38,7 +38,7 @@ fn notes(validation: &Validation) -> String {
         let threshold = run.constants.scenario.measurement.force_threshold;
         notes += &format!(
             "Softanvil: preset {}, {} triangles, impact duration at forces from {threshold} N on.\n",
-            validation.preset.name(),
+            validation.preset.name,
             run.constants.grid.n_elem()
         );
     }

@@ -1,8 +1,9 @@
 //! Simulated drops against the study's table: errors recomputed from values.
 
+use softanvil_kernel::preset::Preset;
+
 use crate::failure::Failure;
 use crate::paper::{Case, TABLE_1};
-use crate::presets::Preset;
 use crate::progress;
 use crate::quantity::{COUNT, PEAK_FORCE, measure};
 use crate::run::{Drop, Run};
@@ -20,7 +21,7 @@ pub struct Comparison {
 /// All energies of the study, with one preset.
 pub struct Validation {
     /// The preset.
-    pub preset: Preset,
+    pub preset: &'static Preset,
     /// One comparison per energy.
     pub cases: Vec<Comparison>,
 }
@@ -58,7 +59,7 @@ impl Validation {
     ///
     /// # Errors
     /// A preset that is refused or fails.
-    pub fn new(preset: Preset) -> Result<Self, Failure> {
+    pub fn new(preset: &'static Preset) -> Result<Self, Failure> {
         let drops = TABLE_1.iter().map(|case| prepare(preset, case)).collect::<Result<Vec<_>, _>>()?;
         let bar = progress::bar(drops.iter().map(Drop::steps).sum());
         let mut cases = Vec::new();
@@ -91,8 +92,8 @@ impl Validation {
     }
 }
 
-fn prepare(preset: Preset, case: &Case) -> Result<Drop, Failure> {
-    let mut scenario = preset.scenario();
+fn prepare(preset: &'static Preset, case: &Case) -> Result<Drop, Failure> {
+    let mut scenario = (preset.scenario)();
     scenario.impactor = scenario.impactor.with_energy(case.energy);
     Ok(Drop::new(&scenario)?)
 }

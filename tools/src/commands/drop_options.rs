@@ -3,19 +3,20 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use softanvil_kernel::preset::Preset;
 use softanvil_kernel::scenario::DropBy;
 use softanvil_kernel::{Parameter, Scenario};
 
 use crate::failure::Failure;
-use crate::presets::Preset;
+use crate::presets;
 use crate::scenario_file;
 
 /// Which drop to simulate.
 #[derive(Debug, Args)]
 pub struct DropOptions {
     /// Preset to start from
-    #[arg(long, value_name = "NAME", default_value = "study")]
-    preset: Preset,
+    #[arg(long, value_name = "NAME", default_value = "study", value_parser = presets::parse)]
+    preset: &'static Preset,
     /// Scenario file (TOML, as `softanvil scenario` prints it); keys left out keep the preset's value
     #[arg(long, value_name = "FILE")]
     scenario: Option<PathBuf>,
@@ -47,7 +48,7 @@ impl DropOptions {
     /// # Errors
     /// A scenario file or a value that is refused.
     pub fn scenario(&self) -> Result<Scenario, Failure> {
-        let preset = self.preset.scenario();
+        let preset = (self.preset.scenario)();
         let mut scenario = match &self.scenario {
             Some(path) => scenario_file::read(path, &preset)?,
             None => preset,

@@ -1,9 +1,10 @@
 //! `softanvil validate`: the study's table, side by side.
 
 use clap::Args;
+use softanvil_kernel::preset::Preset;
 
 use crate::failure::Failure;
-use crate::presets::Preset;
+use crate::presets;
 use crate::validation::Validation;
 use crate::{json, table};
 
@@ -11,8 +12,8 @@ use crate::{json, table};
 #[derive(Debug, Args)]
 pub struct Options {
     /// Preset to validate
-    #[arg(long, value_name = "NAME", default_value = "study")]
-    preset: Preset,
+    #[arg(long, value_name = "NAME", default_value = "study", value_parser = presets::parse)]
+    preset: &'static Preset,
     /// Print JSON in SI units instead of the table
     #[arg(long)]
     json: bool,
