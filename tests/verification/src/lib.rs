@@ -3,3 +3,8 @@
 pub mod element;
 pub mod scenes;
 pub mod tolerance;
+
+/// Compiles and runs the Rust program of the README.
+#[cfg(doctest)]
+#[doc = include_str!("../../../README.md")]
+pub struct Readme;

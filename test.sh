@@ -1,0 +1,83 @@
+#!/usr/bin/env bash
+# Installs what the tests need and runs them all. What cannot be installed without root is skipped by name and counted;
+# with CI=true a skip is a failure.
+set -uo pipefail
+cd "$(dirname "$0")"
+
+passed=0 failed=0 skipped=0
+failures=()
+
+pass() { passed=$((passed + 1)); }
+fail() { failed=$((failed + 1)); failures+=("$1"); printf 'FAILED: %s\n' "$1" >&2; }
+skip() {
+    if [ "${CI:-}" = true ]; then fail "$1 (skipped: $2)"; else
+        skipped=$((skipped + 1)); printf 'SKIPPED: %s (%s)\n' "$1" "$2" >&2
+    fi
+}
+
+# run NAME COMMAND...: one test.
+run() {
+    local name=$1; shift
+    printf '\n== %s\n' "$name"
+    if "$@"; then pass; else fail "$name"; fi
+}
+
+# need COMMAND PACKAGE...: installs Debian packages if COMMAND is missing and we may.
+need() {
+    local command=$1; shift
+    command -v "$command" >/dev/null && return 0
+    [ "$(id -u)" = 0 ] && command -v apt-get >/dev/null || return 1
+    { apt-get -qq update && DEBIAN_FRONTEND=noninteractive apt-get -qq install -y --no-install-recommends "$@"; } \
+        >/dev/null && command -v "$command" >/dev/null
+}
+
+# drop_hashes CLI: the trace hashes of the three drops.
+drop_hashes() {
+    local energy
+    for energy in 14.7 9.8 4.9; do "$1" run --energy "$energy" --json | grep -o '"trace_hash": *"[0-9a-f]*"' || return 1; done
+}
+
+same_hashes() {
+    local release debug
+    release=$(drop_hashes target/release/softanvil) && debug=$(drop_hashes target/debug/softanvil) || return 1
+    printf 'release:\n%s\ndebug:\n%s\n' "$release" "$debug"
+    [ -n "$release" ] && [ "$release" = "$debug" ]
+}
+
+# The kernel alone, without the features that the rest of the workspace switches on.
+kernel_alone() { cargo build -q --release -p softanvil-kernel --no-default-features; }
+
+run "format" cargo fmt --all --check
+run "clippy" cargo clippy -q --workspace --all-targets -- -D warnings
+run "build, release" cargo build -q --release --workspace
+run "build, debug" cargo build -q --workspace
+run "kernel alone, no_std" kernel_alone
+run "Rust tests" cargo test -q --release --workspace
+run "same trace in debug and release" same_hashes
+
+export SOFTANVIL_CLI=$PWD/target/release/softanvil
+if need gcc gcc libc6-dev && need g++ g++ && need valgrind valgrind libc6-dbg; then
+    for profile in release debug; do
+        run "C and C++ rigs, $profile library" tests/c/run.sh "target/$profile"
+    done
+else
+    skip "C and C++ rigs" "gcc, g++ or valgrind is missing and cannot be installed"
+fi
+
+# have_venv: whether python3 makes virtual environments, which Debian packs apart.
+have_venv() { python3 -c 'import ensurepip' 2>/dev/null || { need no-such-command python3-venv; python3 -c 'import ensurepip'; }; }
+
+if need python3 python3 && have_venv; then
+    export SOFTANVIL_VENV=${SOFTANVIL_VENV:-$PWD/.venv}
+    run "FMU in other tools, release library" tests/fmpy/run.sh target/release
+    run "FMU in other tools, debug library" tests/fmpy/run.sh target/debug test_results.py -k "last_bit"
+    run "programs and picture of the README" tests/readme.sh target/release "$SOFTANVIL_VENV"
+else
+    skip "FMU in other tools" "python3 with venv is missing and cannot be installed"
+    skip "programs and picture of the README" "python3 with venv is missing and cannot be installed"
+fi
+
+printf '\n'
+[ ${#failures[@]} -gt 0 ] && printf 'FAILED: %s\n' "${failures[@]}"
+printf '%d passed, %d failed, %d skipped\n' "$passed" "$failed" "$skipped"
+[ "$failed" = 0 ]

@@ -1,0 +1,23 @@
+#!/usr/bin/env bash
+# The programs and the picture of the README: readme.sh BUILD_FOLDER VENV. The C and the Python program must print the peak
+# force that the command line finds; the picture must be the one that the main job draws.
+set -euo pipefail
+root=$(cd "$(dirname "$0")/.." && pwd)
+build=$(cd "$1" && pwd)
+python=$2/bin/python
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+# block LANGUAGE: the README's only block in this language.
+block() { sed -n "/^\`\`\`$1\$/,/^\`\`\`\$/p" "$root/README.md" | sed '1d;$d'; }
+
+block c >"$work/drop.c"
+block python >"$work/drop.py"
+gcc -Wall -Wextra -Werror "$work/drop.c" -I"$root/include" -L"$build" -l:libsoftanvil.a -lm -lpthread -ldl -o "$work/drop"
+"$build/softanvil" fmu --out "$work" >/dev/null
+"$build/softanvil" --out "$work/report" >/dev/null 2>&1
+expected=$("$build/softanvil" run --energy 9.8 --json | "$python" -c 'import json, sys; print("%.0f N" % json.load(sys.stdin)["peak_force"])')
+printf 'expected %s\n' "$expected"
+[ "$("$work/drop")" = "$expected" ]
+[ "$(cd "$work" && "$python" drop.py)" = "$expected" ]
+cmp "$root/docs/force-time.svg" "$work/report/force-time.svg"
