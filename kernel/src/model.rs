@@ -11,8 +11,10 @@ use crate::scenario::{Formulation, Interface, Scenario, Shape};
 use crate::storage::{MODEL_NODE_FIELDS, ModelMemory, Size, split_row, take};
 use crate::time_step;
 
-/// Interval between samples of the force, s: the 20 kHz of the study's load cells.
-pub const SAMPLING_INTERVAL: f64 = 50e-6;
+/// Samples of the force per second: those of the study's load cells.
+pub const SAMPLING_RATE: f64 = 20e3;
+/// Interval between samples of the force, s.
+pub const SAMPLING_INTERVAL: f64 = 1.0 / SAMPLING_RATE;
 
 /// The scalar constants of a model.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,9 +45,11 @@ impl Constants {
         self.scenario.impactor.mass / self.section_factor
     }
 
-    /// Simulated time after `step_index` steps, s.
+    /// Simulated time after `step_index` steps, s: whole sampling intervals and the steps beyond them.
     pub fn time(&self, step_index: u64) -> f64 {
-        step_index as f64 * SAMPLING_INTERVAL / f64::from(self.steps_per_sample)
+        let per_sample = u64::from(self.steps_per_sample).max(1);
+        // A quotient, so that the time of a sample is the double nearest to it.
+        (step_index / per_sample) as f64 / SAMPLING_RATE + (step_index % per_sample) as f64 * self.dt
     }
 
     /// Steps that cover `duration` s, rounded up to whole sampling intervals.

@@ -244,6 +244,7 @@ static void illegal_scenarios(void)
         refused(init(&scenario), cases[i].status, 1, "softanvil_init of an illegal scenario");
     }
     SoftanvilScenario stiff = with(SOFTANVIL_PARAMETER_SILICONE_BULK_MODULUS, 1e12);
+    stiff.value[SOFTANVIL_PARAMETER_SILICONE_VOLUMETRIC_BY] = SOFTANVIL_SILICONE_VOLUMETRIC_BY_BULK_MODULUS;
     stiff.value[SOFTANVIL_PARAMETER_SILICONE_DENSITY] = 10.0;
     EXPLAIN(STEP_TOO_SMALL, init(&stiff));
     SoftanvilScenario slow = with(SOFTANVIL_PARAMETER_TIME_STEP_BY, SOFTANVIL_TIME_STEP_BY_GIVEN);
