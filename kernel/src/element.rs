@@ -11,6 +11,7 @@ use crate::material::Laws;
 use crate::math;
 use crate::mesh::{Grid, out_of_plane, reference_position, triangles};
 use crate::scenario::Scenario;
+use crate::stretch::IsochoricStretch;
 
 /// Constants of the triangles of a block of cells; all zero in padding.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -141,6 +142,25 @@ impl Kinematics {
             k.inverse_cbrt_j[l] = math::inverse_cbrt(k.jacobian[l]);
         }
         k
+    }
+
+    /// U-bar = J^(-1/3) U of lane `l`.
+    #[inline(always)]
+    pub fn isochoric_stretch(&self, l: usize) -> IsochoricStretch {
+        let scale = self.inverse_cbrt_j[l];
+        IsochoricStretch {
+            u11: scale * self.u11[l],
+            u22: scale * self.u22[l],
+            u12: scale * self.u12[l],
+            u33: scale * self.u33[l],
+        }
+    }
+
+    /// C-bar = U-bar^2 of lane `l`: components 11, 22, 12, 33.
+    #[inline(always)]
+    pub fn isochoric_cauchy_green(&self, l: usize) -> [f64; 4] {
+        let IsochoricStretch { u11, u22, u12, u33 } = self.isochoric_stretch(l);
+        [u11 * u11 + u12 * u12, u22 * u22 + u12 * u12, u12 * (u11 + u22), u33 * u33]
     }
 
     /// First lane whose Jacobian is not positive, or not a number.

@@ -2,6 +2,8 @@
 
 use core::fmt;
 
+use crate::scenario::ElasticLaw;
+
 /// A parameter value that is not legal.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParameterError {
@@ -50,7 +52,9 @@ pub enum ScenarioError {
     },
     /// The elastic law has no positive shear modulus at rest.
     ShearModulus {
-        /// 2 (C10 + C01), Pa.
+        /// The law.
+        law: ElasticLaw,
+        /// Its shear modulus at rest, Pa.
         modulus: f64,
     },
     /// The face does not cover the anvil, so the chord thickness ends inside the section.
@@ -75,8 +79,13 @@ impl fmt::Display for ScenarioError {
             Self::PronySum { sum } => {
                 write!(f, "silicone.prony_g_1 to _5 sum to {sum}: legal is a sum of at least 0 and below 1")
             }
-            Self::ShearModulus { modulus } => {
-                write!(f, "silicone.c10 and c01 give a shear modulus of {modulus} Pa: legal is above 0 Pa")
+            Self::ShearModulus { law, modulus } => {
+                let coefficients = match law {
+                    ElasticLaw::NeoHookean | ElasticLaw::Yeoh => "c10 gives",
+                    ElasticLaw::MooneyRivlin => "c10 and c01 give",
+                    ElasticLaw::Ogden => "ogden_mu_1 to _3 and ogden_alpha_1 to _3 give",
+                };
+                write!(f, "silicone.{coefficients} a shear modulus of {modulus} Pa: legal is above 0 Pa")
             }
             Self::FaceTooSmall { diameter, minimum } => write!(
                 f,

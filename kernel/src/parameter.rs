@@ -3,7 +3,9 @@
 //! Scenario files, the C ABI and the FMU are all generated from or checked against this table.
 
 use crate::error::ParameterError;
-use crate::scenario::{DropBy, Formulation, Interface, Moduli, Motion, Scenario, Shape, StepBy, VolumetricBy};
+use crate::scenario::{
+    DropBy, ElasticLaw, Formulation, Interface, Moduli, Motion, Scenario, Shape, StepBy, VolumetricBy,
+};
 
 /// One row of the table.
 pub struct Parameter {
@@ -206,17 +208,44 @@ pub static PARAMETERS: &[Parameter] = &[
     real("impactor.drop_speed", "m/s", (0.0, 100.0), |s| &mut s.impactor.drop_speed, "downward speed at the start"),
     real("silicone.density", "kg/m3", (10.0, 2e4), |s| &mut s.silicone.density, "density of the layer"),
     choice(
+        "silicone.law",
+        &["neo_hookean", "mooney_rivlin", "yeoh", "ogden"],
+        |s| s.silicone.law as usize,
+        |s, i| {
+            s.silicone.law = match i {
+                0 => ElasticLaw::NeoHookean,
+                1 => ElasticLaw::MooneyRivlin,
+                2 => ElasticLaw::Yeoh,
+                _ => ElasticLaw::Ogden,
+            }
+        },
+        "isochoric hyperelastic law (mooney_rivlin has 2, 3 or 5 parameters, by coefficients of zero)",
+    ),
+    choice(
         "silicone.moduli",
         &["long_term", "instantaneous"],
         |s| s.silicone.moduli as usize,
         |s, i| s.silicone.moduli = if i == 0 { Moduli::LongTerm } else { Moduli::Instantaneous },
         "what the elastic coefficients are: after full relaxation, or before any",
     ),
-    real("silicone.c10", "Pa", (-1e9, 1e9), |s| &mut s.silicone.c10, "Mooney-Rivlin coefficient of (I1 - 3)"),
-    real("silicone.c01", "Pa", (-1e9, 1e9), |s| &mut s.silicone.c01, "Mooney-Rivlin coefficient of (I2 - 3)"),
-    real("silicone.c11", "Pa", (-1e9, 1e9), |s| &mut s.silicone.c11, "Mooney-Rivlin coefficient of (I1 - 3)(I2 - 3)"),
-    real("silicone.c20", "Pa", (-1e9, 1e9), |s| &mut s.silicone.c20, "Mooney-Rivlin coefficient of (I1 - 3)^2"),
-    real("silicone.c02", "Pa", (-1e9, 1e9), |s| &mut s.silicone.c02, "Mooney-Rivlin coefficient of (I2 - 3)^2"),
+    real("silicone.c10", "Pa", (-1e9, 1e9), |s| &mut s.silicone.c10, "coefficient of (I1 - 3) in all laws but ogden"),
+    real("silicone.c01", "Pa", (-1e9, 1e9), |s| &mut s.silicone.c01, "mooney_rivlin coefficient of (I2 - 3)"),
+    real("silicone.c11", "Pa", (-1e9, 1e9), |s| &mut s.silicone.c11, "mooney_rivlin coefficient of (I1 - 3)(I2 - 3)"),
+    real(
+        "silicone.c20",
+        "Pa",
+        (-1e9, 1e9),
+        |s| &mut s.silicone.c20,
+        "mooney_rivlin and yeoh coefficient of (I1 - 3)^2",
+    ),
+    real("silicone.c02", "Pa", (-1e9, 1e9), |s| &mut s.silicone.c02, "mooney_rivlin coefficient of (I2 - 3)^2"),
+    real("silicone.c30", "Pa", (-1e9, 1e9), |s| &mut s.silicone.c30, "yeoh coefficient of (I1 - 3)^3"),
+    real("silicone.ogden_mu_1", "Pa", (-1e9, 1e9), |s| &mut s.silicone.ogden_mu[0], OGDEN_MU),
+    real("silicone.ogden_alpha_1", "1", (-30.0, 30.0), |s| &mut s.silicone.ogden_alpha[0], OGDEN_ALPHA),
+    real("silicone.ogden_mu_2", "Pa", (-1e9, 1e9), |s| &mut s.silicone.ogden_mu[1], OGDEN_MU),
+    real("silicone.ogden_alpha_2", "1", (-30.0, 30.0), |s| &mut s.silicone.ogden_alpha[1], OGDEN_ALPHA),
+    real("silicone.ogden_mu_3", "Pa", (-1e9, 1e9), |s| &mut s.silicone.ogden_mu[2], OGDEN_MU),
+    real("silicone.ogden_alpha_3", "1", (-30.0, 30.0), |s| &mut s.silicone.ogden_alpha[2], OGDEN_ALPHA),
     choice(
         "silicone.volumetric_by",
         &["bulk_modulus", "poissons_ratio"],
@@ -315,6 +344,9 @@ pub static PARAMETERS: &[Parameter] = &[
     ),
 ];
 
+const OGDEN_MU: &str =
+    "ogden coefficient, W = sum mu/alpha (l1^alpha + l2^alpha + l3^alpha - 3); 0 switches the term off";
+const OGDEN_ALPHA: &str = "ogden exponent; the shear modulus at rest is sum mu alpha / 2";
 const PRONY_G: &str = "Prony coefficient, normalised on the instantaneous modulus; 0 switches the term off";
 const PRONY_TAU: &str = "relaxation time of the Prony term";
 

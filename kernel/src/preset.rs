@@ -1,8 +1,8 @@
 //! Ready-made scenarios. The parameter sets stand here and nowhere else.
 
 use crate::scenario::{
-    CoreInterface, DropBy, FaceInterface, Formulation, Geometry, Impactor, Interface, Material, Measurement, Mesh,
-    Moduli, Motion, Scenario, Shape, StepBy, Time, VolumetricBy,
+    CoreInterface, DropBy, ElasticLaw, FaceInterface, Formulation, Geometry, Impactor, Interface, Material,
+    Measurement, Mesh, Moduli, Motion, Scenario, Shape, StepBy, Time, VolumetricBy,
 };
 
 /// The soft anvil of "Finite element model to simulate impact on a soft tissue simulant", Sports Engineering (2023),
@@ -46,12 +46,16 @@ pub fn study() -> Scenario {
 fn study_silicone() -> Material {
     Material {
         density: 1072.0,
+        law: ElasticLaw::MooneyRivlin,
         moduli: Moduli::LongTerm,
         c10: 0.101e6,
         c01: 0.0658e6,
         c11: 0.0274e6,
         c20: 0.00133e6,
         c02: 0.0515e6,
+        c30: 0.0,
+        ogden_mu: [0.0; 3],
+        ogden_alpha: [2.0, -2.0, 4.0],
         volumetric_by: VolumetricBy::BulkModulus,
         bulk_modulus: 1.67e6,
         poissons_ratio: 0.48,

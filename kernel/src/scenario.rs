@@ -4,7 +4,7 @@
 //! unit, legal range and meaning; [`Scenario::validate`] checks the rows and what several fields say together.
 
 use crate::error::ScenarioError;
-use crate::material::MAX_PRONY_TERMS;
+use crate::material::{Elastic, MAX_OGDEN_TERMS, MAX_PRONY_TERMS};
 use crate::parameter::PARAMETERS;
 
 /// Everything that defines a simulation, in SI units.
@@ -136,8 +136,22 @@ impl Impactor {
 pub enum VolumetricBy {
     /// [`Material::bulk_modulus`].
     BulkModulus,
-    /// [`Material::poissons_ratio`], by K = 2 G (1 + nu) / (3 (1 - 2 nu)) with G = 2 (C10 + C01) of the long-term law.
+    /// [`Material::poissons_ratio`], by K = 2 G (1 + nu) / (3 (1 - 2 nu)) with the shear modulus G at rest of the
+    /// long-term law.
     PoissonsRatio,
+}
+
+/// The isochoric hyperelastic law.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ElasticLaw {
+    /// C10.
+    NeoHookean,
+    /// C10, C01, C11, C20, C02; zeros give the laws of two and three parameters.
+    MooneyRivlin,
+    /// C10, C20, C30.
+    Yeoh,
+    /// Up to three pairs of mu and alpha.
+    Ogden,
 }
 
 /// Which moduli the coefficients of the elastic law are.
@@ -154,18 +168,26 @@ pub enum Moduli {
 pub struct Material {
     /// Density, kg/m3.
     pub density: f64,
-    /// Whether the next five are long-term or instantaneous.
+    /// Isochoric hyperelastic law; it uses those of the next coefficients that belong to it.
+    pub law: ElasticLaw,
+    /// Whether the coefficients are long-term or instantaneous.
     pub moduli: Moduli,
-    /// Mooney-Rivlin coefficient of (I1 - 3), Pa.
+    /// Coefficient of (I1 - 3) in all laws but Ogden's, Pa.
     pub c10: f64,
     /// Mooney-Rivlin coefficient of (I2 - 3), Pa.
     pub c01: f64,
     /// Mooney-Rivlin coefficient of (I1 - 3)(I2 - 3), Pa.
     pub c11: f64,
-    /// Mooney-Rivlin coefficient of (I1 - 3)^2, Pa.
+    /// Mooney-Rivlin and Yeoh coefficient of (I1 - 3)^2, Pa.
     pub c20: f64,
     /// Mooney-Rivlin coefficient of (I2 - 3)^2, Pa.
     pub c02: f64,
+    /// Yeoh coefficient of (I1 - 3)^3, Pa.
+    pub c30: f64,
+    /// Ogden coefficients mu_i, Pa; a term with mu = 0 is off.
+    pub ogden_mu: [f64; MAX_OGDEN_TERMS],
+    /// Ogden exponents alpha_i.
+    pub ogden_alpha: [f64; MAX_OGDEN_TERMS],
     /// Which of the next two counts.
     pub volumetric_by: VolumetricBy,
     /// Bulk modulus, Pa.
@@ -188,9 +210,9 @@ impl Material {
         1.0 - self.prony_g.iter().fold(0.0, |sum, g| sum + g)
     }
 
-    /// Long-term shear modulus at rest, Pa: 2 (C10 + C01), scaled if the coefficients are instantaneous.
+    /// Shear modulus of the long-term law at rest, Pa.
     pub fn shear_modulus_inf(&self) -> f64 {
-        2.0 * (self.c10 + self.c01) * self.long_term_scale()
+        Elastic::new(self).shear_modulus()
     }
 
     /// Factor from the given coefficients to the long-term law.
@@ -292,7 +314,8 @@ impl Scenario {
             return Err(ScenarioError::PronySum { sum: 1.0 - self.silicone.prony_g_inf() });
         }
         if self.silicone.shear_modulus_inf() <= 0.0 {
-            return Err(ScenarioError::ShearModulus { modulus: self.silicone.shear_modulus_inf() });
+            let modulus = self.silicone.shear_modulus_inf();
+            return Err(ScenarioError::ShearModulus { law: self.silicone.law, modulus });
         }
         Ok(())
     }

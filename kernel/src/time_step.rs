@@ -13,6 +13,7 @@ use crate::math;
 use crate::model::{Model, SAMPLING_INTERVAL};
 use crate::scenario::{Scenario, StepBy};
 use crate::state::State;
+use crate::stretch::IsochoricStretch;
 
 /// Stretch through the thickness that the step is chosen for. It holds up to five times the energy of the study's
 /// highest drop, where the layer gets thinner than this but, being compressible, less stiff than assumed.
@@ -34,13 +35,12 @@ pub(crate) fn steps_per_sample(scenario: &Scenario, cells: &[CellConstants]) -> 
     let density = scenario.silicone.density;
     let step = match scenario.time.step_by {
         StepBy::SafetyFactor => {
-            // Plane compression to the stretch s: I1 = I2 = s^2 + s^-2 + 1, gradients grow by 1/s.
-            let s2 = DESIGN_STRETCH * DESIGN_STRETCH;
-            let invariant = s2 + 1.0 / s2 + 1.0;
-            scenario.time.safety_factor * limit(&laws, invariant, invariant, lambda / s2, density)
+            // In plane compression to the stretch s gradients grow by 1/s.
+            let stretch = IsochoricStretch::plane_compression(DESIGN_STRETCH);
+            scenario.time.safety_factor * limit(&laws, &stretch, lambda / (DESIGN_STRETCH * DESIGN_STRETCH), density)
         }
         StepBy::Given => {
-            let at_rest = limit(&laws, 3.0, 3.0, lambda, density);
+            let at_rest = limit(&laws, &IsochoricStretch::REST, lambda, density);
             if scenario.time.step > at_rest {
                 return Err(ModelError::StepTooLarge { step: scenario.time.step, limit: at_rest });
             }
@@ -56,9 +56,9 @@ pub(crate) fn steps_per_sample(scenario: &Scenario, cells: &[CellConstants]) -> 
     Ok(count as u32)
 }
 
-/// Largest stable step, s, where the isochoric invariants are `i1`, `i2` and the eigenvalue `lambda`, 1/m2.
-fn limit(laws: &Laws, i1: f64, i2: f64, lambda: f64, density: f64) -> f64 {
-    let shear = laws.shear_tangent(i1, i2);
+/// Largest stable step, s, at an isochoric stretch and the eigenvalue `lambda`, 1/m2.
+fn limit(laws: &Laws, stretch: &IsochoricStretch, lambda: f64, density: f64) -> f64 {
+    let shear = laws.shear_tangent(stretch);
     let bulk = laws.volumetric.tangent();
     let modulus = math::larger(2.0 * shear, 2.0 * bulk + (2.0 / 3.0) * shear);
     2.0 / math::sqrt(3.0 * modulus * lambda / density)
@@ -128,12 +128,6 @@ fn check_triangle(
     let constants = &model.constants;
     for l in 0..LANES {
         let (u11, u22, u12) = (k.u11[l], k.u22[l], k.u12[l]);
-        let (c11, c22, c12) = (u11 * u11 + u12 * u12, u22 * u22 + u12 * u12, u12 * (u11 + u22));
-        let c33 = k.u33[l] * k.u33[l];
-        let cof33 = c11 * c22 - c12 * c12;
-        let scale = k.inverse_cbrt_j[l] * k.inverse_cbrt_j[l];
-        let i1 = scale * (c11 + c22 + c33);
-        let i2 = scale * scale * ((c11 + c22) * c33 + cof33);
         // The eigenvalues of G_ij = g_i . g_j are those of U^-1 (sum dN/dX (x) dN/dX) U^-1.
         let det = u11 * u22 - u12 * u12;
         let (v11, v22, v12) = (u22 / det, u11 / det, -u12 / det);
@@ -141,7 +135,7 @@ fn check_triangle(
         let (a11, a12) = (v11 * xx + v12 * xy, v11 * xy + v12 * yy);
         let (a21, a22) = (v12 * xx + v22 * xy, v12 * xy + v22 * yy);
         let lambda = eigenvalue(a11 * v11 + a12 * v12, a21 * v12 + a22 * v22, a11 * v12 + a12 * v22);
-        let limit = limit(&constants.laws, i1, i2, lambda, constants.scenario.silicone.density);
+        let limit = limit(&constants.laws, &k.isochoric_stretch(l), lambda, constants.scenario.silicone.density);
         if limit < constants.dt {
             return Err(StepError::Unstable {
                 element: constants.grid.element_index(block, l, t),

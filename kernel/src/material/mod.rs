@@ -3,28 +3,38 @@
 //! All deviatoric stresses are Kirchhoff stresses tau = J sigma in the unrotated frame, R^T tau R with F = R U, so that
 //! they can be added, carry their history through any rotation unchanged and have no pressure by construction:
 //!
-//! * [`mooney_rivlin`]: isochoric hyperelastic stress;
+//! * [`elastic`]: isochoric hyperelastic stress, by [`neo_hookean`], [`mooney_rivlin`], [`yeoh`] or [`ogden`];
 //! * [`prony`]: quasi-linear viscous overstress on it;
 //! * [`slider`]: frequency-independent damping, a spring and a slider in series;
 //! * [`volumetric`]: pressure from the mean dilatation of a cell.
 
+pub mod elastic;
 pub mod mooney_rivlin;
+pub mod neo_hookean;
+pub mod ogden;
 pub mod prony;
 pub mod slider;
 pub mod volumetric;
+pub mod yeoh;
 
+pub use elastic::Elastic;
+pub(crate) use elastic::plane_shear_tangent;
 pub use mooney_rivlin::MooneyRivlin;
+pub use neo_hookean::NeoHookean;
+pub use ogden::{MAX_OGDEN_TERMS, Ogden};
 pub use prony::{MAX_PRONY_TERMS, Prony};
 pub use slider::Slider;
 pub use volumetric::Volumetric;
+pub use yeoh::Yeoh;
 
 use crate::scenario::Material;
+use crate::stretch::IsochoricStretch;
 
 /// The laws of one layer with everything precomputed that does not change.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Laws {
     /// Long-term isochoric elasticity.
-    pub elastic: MooneyRivlin,
+    pub elastic: Elastic,
     /// Pressure.
     pub volumetric: Volumetric,
     /// Viscous overstress.
@@ -37,7 +47,7 @@ impl Laws {
     /// The laws of `material` for steps of `dt` s.
     pub fn new(material: &Material, dt: f64) -> Self {
         Self {
-            elastic: MooneyRivlin::new(material),
+            elastic: Elastic::new(material),
             volumetric: Volumetric { bulk_modulus: material.effective_bulk_modulus() },
             prony: Prony::new(material, dt),
             slider: Slider { stiffness: material.slider_stiffness, yield_stress: material.slider_yield_stress },
@@ -46,8 +56,8 @@ impl Laws {
 
     /// An upper bound of the shear tangent of elasticity, overstress and damping together, Pa.
     ///
-    /// `i1`, `i2` are the isochoric invariants. All Prony terms count as unrelaxed.
-    pub fn shear_tangent(&self, i1: f64, i2: f64) -> f64 {
-        self.elastic.shear_tangent(i1, i2) * (1.0 + self.prony.overstress()) + self.slider.stiffness
+    /// All Prony terms count as unrelaxed.
+    pub fn shear_tangent(&self, stretch: &IsochoricStretch) -> f64 {
+        self.elastic.shear_tangent(stretch) * (1.0 + self.prony.overstress()) + self.slider.stiffness
     }
 }

@@ -3,6 +3,16 @@
 /// Closed forms evaluated by the element at prescribed corner positions: round-off of some hundred operations.
 pub const CLOSED_FORM: f64 = 1e-11;
 
+/// P against central differences of W with a step of 10^-5: the next order is its square times a third derivative of
+/// some ten moduli, the round-off of W over the step about the same.
+pub const ENERGY_GRADIENT: f64 = 1e-8;
+
+/// A law at almost equal stretches against its closed form, relative to each stress component by itself.
+pub const COINCIDENCE: f64 = 1e-13;
+
+/// Shear modulus from a shear of 10^-4: the next order is its square.
+pub const SMALL_SHEAR: f64 = 1e-7;
+
 /// Patch test: residual force of an interior node relative to the largest internal force of a node, round-off.
 pub const PATCH: f64 = 1e-11;
 
