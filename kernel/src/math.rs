@@ -18,6 +18,11 @@ pub fn ln(x: f64) -> f64 {
     libm::log(x)
 }
 
+/// ln(1 + x) without cancellation, from libm.
+pub fn ln_1p(x: f64) -> f64 {
+    libm::log1p(x)
+}
+
 /// Hyperbolic sine, from libm; accurate relative to itself down to zero.
 pub fn sinh(x: f64) -> f64 {
     libm::sinh(x)

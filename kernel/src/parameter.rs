@@ -4,7 +4,7 @@
 
 use crate::error::ParameterError;
 use crate::scenario::{
-    DropBy, ElasticLaw, Formulation, Interface, Moduli, Motion, Scenario, Shape, StepBy, VolumetricBy,
+    DropBy, ElasticLaw, Formulation, Interface, Moduli, Motion, Scenario, Shape, StepBy, VolumetricBy, VolumetricLaw,
 };
 
 /// One row of the table.
@@ -246,6 +246,13 @@ pub static PARAMETERS: &[Parameter] = &[
     real("silicone.ogden_alpha_2", "1", (-30.0, 30.0), |s| &mut s.silicone.ogden_alpha[1], OGDEN_ALPHA),
     real("silicone.ogden_mu_3", "Pa", (-1e9, 1e9), |s| &mut s.silicone.ogden_mu[2], OGDEN_MU),
     real("silicone.ogden_alpha_3", "1", (-30.0, 30.0), |s| &mut s.silicone.ogden_alpha[2], OGDEN_ALPHA),
+    choice(
+        "silicone.volumetric_law",
+        &["quadratic", "simo"],
+        |s| s.silicone.volumetric_law as usize,
+        |s, i| s.silicone.volumetric_law = if i == 0 { VolumetricLaw::Quadratic } else { VolumetricLaw::Simo },
+        "energy of volume change: K/2 (J-1)^2, or K/4 (J^2 - 1 - 2 ln J), which no compression brings to J = 0",
+    ),
     choice(
         "silicone.volumetric_by",
         &["bulk_modulus", "poissons_ratio"],

@@ -2,7 +2,7 @@
 
 use crate::scenario::{
     CoreInterface, DropBy, ElasticLaw, FaceInterface, Formulation, Geometry, Impactor, Interface, Material,
-    Measurement, Mesh, Moduli, Motion, Scenario, Shape, StepBy, Time, VolumetricBy,
+    Measurement, Mesh, Moduli, Motion, Scenario, Shape, StepBy, Time, VolumetricBy, VolumetricLaw,
 };
 
 /// The soft anvil of "Finite element model to simulate impact on a soft tissue simulant", Sports Engineering (2023),
@@ -56,6 +56,7 @@ fn study_silicone() -> Material {
         c30: 0.0,
         ogden_mu: [0.0; 3],
         ogden_alpha: [2.0, -2.0, 4.0],
+        volumetric_law: VolumetricLaw::Quadratic,
         volumetric_by: VolumetricBy::BulkModulus,
         bulk_modulus: 1.67e6,
         poissons_ratio: 0.48,

@@ -131,6 +131,15 @@ impl Impactor {
     }
 }
 
+/// The volumetric law.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum VolumetricLaw {
+    /// K/2 (J - 1)^2.
+    Quadratic,
+    /// K/4 (J^2 - 1 - 2 ln J), without bound as J goes to 0.
+    Simo,
+}
+
 /// Which of the two numbers states the compressibility.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum VolumetricBy {
@@ -188,6 +197,8 @@ pub struct Material {
     pub ogden_mu: [f64; MAX_OGDEN_TERMS],
     /// Ogden exponents alpha_i.
     pub ogden_alpha: [f64; MAX_OGDEN_TERMS],
+    /// Energy of volume change.
+    pub volumetric_law: VolumetricLaw,
     /// Which of the next two counts.
     pub volumetric_by: VolumetricBy,
     /// Bulk modulus, Pa.

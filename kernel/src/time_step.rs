@@ -37,10 +37,11 @@ pub(crate) fn steps_per_sample(scenario: &Scenario, cells: &[CellConstants]) -> 
         StepBy::SafetyFactor => {
             // In plane compression to the stretch s gradients grow by 1/s.
             let stretch = IsochoricStretch::plane_compression(DESIGN_STRETCH);
-            scenario.time.safety_factor * limit(&laws, &stretch, lambda / (DESIGN_STRETCH * DESIGN_STRETCH), density)
+            scenario.time.safety_factor
+                * limit(&laws, &stretch, 1.0, lambda / (DESIGN_STRETCH * DESIGN_STRETCH), density)
         }
         StepBy::Given => {
-            let at_rest = limit(&laws, &IsochoricStretch::REST, lambda, density);
+            let at_rest = limit(&laws, &IsochoricStretch::REST, 1.0, lambda, density);
             if scenario.time.step > at_rest {
                 return Err(ModelError::StepTooLarge { step: scenario.time.step, limit: at_rest });
             }
@@ -56,10 +57,10 @@ pub(crate) fn steps_per_sample(scenario: &Scenario, cells: &[CellConstants]) -> 
     Ok(count as u32)
 }
 
-/// Largest stable step, s, at an isochoric stretch and the eigenvalue `lambda`, 1/m2.
-fn limit(laws: &Laws, stretch: &IsochoricStretch, lambda: f64, density: f64) -> f64 {
+/// Largest stable step, s, at an isochoric stretch, a Jacobian and the eigenvalue `lambda`, 1/m2.
+fn limit(laws: &Laws, stretch: &IsochoricStretch, jacobian: f64, lambda: f64, density: f64) -> f64 {
     let shear = laws.shear_tangent(stretch);
-    let bulk = laws.volumetric.tangent();
+    let bulk = laws.volumetric.tangent(jacobian);
     let modulus = math::larger(2.0 * shear, 2.0 * bulk + (2.0 / 3.0) * shear);
     2.0 / math::sqrt(3.0 * modulus * lambda / density)
 }
@@ -135,7 +136,8 @@ fn check_triangle(
         let (a11, a12) = (v11 * xx + v12 * xy, v11 * xy + v12 * yy);
         let (a21, a22) = (v12 * xx + v22 * xy, v12 * xy + v22 * yy);
         let lambda = eigenvalue(a11 * v11 + a12 * v12, a21 * v12 + a22 * v22, a11 * v12 + a12 * v22);
-        let limit = limit(&constants.laws, &k.isochoric_stretch(l), lambda, constants.scenario.silicone.density);
+        let limit =
+            limit(&constants.laws, &k.isochoric_stretch(l), k.jacobian[l], lambda, constants.scenario.silicone.density);
         if limit < constants.dt {
             return Err(StepError::Unstable {
                 element: constants.grid.element_index(block, l, t),

@@ -48,7 +48,7 @@ impl Laws {
     pub fn new(material: &Material, dt: f64) -> Self {
         Self {
             elastic: Elastic::new(material),
-            volumetric: Volumetric { bulk_modulus: material.effective_bulk_modulus() },
+            volumetric: Volumetric::new(material),
             prony: Prony::new(material, dt),
             slider: Slider { stiffness: material.slider_stiffness, yield_stress: material.slider_yield_stress },
         }

@@ -1,6 +1,6 @@
 //! Scenarios and runs that several problems use.
 
-use softanvil_kernel::scenario::{ElasticLaw, Interface, Material, Moduli, Motion, Shape, VolumetricBy};
+use softanvil_kernel::scenario::{ElasticLaw, Interface, Material, Moduli, Motion, Shape, VolumetricBy, VolumetricLaw};
 use softanvil_kernel::{Scenario, Simulation, StepInput, preset};
 
 /// The impact energies of the study, J.
@@ -32,6 +32,7 @@ pub fn elastic(c10: f64, c01: f64, bulk_modulus: f64) -> Material {
         c11: 0.0,
         c20: 0.0,
         c02: 0.0,
+        volumetric_law: VolumetricLaw::Quadratic,
         volumetric_by: VolumetricBy::BulkModulus,
         bulk_modulus,
         prony_g: [0.0; 5],
