@@ -8,6 +8,7 @@
 
 use crate::lanes::{Deviator, LANES, Lane, ZERO};
 use crate::material::Laws;
+use crate::material::relaxation::Overstress;
 use crate::math;
 use crate::mesh::{Grid, out_of_plane, reference_position, triangles};
 use crate::scenario::Scenario;
@@ -206,18 +207,26 @@ pub struct ElementEnergy {
     pub slider_stored: Lane,
     /// Work done on the viscous overstress in this step.
     pub viscous_increment: Lane,
+    /// Power dissipated by the dashpots after this step, W.
+    pub viscous_power: Lane,
     /// Energy dissipated by the sliders in this step.
     pub slider_increment: Lane,
 }
 
 impl ElementEnergy {
     /// Nothing yet.
-    pub const ZERO: Self = Self { elastic: ZERO, slider_stored: ZERO, viscous_increment: ZERO, slider_increment: ZERO };
+    pub const ZERO: Self = Self {
+        elastic: ZERO,
+        slider_stored: ZERO,
+        viscous_increment: ZERO,
+        viscous_power: ZERO,
+        slider_increment: ZERO,
+    };
 }
 
 /// Nodal internal forces of a block, N, from the displacements of its corners; advances the history of its triangles.
 ///
-/// `prony` holds the overstress of the first triangle's terms, then of the second's.
+/// `viscous` holds the overstress of the first triangle's terms, then of the second's.
 ///
 /// # Errors
 /// The first inverted (lane, triangle). The history of the block is not to be used then.
@@ -228,7 +237,7 @@ pub fn internal_force(
     hoop: Option<&HoopConstants>,
     corners: &Corners,
     history: &mut CellHistory,
-    prony: &mut [Deviator],
+    viscous: &mut [Deviator],
     energy: &mut ElementEnergy,
 ) -> Result<Corners, (usize, usize)> {
     let weights = [hoop.map(|h| &h.weight[0]), hoop.map(|h| &h.weight[1])];
@@ -243,7 +252,7 @@ pub fn internal_force(
     }
     let pressure = patch_pressure(laws, constants, &kinematics, energy);
     let mut force = [[ZERO; 2]; 4];
-    let (first, second) = prony.split_at_mut_checked(laws.prony.n_term()).unwrap_or_default();
+    let (first, second) = viscous.split_at_mut_checked(laws.n_term()).unwrap_or_default();
     for (t, terms) in [first, second].into_iter().enumerate() {
         let stress = deviatoric_stress(
             laws,
@@ -287,25 +296,29 @@ fn deviatoric_stress(
     kinematics: &Kinematics,
     volume: &Lane,
     history: &mut TriangleHistory,
-    prony: &mut [Deviator],
+    viscous: &mut [Deviator],
     energy: &mut ElementEnergy,
 ) -> Deviator {
     let strain_increment = kinematics.strain_increment(&mut history.stretch_prev);
     let (elastic, density) = laws.elastic.stress(kinematics);
-    let [before, after] = laws.prony.update(&elastic, &history.elastic_prev, prony);
+    let mut overstress = Overstress::NONE;
+    let (quasi_linear, additive) = viscous.split_at_mut_checked(laws.prony.n_term()).unwrap_or_default();
+    laws.prony.update(&elastic, &history.elastic_prev, quasi_linear, &mut overstress);
+    laws.maxwell.update(&strain_increment, additive, &mut overstress);
     let dissipation = laws.slider.update(&strain_increment, &mut history.slider_stress);
     let stored = laws.slider.stored_energy(&history.slider_stress);
-    let mut overstress = before;
-    overstress.add(&after);
+    let mut double_mean = overstress.before;
+    double_mean.add(&overstress.after);
     for l in 0..LANES {
         energy.elastic[l] += volume[l] * density[l];
-        energy.viscous_increment[l] += 0.5 * volume[l] * overstress.contract(&strain_increment, l);
+        energy.viscous_increment[l] += 0.5 * volume[l] * double_mean.contract(&strain_increment, l);
+        energy.viscous_power[l] += volume[l] * overstress.power[l];
         energy.slider_increment[l] += volume[l] * dissipation[l];
         energy.slider_stored[l] += volume[l] * stored[l];
     }
     history.elastic_prev = elastic;
     let mut total = elastic;
-    total.add(&after);
+    total.add(&overstress.after);
     total.add(&history.slider_stress);
     total
 }

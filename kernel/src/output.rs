@@ -94,6 +94,12 @@ pub static OUTPUTS: &[Output] = &[
         |_, s| s.energy.viscous,
         "work done on the viscous overstress, dissipated or still in its springs",
     ),
+    output(
+        "energy.viscous_dissipation",
+        "J",
+        |_, s| s.energy.viscous_dissipation,
+        "part of energy.viscous that the dashpots have dissipated (not a term of the sum)",
+    ),
     output("energy.slider_stored", "J", |_, s| s.energy.slider_stored, "energy in the damping springs"),
     output("energy.slider_dissipation", "J", |_, s| s.energy.slider_dissipation, "energy dissipated by the sliders"),
     output("energy.friction", "J", |_, s| s.energy.friction, "energy dissipated by friction"),

@@ -278,6 +278,16 @@ pub static PARAMETERS: &[Parameter] = &[
     real("silicone.prony_tau_4", "s", (1e-7, 1e6), |s| &mut s.silicone.prony_tau[3], PRONY_TAU),
     real("silicone.prony_g_5", "1", (0.0, 0.9999), |s| &mut s.silicone.prony_g[4], PRONY_G),
     real("silicone.prony_tau_5", "s", (1e-7, 1e6), |s| &mut s.silicone.prony_tau[4], PRONY_TAU),
+    real("silicone.maxwell_g_1", "Pa", (0.0, 1e11), |s| &mut s.silicone.maxwell_g[0], MAXWELL_G),
+    real("silicone.maxwell_beta_1", "1/s", (1e-6, 1e7), |s| &mut s.silicone.maxwell_beta[0], MAXWELL_BETA),
+    real("silicone.maxwell_g_2", "Pa", (0.0, 1e11), |s| &mut s.silicone.maxwell_g[1], MAXWELL_G),
+    real("silicone.maxwell_beta_2", "1/s", (1e-6, 1e7), |s| &mut s.silicone.maxwell_beta[1], MAXWELL_BETA),
+    real("silicone.maxwell_g_3", "Pa", (0.0, 1e11), |s| &mut s.silicone.maxwell_g[2], MAXWELL_G),
+    real("silicone.maxwell_beta_3", "1/s", (1e-6, 1e7), |s| &mut s.silicone.maxwell_beta[2], MAXWELL_BETA),
+    real("silicone.maxwell_g_4", "Pa", (0.0, 1e11), |s| &mut s.silicone.maxwell_g[3], MAXWELL_G),
+    real("silicone.maxwell_beta_4", "1/s", (1e-6, 1e7), |s| &mut s.silicone.maxwell_beta[3], MAXWELL_BETA),
+    real("silicone.maxwell_g_5", "Pa", (0.0, 1e11), |s| &mut s.silicone.maxwell_g[4], MAXWELL_G),
+    real("silicone.maxwell_beta_5", "1/s", (1e-6, 1e7), |s| &mut s.silicone.maxwell_beta[4], MAXWELL_BETA),
     real(
         "silicone.slider_stiffness",
         "Pa",
@@ -356,6 +366,8 @@ const OGDEN_MU: &str =
 const OGDEN_ALPHA: &str = "ogden exponent; the shear modulus at rest is sum mu alpha / 2";
 const PRONY_G: &str = "Prony coefficient, normalised on the instantaneous modulus; 0 switches the term off";
 const PRONY_TAU: &str = "relaxation time of the Prony term";
+const MAXWELL_G: &str = "shear modulus of an additive Maxwell term; 0 switches the term off";
+const MAXWELL_BETA: &str = "decay constant of the Maxwell term, one over its relaxation time";
 
 #[cfg(test)]
 mod tests {

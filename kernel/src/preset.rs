@@ -62,6 +62,8 @@ fn study_silicone() -> Material {
         poissons_ratio: 0.48,
         prony_g: [19.9 / 21.25, 0.35 / 21.25, 0.0, 0.0, 0.0],
         prony_tau: [0.38e-3, 22e-3, 1.0, 1.0, 1.0],
+        maxwell_g: [0.0; 5],
+        maxwell_beta: [1e3; 5],
         slider_stiffness: 61.6e6,
         slider_yield_stress: 0.126e6,
     }

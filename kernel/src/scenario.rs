@@ -4,7 +4,7 @@
 //! unit, legal range and meaning; [`Scenario::validate`] checks the rows and what several fields say together.
 
 use crate::error::ScenarioError;
-use crate::material::{Elastic, MAX_OGDEN_TERMS, MAX_PRONY_TERMS};
+use crate::material::{Elastic, MAX_MAXWELL_TERMS, MAX_OGDEN_TERMS, MAX_PRONY_TERMS};
 use crate::parameter::PARAMETERS;
 
 /// Everything that defines a simulation, in SI units.
@@ -209,6 +209,10 @@ pub struct Material {
     pub prony_g: [f64; MAX_PRONY_TERMS],
     /// Relaxation times tau_i, s.
     pub prony_tau: [f64; MAX_PRONY_TERMS],
+    /// Shear moduli G_i of the additive Maxwell terms, Pa; a term with G = 0 is off.
+    pub maxwell_g: [f64; MAX_MAXWELL_TERMS],
+    /// Their decay constants beta_i, 1/s.
+    pub maxwell_beta: [f64; MAX_MAXWELL_TERMS],
     /// Shear modulus G of the damping spring, Pa; 0 switches the spring-slider off.
     pub slider_stiffness: f64,
     /// Von Mises stress SIGF at which the slider slips, Pa.
@@ -219,6 +223,11 @@ impl Material {
     /// g_inf = 1 - sum g_i: the part of the instantaneous modulus that does not relax.
     pub fn prony_g_inf(&self) -> f64 {
         1.0 - self.prony_g.iter().fold(0.0, |sum, g| sum + g)
+    }
+
+    /// Viscous terms that are on, quasi-linear and additive.
+    pub fn n_viscous_term(&self) -> usize {
+        self.prony_g.iter().chain(&self.maxwell_g).filter(|g| **g > 0.0).count()
     }
 
     /// Shear modulus of the long-term law at rest, Pa.

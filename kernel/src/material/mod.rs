@@ -5,20 +5,24 @@
 //!
 //! * [`elastic`]: isochoric hyperelastic stress, by [`neo_hookean`], [`mooney_rivlin`], [`yeoh`] or [`ogden`];
 //! * [`prony`]: quasi-linear viscous overstress on it;
+//! * [`maxwell`]: additive viscous overstress, from absolute moduli; both are branches of [`relaxation`];
 //! * [`slider`]: frequency-independent damping, a spring and a slider in series;
 //! * [`volumetric`]: pressure from the mean dilatation of a cell.
 
 pub mod elastic;
+pub mod maxwell;
 pub mod mooney_rivlin;
 pub mod neo_hookean;
 pub mod ogden;
 pub mod prony;
+pub mod relaxation;
 pub mod slider;
 pub mod volumetric;
 pub mod yeoh;
 
 pub use elastic::Elastic;
 pub(crate) use elastic::plane_shear_tangent;
+pub use maxwell::{MAX_MAXWELL_TERMS, Maxwell};
 pub use mooney_rivlin::MooneyRivlin;
 pub use neo_hookean::NeoHookean;
 pub use ogden::{MAX_OGDEN_TERMS, Ogden};
@@ -37,8 +41,10 @@ pub struct Laws {
     pub elastic: Elastic,
     /// Pressure.
     pub volumetric: Volumetric,
-    /// Viscous overstress.
+    /// Quasi-linear viscous overstress.
     pub prony: Prony,
+    /// Additive viscous overstress.
+    pub maxwell: Maxwell,
     /// Frequency-independent damping.
     pub slider: Slider,
 }
@@ -50,14 +56,22 @@ impl Laws {
             elastic: Elastic::new(material),
             volumetric: Volumetric::new(material),
             prony: Prony::new(material, dt),
+            maxwell: Maxwell::new(material, dt),
             slider: Slider { stiffness: material.slider_stiffness, yield_stress: material.slider_yield_stress },
         }
     }
 
+    /// Entries of viscous history per block of triangles: the Prony terms, then the Maxwell terms.
+    pub fn n_term(&self) -> usize {
+        self.prony.n_term() + self.maxwell.n_term()
+    }
+
     /// An upper bound of the shear tangent of elasticity, overstress and damping together, Pa.
     ///
-    /// All Prony terms count as unrelaxed.
+    /// All viscous terms count as unrelaxed.
     pub fn shear_tangent(&self, stretch: &IsochoricStretch) -> f64 {
-        self.elastic.shear_tangent(stretch) * (1.0 + self.prony.overstress()) + self.slider.stiffness
+        self.elastic.shear_tangent(stretch) * (1.0 + self.prony.overstress())
+            + self.maxwell.shear_modulus()
+            + self.slider.stiffness
     }
 }

@@ -20,6 +20,14 @@ pub const PATCH: f64 = 1e-11;
 /// a strain of 10^-4 leaves nonlinear to the order of the strain.
 pub const PRONY_RAMP: f64 = 1e-3;
 
+/// Ramp of additive terms at a constant true strain rate: the increment at the mean stretch is off by the square of its
+/// size over 12, and each term is exact for it.
+pub const MAXWELL_RAMP: f64 = 1e-6;
+
+/// Storage and loss modulus at 400 steps a cycle: the steps are straight, which takes (omega dt)^2 / 12 = 2 10^-5 off an
+/// amplitude, and a transient of e^-12 is left.
+pub const HARMONIC: f64 = 1e-4;
+
 /// Slider loop at a shear of 1 %: the closed form is that of small strain, the next order is the square of the shear.
 pub const SLIDER_LOOP: f64 = 1e-3;
 
