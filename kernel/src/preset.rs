@@ -1,7 +1,7 @@
 //! Ready-made scenarios. The parameter sets stand here and nowhere else.
 
 use crate::scenario::{
-    CoreInterface, DropBy, ElasticLaw, FaceInterface, Formulation, Geometry, Impactor, Interface, Material,
+    CoreInterface, DropBy, ElasticLaw, FaceInterface, Formulation, Geometry, Impactor, Interface, Layers, Material,
     Measurement, Mesh, Moduli, Motion, Scenario, Shape, StepBy, Time, VolumetricBy, VolumetricLaw,
 };
 
@@ -16,6 +16,7 @@ pub fn study() -> Scenario {
         geometry: Geometry {
             shape: Shape::Round,
             formulation: Formulation::PlaneStrain,
+            layers: Layers::One,
             core_radius: 37.5e-3,
             silicone_thickness: 14e-3,
             skin_thickness: 1e-3,
@@ -34,6 +35,7 @@ pub fn study() -> Scenario {
             drop_speed: 2.42,
         },
         silicone: study_silicone(),
+        skin: chamois(),
         core: CoreInterface { interface: Interface::Bonded, friction_coefficient: 0.3 },
         face: FaceInterface { friction_coefficient: 0.3 },
         mesh: Mesh { element_size: 3e-3 },
@@ -66,5 +68,24 @@ fn study_silicone() -> Material {
         maxwell_beta: [1e3; 5],
         slider_stiffness: 61.6e6,
         slider_yield_stress: 0.126e6,
+    }
+}
+
+/// A synthetic chamois for two layers. Not from the study, which gives its skin the silicone's material: the density and
+/// the modulus of 3 MPa are of the order of soft leather, and nothing is fitted.
+fn chamois() -> Material {
+    Material {
+        density: 600.0,
+        law: ElasticLaw::NeoHookean,
+        c10: 0.5e6,
+        c01: 0.0,
+        c11: 0.0,
+        c20: 0.0,
+        c02: 0.0,
+        volumetric_by: VolumetricBy::PoissonsRatio,
+        prony_g: [0.0; 5],
+        slider_stiffness: 0.0,
+        slider_yield_stress: 0.0,
+        ..study_silicone()
     }
 }

@@ -14,8 +14,10 @@ pub struct Scenario {
     pub geometry: Geometry,
     /// The drop mass.
     pub impactor: Impactor,
-    /// Material of the soft layer.
+    /// Material of the silicone.
     pub silicone: Material,
+    /// Material of the skin where [`Geometry::layers`] gives it one of its own.
+    pub skin: Material,
     /// Interface between layer and core.
     pub core: CoreInterface,
     /// Interface between impactor and layer.
@@ -46,6 +48,27 @@ pub enum Formulation {
     Axisymmetric,
 }
 
+/// Layers of different material.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Layers {
+    /// The silicone's material through silicone and skin: the study's simplification.
+    One,
+    /// A skin with a material, and rows of the mesh, of its own.
+    Two,
+}
+
+/// Most layers of different material.
+pub const MAX_LAYERS: usize = 2;
+
+/// A layer of the anvil.
+#[derive(Clone, Copy, Debug)]
+pub struct Layer<'a> {
+    /// Group of its parameters.
+    pub name: &'static str,
+    /// Its material.
+    pub material: &'a Material,
+}
+
 /// Shape and size of the anvil.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Geometry {
@@ -53,6 +76,8 @@ pub struct Geometry {
     pub shape: Shape,
     /// Plane strain or axisymmetric.
     pub formulation: Formulation,
+    /// One material, or two.
+    pub layers: Layers,
     /// Radius of the rigid core of a round anvil, m.
     pub core_radius: f64,
     /// Thickness of the silicone, m.
@@ -325,23 +350,25 @@ impl Scenario {
         for parameter in PARAMETERS {
             parameter.check(parameter.get(self))?;
         }
-        self.validate_material()?;
+        self.layers().iter().try_for_each(Layer::validate)?;
         self.validate_geometry()
     }
 
-    fn validate_material(&self) -> Result<(), ScenarioError> {
-        if self.silicone.prony_g_inf() <= 0.0 {
-            return Err(ScenarioError::PronySum { sum: 1.0 - self.silicone.prony_g_inf() });
-        }
-        if self.silicone.shear_modulus_inf() <= 0.0 {
-            let modulus = self.silicone.shear_modulus_inf();
-            return Err(ScenarioError::ShearModulus { law: self.silicone.law, modulus });
-        }
-        Ok(())
+    /// The layers from the core to the surface; one material through the whole thickness counts for both.
+    pub fn layers(&self) -> [Layer<'_>; MAX_LAYERS] {
+        let silicone = Layer { name: "silicone", material: &self.silicone };
+        let skin = match self.geometry.layers {
+            Layers::One => silicone,
+            Layers::Two => Layer { name: "skin", material: &self.skin },
+        };
+        [silicone, skin]
     }
 
     fn validate_geometry(&self) -> Result<(), ScenarioError> {
         let geometry = &self.geometry;
+        if geometry.layers == Layers::Two && geometry.skin_thickness < MIN_SKIN {
+            return Err(ScenarioError::SkinTooThin { thickness: geometry.skin_thickness, minimum: MIN_SKIN });
+        }
         let outer = geometry.core_radius + geometry.layer_thickness();
         let chord_ends = geometry.shape == Shape::Round && geometry.formulation == Formulation::PlaneStrain;
         if chord_ends && 0.5 * self.impactor.face_diameter < FACE_MARGIN * outer {
@@ -351,6 +378,23 @@ impl Scenario {
         Ok(())
     }
 }
+
+impl Layer<'_> {
+    fn validate(&self) -> Result<(), ScenarioError> {
+        let (layer, material) = (self.name, self.material);
+        if material.prony_g_inf() <= 0.0 {
+            return Err(ScenarioError::PronySum { layer, sum: 1.0 - material.prony_g_inf() });
+        }
+        let modulus = material.shear_modulus_inf();
+        if modulus <= 0.0 {
+            return Err(ScenarioError::ShearModulus { layer, law: material.law, modulus });
+        }
+        Ok(())
+    }
+}
+
+/// Thinnest skin with a material of its own, m: as thin as the smallest element.
+const MIN_SKIN: f64 = 1e-5;
 
 /// The face's chord is the thickness of the section, so the face must reach past the anvil's side by this factor.
 const FACE_MARGIN: f64 = 1.02;

@@ -39,7 +39,7 @@ impl Size {
         scenario.validate()?;
         let grid = Grid::new(scenario)?;
         let axisymmetric = scenario.geometry.formulation == Formulation::Axisymmetric;
-        let terms = scenario.silicone.n_viscous_term();
+        let terms = scenario.layers().iter().fold(0, |most, layer| most.max(layer.material.n_viscous_term()));
         Ok(Self {
             model_nodes: MODEL_NODE_FIELDS * grid.n_node(),
             model_cells: grid.n_block(),

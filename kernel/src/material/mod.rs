@@ -37,6 +37,8 @@ use crate::stretch::IsochoricStretch;
 /// The laws of one layer with everything precomputed that does not change.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Laws {
+    /// Density, kg/m3.
+    pub density: f64,
     /// Long-term isochoric elasticity.
     pub elastic: Elastic,
     /// Pressure.
@@ -53,6 +55,7 @@ impl Laws {
     /// The laws of `material` for steps of `dt` s.
     pub fn new(material: &Material, dt: f64) -> Self {
         Self {
+            density: material.density,
             elastic: Elastic::new(material),
             volumetric: Volumetric::new(material),
             prony: Prony::new(material, dt),

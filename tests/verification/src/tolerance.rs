@@ -44,6 +44,10 @@ pub const SPRING: f64 = 0.01;
 /// Energy residual over impact energy (0.1 % is the requirement).
 pub const ENERGY_RESIDUAL: f64 = 1e-3;
 
+/// Two layers of one material against one layer: the round-off of the positions of the rows, grown in some thousand steps
+/// in which nodes touch and leave the face.
+pub const LAYERS: f64 = 1e-9;
+
 /// Momentum balance over the impulse: round-off of some thousand steps.
 pub const MOMENTUM: f64 = 1e-9;
 
