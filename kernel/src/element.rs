@@ -9,6 +9,7 @@
 use crate::lanes::{Deviator, LANES, Lane, ZERO};
 use crate::material::Laws;
 use crate::material::relaxation::Overstress;
+use crate::material::tear::Tear;
 use crate::math;
 use crate::mesh::{Grid, out_of_plane, reference_position, triangles};
 use crate::scenario::Scenario;
@@ -51,10 +52,14 @@ pub struct CellHistory {
 pub struct TriangleHistory {
     /// Right stretch U11, U22, U12, U33 of the last step.
     pub stretch_prev: [Lane; 4],
-    /// Long-term isochoric stress of the last step, Pa.
+    /// Long-term isochoric stress of the last step, Pa, before any tear.
     pub elastic_prev: Deviator,
-    /// Stress of the damping spring, Pa.
+    /// Stress of the damping spring, Pa, before any tear.
     pub slider_stress: Deviator,
+    /// Largest principal stretch so far, where the material can tear; 1 otherwise.
+    pub largest_stretch: Lane,
+    /// Isochoric and spring energy of the last step before any tear, J/m3, where the material can tear; 0 otherwise.
+    pub stored_prev: Lane,
 }
 
 impl CellConstants {
@@ -76,6 +81,8 @@ impl CellHistory {
             stretch_prev: [ONE, ONE, ZERO, ONE],
             elastic_prev: Deviator::ZERO,
             slider_stress: Deviator::ZERO,
+            largest_stretch: ONE,
+            stored_prev: ZERO,
         }; 2],
     };
 }
@@ -198,7 +205,7 @@ impl Kinematics {
     }
 }
 
-/// Energy of the elements, section sums per lane, J.
+/// Energy of the elements: section sums per lane, J, or densities, J/m3.
 #[derive(Clone, Copy, Debug)]
 pub struct ElementEnergy {
     /// Long-term elastic energy, isochoric and volumetric.
@@ -211,6 +218,8 @@ pub struct ElementEnergy {
     pub viscous_power: Lane,
     /// Energy dissipated by the sliders in this step.
     pub slider_increment: Lane,
+    /// Energy dissipated by tearing in this step.
+    pub tear_increment: Lane,
 }
 
 impl ElementEnergy {
@@ -221,7 +230,21 @@ impl ElementEnergy {
         viscous_increment: ZERO,
         viscous_power: ZERO,
         slider_increment: ZERO,
+        tear_increment: ZERO,
     };
+
+    /// Adds the energy densities of triangles of the reference volumes `volume`.
+    #[inline(always)]
+    fn add(&mut self, volume: &Lane, density: &Self) {
+        for l in 0..LANES {
+            self.elastic[l] += volume[l] * density.elastic[l];
+            self.slider_stored[l] += volume[l] * density.slider_stored[l];
+            self.viscous_increment[l] += volume[l] * density.viscous_increment[l];
+            self.viscous_power[l] += volume[l] * density.viscous_power[l];
+            self.slider_increment[l] += volume[l] * density.slider_increment[l];
+            self.tear_increment[l] += volume[l] * density.tear_increment[l];
+        }
+    }
 }
 
 /// Nodal internal forces of a block, N, from the displacements of its corners; advances the history of its triangles.
@@ -309,18 +332,51 @@ fn deviatoric_stress(
     let stored = laws.slider.stored_energy(&history.slider_stress);
     let mut double_mean = overstress.before;
     double_mean.add(&overstress.after);
-    for l in 0..LANES {
-        energy.elastic[l] += volume[l] * density[l];
-        energy.viscous_increment[l] += 0.5 * volume[l] * double_mean.contract(&strain_increment, l);
-        energy.viscous_power[l] += volume[l] * overstress.power[l];
-        energy.slider_increment[l] += volume[l] * dissipation[l];
-        energy.slider_stored[l] += volume[l] * stored[l];
-    }
     history.elastic_prev = elastic;
     let mut total = elastic;
     total.add(&overstress.after);
     total.add(&history.slider_stress);
+    let mut whole = ElementEnergy {
+        elastic: density,
+        slider_stored: stored,
+        viscous_increment: ZERO,
+        viscous_power: overstress.power,
+        slider_increment: dissipation,
+        tear_increment: ZERO,
+    };
+    for l in 0..LANES {
+        whole.viscous_increment[l] = 0.5 * double_mean.contract(&strain_increment, l);
+    }
+    if laws.tear.active() {
+        tear(&laws.tear, kinematics, history, &mut total, &mut whole);
+    }
+    energy.add(volume, &whole);
     total
+}
+
+/// Takes from a block of triangles the stress and the energies that it has lost by tearing.
+fn tear(
+    law: &Tear,
+    kinematics: &Kinematics,
+    history: &mut TriangleHistory,
+    stress: &mut Deviator,
+    energy: &mut ElementEnergy,
+) {
+    let [before, after] = law.update(kinematics, &mut history.largest_stretch);
+    for l in 0..LANES {
+        let (factor, mean) = (after[l], 0.5 * (before[l] + after[l]));
+        let stored = energy.elastic[l] + energy.slider_stored[l];
+        energy.tear_increment[l] = (before[l] - after[l]) * 0.5 * (history.stored_prev[l] + stored);
+        history.stored_prev[l] = stored;
+        energy.elastic[l] *= factor;
+        energy.slider_stored[l] *= factor;
+        energy.viscous_increment[l] *= mean;
+        energy.viscous_power[l] *= factor;
+        energy.slider_increment[l] *= mean;
+        for component in [&mut stress.xx, &mut stress.yy, &mut stress.xy] {
+            component[l] *= factor;
+        }
+    }
 }
 
 /// Adds V P dN/dX of one triangle of each cell to the corner forces.

@@ -16,7 +16,7 @@ use crate::model::Model;
 use crate::scenario::Motion;
 
 /// Numbers of a [`Ledger`] in a snapshot.
-pub(crate) const LEDGER_WORDS: usize = 14;
+pub(crate) const LEDGER_WORDS: usize = 15;
 
 /// Energies of the whole anvil and impactor at the time of the last completed step's forces, J.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,6 +35,8 @@ pub struct Ledger {
     pub slider_stored: f64,
     /// Energy dissipated by the sliders.
     pub slider_dissipation: f64,
+    /// Energy dissipated by tearing.
+    pub tear: f64,
     /// Energy dissipated by friction under the face and on the core.
     pub friction: f64,
     /// Energy lost in catching nodes at the face and on the core.
@@ -64,6 +66,7 @@ impl Ledger {
             viscous_dissipation: 0.0,
             slider_stored: 0.0,
             slider_dissipation: 0.0,
+            tear: 0.0,
             friction: 0.0,
             contact: 0.0,
             external: kinetic,
@@ -80,6 +83,7 @@ impl Ledger {
             + self.viscous
             + self.slider_stored
             + self.slider_dissipation
+            + self.tear
             + self.friction
             + self.contact;
         self.external - found
@@ -96,6 +100,7 @@ impl Ledger {
             &mut self.viscous_dissipation,
             &mut self.slider_stored,
             &mut self.slider_dissipation,
+            &mut self.tear,
             &mut self.friction,
             &mut self.contact,
             &mut self.external,
@@ -132,6 +137,7 @@ impl Ledger {
         self.viscous_dissipation += 0.5 * model.constants.dt * (self.viscous_power + power);
         self.viscous_power = power;
         self.slider_dissipation += factor * sum(&element.slider_increment);
+        self.tear += factor * sum(&element.tear_increment);
         let (friction, contact) = (halves(work, |c| c.sliding), halves(work, |c| c.catching));
         let external = external_work(model, work);
         let [pending_friction, pending_contact, pending_external] = self.pending;

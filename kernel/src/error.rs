@@ -61,6 +61,13 @@ pub enum ScenarioError {
         /// Its shear modulus at rest, Pa.
         modulus: f64,
     },
+    /// The material would be torn before the test.
+    TearStretch {
+        /// Group of the layer's parameters.
+        layer: &'static str,
+        /// Stretch at which it begins to tear.
+        stretch: f64,
+    },
     /// A skin with a material of its own has next to no thickness.
     SkinTooThin {
         /// Thickness of the skin, m.
@@ -97,6 +104,9 @@ impl fmt::Display for ScenarioError {
                     ElasticLaw::Ogden => "ogden_mu_1 to _3 and ogden_alpha_1 to _3 give",
                 };
                 write!(f, "{layer}.{coefficients} a shear modulus of {modulus} Pa: legal is above 0 Pa")
+            }
+            Self::TearStretch { layer, stretch } => {
+                write!(f, "{layer}.tear_stretch = {stretch} is refused: legal is 0 (off) or at least 1")
             }
             Self::SkinTooThin { thickness, minimum } => write!(
                 f,

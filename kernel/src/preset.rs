@@ -68,6 +68,9 @@ fn study_silicone() -> Material {
         maxwell_beta: [1e3; 5],
         slider_stiffness: 61.6e6,
         slider_yield_stress: 0.126e6,
+        tear_stretch: 0.0,
+        tear_width: 0.1,
+        tear_residual: 0.0,
     }
 }
 

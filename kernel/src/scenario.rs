@@ -242,6 +242,12 @@ pub struct Material {
     pub slider_stiffness: f64,
     /// Von Mises stress SIGF at which the slider slips, Pa.
     pub slider_yield_stress: f64,
+    /// Largest principal stretch at which the material begins to tear; 0 switches tearing off.
+    pub tear_stretch: f64,
+    /// Stretch over which the deviatoric stress falls.
+    pub tear_width: f64,
+    /// Part of the deviatoric stress that remains.
+    pub tear_residual: f64,
 }
 
 impl Material {
@@ -388,6 +394,10 @@ impl Layer<'_> {
         let modulus = material.shear_modulus_inf();
         if modulus <= 0.0 {
             return Err(ScenarioError::ShearModulus { layer, law: material.law, modulus });
+        }
+        let stretch = material.tear_stretch;
+        if stretch > 0.0 && stretch < 1.0 {
+            return Err(ScenarioError::TearStretch { layer, stretch });
         }
         Ok(())
     }

@@ -18,8 +18,8 @@ const VERSION: u64 = 2;
 const HEADER_WORDS: usize = 4;
 const CHECKSUM_WORDS: usize = 1;
 const SCALAR_WORDS: usize = 7 + 15 + LEDGER_WORDS;
-/// Lanes per triangle: stretch, elastic stress, slider stress.
-const HISTORY_LANES: usize = 4 + 3 + 3;
+/// Lanes per triangle: stretch, elastic stress, slider stress, largest stretch, stored energy.
+const HISTORY_LANES: usize = 4 + 3 + 3 + 1 + 1;
 
 /// Bytes of a snapshot of a state of this model.
 pub fn snapshot_size(constants: &Constants) -> usize {
@@ -122,6 +122,8 @@ fn visit(state: &mut State, f: &mut dyn FnMut(&mut u64)) {
         triangle.stretch_prev.iter_mut().flatten().for_each(&mut number);
         visit_deviator(&mut triangle.elastic_prev, &mut number);
         visit_deviator(&mut triangle.slider_stress, &mut number);
+        triangle.largest_stretch.iter_mut().for_each(&mut number);
+        triangle.stored_prev.iter_mut().for_each(&mut number);
     }
     for stress in state.viscous.iter_mut() {
         visit_deviator(stress, &mut number);

@@ -7,6 +7,7 @@
 //! * [`prony`]: quasi-linear viscous overstress on it;
 //! * [`maxwell`]: additive viscous overstress, from absolute moduli; both are branches of [`relaxation`];
 //! * [`slider`]: frequency-independent damping, a spring and a slider in series;
+//! * [`tear`]: irreversible loss of the deviatoric stress beyond a stretch;
 //! * [`volumetric`]: pressure from the mean dilatation of a cell.
 
 pub mod elastic;
@@ -17,6 +18,7 @@ pub mod ogden;
 pub mod prony;
 pub mod relaxation;
 pub mod slider;
+pub mod tear;
 pub mod volumetric;
 pub mod yeoh;
 
@@ -28,6 +30,7 @@ pub use neo_hookean::NeoHookean;
 pub use ogden::{MAX_OGDEN_TERMS, Ogden};
 pub use prony::{MAX_PRONY_TERMS, Prony};
 pub use slider::Slider;
+pub use tear::Tear;
 pub use volumetric::Volumetric;
 pub use yeoh::Yeoh;
 
@@ -49,6 +52,8 @@ pub struct Laws {
     pub maxwell: Maxwell,
     /// Frequency-independent damping.
     pub slider: Slider,
+    /// Loss of all these beyond a stretch.
+    pub tear: Tear,
 }
 
 impl Laws {
@@ -61,6 +66,7 @@ impl Laws {
             prony: Prony::new(material, dt),
             maxwell: Maxwell::new(material, dt),
             slider: Slider { stiffness: material.slider_stiffness, yield_stress: material.slider_yield_stress },
+            tear: Tear::new(material),
         }
     }
 
@@ -71,7 +77,7 @@ impl Laws {
 
     /// An upper bound of the shear tangent of elasticity, overstress and damping together, Pa.
     ///
-    /// All viscous terms count as unrelaxed.
+    /// All viscous terms count as unrelaxed, and nothing as torn.
     pub fn shear_tangent(&self, stretch: &IsochoricStretch) -> f64 {
         self.elastic.shear_tangent(stretch) * (1.0 + self.prony.overstress())
             + self.maxwell.shear_modulus()

@@ -137,6 +137,27 @@ macro_rules! material_rows {
                 |s| &mut s.$layer.slider_yield_stress,
                 "von Mises stress SIGF at which the slider slips",
             ),
+            real(
+                name!($layer, "tear_stretch"),
+                "1",
+                (0.0, 100.0),
+                |s| &mut s.$layer.tear_stretch,
+                "largest principal stretch at which the material begins to tear, at least 1; 0 switches tearing off",
+            ),
+            real(
+                name!($layer, "tear_width"),
+                "1",
+                (1e-3, 10.0),
+                |s| &mut s.$layer.tear_width,
+                "stretch over which the deviatoric stress falls",
+            ),
+            real(
+                name!($layer, "tear_residual"),
+                "1",
+                (0.0, 1.0),
+                |s| &mut s.$layer.tear_residual,
+                "part of the deviatoric stress that remains after the tear",
+            ),
         ]
     };
 }

@@ -26,6 +26,10 @@ pub struct Cell {
     pub viscous_dissipation: f64,
     /// Slider dissipation so far, J/m3.
     pub slider_dissipation: f64,
+    /// Dissipation by tearing so far, J/m3.
+    pub tear: f64,
+    /// Energy in the damping spring, J/m3.
+    pub slider_stored: f64,
     /// Elastic energy, J/m3.
     pub elastic_energy: f64,
 }
@@ -58,6 +62,8 @@ impl Cell {
             memory,
             viscous_work: 0.0,
             slider_dissipation: 0.0,
+            tear: 0.0,
+            slider_stored: 0.0,
             elastic_energy: 0.0,
         }
     }
@@ -92,6 +98,8 @@ impl Cell {
         self.viscous_dissipation += 0.5 * self.dt * (self.viscous_power + power);
         self.viscous_power = power;
         self.slider_dissipation += sum(&energy.slider_increment) / volume;
+        self.tear += sum(&energy.tear_increment) / volume;
+        self.slider_stored = sum(&energy.slider_stored) / volume;
         self.elastic_energy = sum(&energy.elastic) / volume;
         let mut stress = [[0.0; 2]; 2];
         for (nodal, reference) in force.iter().zip(&self.corners) {

@@ -41,6 +41,10 @@ pub const FREE_FALL: f64 = 1e-12;
 /// makes the law nonlinear to the same order.
 pub const SPRING: f64 = 0.01;
 
+/// Energy of a tear against its integral and against the work of the forces, in some thousand steps: the trapezoidal rule
+/// over a slope that changes within a thousand of them.
+pub const TEAR_ENERGY: f64 = 1e-5;
+
 /// Energy residual over impact energy (0.1 % is the requirement).
 pub const ENERGY_RESIDUAL: f64 = 1e-3;
 
