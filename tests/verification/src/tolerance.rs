@@ -45,6 +45,13 @@ pub const SPRING: f64 = 0.01;
 /// over a slope that changes within a thousand of them.
 pub const TEAR_ENERGY: f64 = 1e-5;
 
+/// Energy of random histories over the work done on the way, in steps of up to 1.4 thousandths of strain: the trapezoidal
+/// rule.
+pub const HISTORY_ENERGY: f64 = 1e-3;
+
+/// Loss of a dissipated energy in one step over its size: round-off of a product that is zero at its least.
+pub const NO_GAIN: f64 = 1e-12;
+
 /// Energy residual over impact energy (0.1 % is the requirement).
 pub const ENERGY_RESIDUAL: f64 = 1e-3;
 
