@@ -233,7 +233,7 @@ impl ElementEnergy {
         tear_increment: ZERO,
     };
 
-    /// Adds the energy densities of triangles of the reference volumes `volume`.
+    /// Adds the energy densities, but for tearing, of triangles of the reference volumes `volume`.
     #[inline(always)]
     fn add(&mut self, volume: &Lane, density: &Self) {
         for l in 0..LANES {
@@ -242,7 +242,6 @@ impl ElementEnergy {
             self.viscous_increment[l] += volume[l] * density.viscous_increment[l];
             self.viscous_power[l] += volume[l] * density.viscous_power[l];
             self.slider_increment[l] += volume[l] * density.slider_increment[l];
-            self.tear_increment[l] += volume[l] * density.tear_increment[l];
         }
     }
 }
@@ -323,34 +322,40 @@ fn deviatoric_stress(
     energy: &mut ElementEnergy,
 ) -> Deviator {
     let strain_increment = kinematics.strain_increment(&mut history.stretch_prev);
-    let (elastic, density) = laws.elastic.stress(kinematics);
+    let (elastic, stored_elastic) = laws.elastic.stress(kinematics);
     let mut overstress = Overstress::NONE;
     let (quasi_linear, additive) = viscous.split_at_mut_checked(laws.prony.n_term()).unwrap_or_default();
     laws.prony.update(&elastic, &history.elastic_prev, quasi_linear, &mut overstress);
     laws.maxwell.update(&strain_increment, additive, &mut overstress);
     let dissipation = laws.slider.update(&strain_increment, &mut history.slider_stress);
-    let stored = laws.slider.stored_energy(&history.slider_stress);
     let mut double_mean = overstress.before;
     double_mean.add(&overstress.after);
     history.elastic_prev = elastic;
     let mut total = elastic;
     total.add(&overstress.after);
     total.add(&history.slider_stress);
-    let mut whole = ElementEnergy {
-        elastic: density,
-        slider_stored: stored,
+    let mut density = ElementEnergy {
+        elastic: stored_elastic,
+        slider_stored: laws.slider.stored_energy(&history.slider_stress),
         viscous_increment: ZERO,
         viscous_power: overstress.power,
         slider_increment: dissipation,
         tear_increment: ZERO,
     };
     for l in 0..LANES {
-        whole.viscous_increment[l] = 0.5 * double_mean.contract(&strain_increment, l);
+        density.viscous_increment[l] = 0.5 * double_mean.contract(&strain_increment, l);
     }
     if laws.tear.active() {
-        tear(&laws.tear, kinematics, history, &mut total, &mut whole);
+        // Copies, so that the address of the numbers that all materials need is not taken, which would cost them time.
+        let (mut torn, mut rest) = (total, density);
+        tear(&laws.tear, kinematics, history, &mut torn, &mut rest);
+        energy.add(volume, &rest);
+        for l in 0..LANES {
+            energy.tear_increment[l] += volume[l] * rest.tear_increment[l];
+        }
+        return torn;
     }
-    energy.add(volume, &whole);
+    energy.add(volume, &density);
     total
 }
 

@@ -78,8 +78,7 @@ impl Elastic {
 /// In a plane isochoric stretch l, where I1 = I2 = I and l^2 + l^-2 = I - 1, the tangent of pure shear is
 /// W' (I-1) + W'' ((I-1)^2 - 4) with the derivatives along I1 = I2; it exceeds those of simple shear. The larger
 /// invariant makes it a bound for other stretches; a negative derivative is not counted.
-pub(crate) fn plane_shear_tangent(stretch: &IsochoricStretch, first: f64, second: f64) -> f64 {
-    let (i1, i2) = stretch.invariants();
+pub(crate) fn plane_shear_tangent((i1, i2): (f64, f64), first: f64, second: f64) -> f64 {
     let i = math::larger(i1, i2) - 1.0;
     math::larger(first, 0.0) * i + math::larger(second, 0.0) * math::larger(i * i - 4.0, 0.0)
 }

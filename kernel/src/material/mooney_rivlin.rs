@@ -95,6 +95,6 @@ impl MooneyRivlin {
     pub fn shear_tangent(&self, stretch: &IsochoricStretch) -> f64 {
         let (i1, i2) = stretch.invariants();
         let (w1, w2) = self.derivatives(i1, i2);
-        plane_shear_tangent(stretch, w1 + w2, 2.0 * (self.c20 + self.c02 + self.c11))
+        plane_shear_tangent((i1, i2), w1 + w2, 2.0 * (self.c20 + self.c02 + self.c11))
     }
 }

@@ -50,6 +50,6 @@ impl NeoHookean {
 
     /// An upper bound of the shear tangent, Pa.
     pub fn shear_tangent(&self, stretch: &IsochoricStretch) -> f64 {
-        plane_shear_tangent(stretch, self.c10, 0.0)
+        plane_shear_tangent(stretch.invariants(), self.c10, 0.0)
     }
 }

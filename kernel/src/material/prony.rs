@@ -29,7 +29,7 @@ impl Prony {
         for (g, tau) in material.prony_g.iter().zip(material.prony_tau) {
             if *g > 0.0 {
                 let ratio = g / g_inf;
-                prony.branches.push(ratio, dt / tau, 0.5 / (ratio * shear_modulus * tau));
+                prony.branches.push(ratio, dt / tau, 1.0 / (ratio * shear_modulus * tau));
                 prony.overstress += ratio;
             }
         }

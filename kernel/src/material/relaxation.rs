@@ -19,7 +19,7 @@ pub struct Branches {
     n_term: usize,
     decay: [f64; MAX_BRANCHES],
     gain: [f64; MAX_BRANCHES],
-    /// 1 / (2 G tau), 1/(Pa s).
+    /// 1 / (G tau), 1/(Pa s).
     fluidity: [f64; MAX_BRANCHES],
 }
 
@@ -43,7 +43,7 @@ impl Branches {
     pub const NONE: Self =
         Self { n_term: 0, decay: [0.0; MAX_BRANCHES], gain: [0.0; MAX_BRANCHES], fluidity: [0.0; MAX_BRANCHES] };
 
-    /// Adds a branch: `ratio` of what drives it, Pa per its unit, `steps` = dt / tau, fluidity 1 / (2 G tau).
+    /// Adds a branch: `ratio` of what drives it, Pa per its unit, `steps` = dt / tau, fluidity 1 / (G tau).
     pub(crate) fn push(&mut self, ratio: f64, steps: f64, fluidity: f64) {
         let decay = math::exp(-steps);
         if let (Some(d), Some(g), Some(f)) =
@@ -71,7 +71,9 @@ impl Branches {
                 stress.xx[l] = decay * stress.xx[l] + gain * increment.xx[l];
                 stress.yy[l] = decay * stress.yy[l] + gain * increment.yy[l];
                 stress.xy[l] = decay * stress.xy[l] + gain * increment.xy[l];
-                overstress.power[l] += fluidity * stress.contract(stress, l);
+                // Half of H : H, with zz = -(xx + yy).
+                let (xx, yy, xy) = (stress.xx[l], stress.yy[l], stress.xy[l]);
+                overstress.power[l] += fluidity * (xx * (xx + yy) + yy * yy + xy * xy);
             }
             overstress.after.add(stress);
         }

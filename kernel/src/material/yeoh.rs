@@ -67,7 +67,8 @@ impl Yeoh {
 
     /// An upper bound of the shear tangent, Pa.
     pub fn shear_tangent(&self, stretch: &IsochoricStretch) -> f64 {
-        let a = stretch.invariants().0 - 3.0;
-        plane_shear_tangent(stretch, self.slope(a), 2.0 * self.c20 + 6.0 * self.c30 * a)
+        let (i1, i2) = stretch.invariants();
+        let a = i1 - 3.0;
+        plane_shear_tangent((i1, i2), self.slope(a), 2.0 * self.c20 + 6.0 * self.c30 * a)
     }
 }
