@@ -6,7 +6,10 @@
 //!
 //! The work on the viscous overstress is one term of the sum, because that is what the forces do. The part of it that the
 //! dashpots have turned into heat is stated beside it, from the overstress alone: the trapezoidal rule over
-//! H : H / (2 G tau) of each branch, which cannot be negative. The rest of the work is in the springs of the branches.
+//! H : H / (2 G tau) of each branch, which cannot be negative. The rest of the work is in the springs of the branches. For
+//! additive terms, and for quasi-linear ones at small strain, this is exact. A quasi-linear branch on a law that stiffens
+//! has no spring of constant modulus: counted with the modulus at rest its dissipation comes out too large at large
+//! strain, and may exceed the work. It is an indicator there, and the work is what the sum relies on.
 
 use crate::element::ElementEnergy;
 use crate::face::Contact;
@@ -29,7 +32,7 @@ pub struct Ledger {
     pub elastic: f64,
     /// Work done on the viscous overstress: dissipated, or still stored in its springs.
     pub viscous: f64,
-    /// The part of `viscous` that the dashpots have dissipated; not a term of the sum.
+    /// The part of `viscous` that the dashpots have dissipated, by the moduli at rest; not a term of the sum.
     pub viscous_dissipation: f64,
     /// Energy in the damping springs.
     pub slider_stored: f64,

@@ -98,7 +98,7 @@ pub static OUTPUTS: &[Output] = &[
         "energy.viscous_dissipation",
         "J",
         |_, s| s.energy.viscous_dissipation,
-        "part of energy.viscous that the dashpots have dissipated (not a term of the sum)",
+        "part of energy.viscous that the dashpots have dissipated, by the moduli at rest (not a term of the sum)",
     ),
     output("energy.slider_stored", "J", |_, s| s.energy.slider_stored, "energy in the damping springs"),
     output("energy.slider_dissipation", "J", |_, s| s.energy.slider_dissipation, "energy dissipated by the sliders"),

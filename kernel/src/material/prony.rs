@@ -4,7 +4,8 @@
 //!
 //! where tau_iso is the long-term Kirchhoff stress in the unrotated frame and g_inf + sum g_k = 1. The recurrence is that
 //! of [`crate::material::relaxation`]. For the dissipation the springs count with the shear modulus at rest,
-//! G_k = (g_k / g_inf) G_inf; at large strain, where the law is nonlinear, this is the form's own convention.
+//! G_k = (g_k / g_inf) G_inf; on a law that stiffens this makes the dissipation too large at large
+//! strain (see [`crate::energy`]).
 
 use crate::lanes::{Deviator, LANES};
 use crate::material::relaxation::{Branches, MAX_BRANCHES, Overstress};

@@ -4,11 +4,12 @@
 //! Source: the definition of a hyperelastic material, P = dW/dF, and of objectivity, P(Q F) = Q P(F), e.g. Holzapfel,
 //! Nonlinear Solid Mechanics (2000), section 6.1.
 
-use softanvil_kernel::scenario::{Formulation, Material};
+use softanvil_kernel::preset;
+use softanvil_kernel::scenario::{Formulation, Material, VolumetricLaw};
 use softanvil_verification::deformation::{Samples, product, rotation};
 use softanvil_verification::element::{Cell, Gradient};
-use softanvil_verification::scenes::laws;
-use softanvil_verification::tolerance::{CLOSED_FORM, ENERGY_GRADIENT, SMALL_SHEAR, relative_error};
+use softanvil_verification::scenes::{laws, run};
+use softanvil_verification::tolerance::{CLOSED_FORM, ENERGY_GRADIENT, ENERGY_RESIDUAL, SMALL_SHEAR, relative_error};
 
 const BULK: f64 = 1e6;
 
@@ -92,5 +93,27 @@ fn the_shear_modulus_at_rest_is_the_one_stated() {
         let stress = cell(material, Formulation::PlaneStrain).deform([[1.0, shear], [0.0, 1.0]])[0][1];
         let stated = material.shear_modulus_inf();
         assert!(relative_error(stress / shear, stated) < SMALL_SHEAR, "{name}: {} against {stated}", stress / shear);
+    }
+}
+
+/// Source: conservation of energy, in the study's drop on a silicone of each law with the study's memory and damping.
+#[test]
+fn energy_closes_in_a_drop_with_every_law() {
+    let study = preset::study();
+    for (name, law) in laws(study.silicone.bulk_modulus) {
+        for volumetric_law in [VolumetricLaw::Quadratic, VolumetricLaw::Simo] {
+            let mut scenario = study;
+            scenario.silicone = Material {
+                volumetric_law,
+                prony_g: study.silicone.prony_g,
+                slider_stiffness: study.silicone.slider_stiffness,
+                slider_yield_stress: study.silicone.slider_yield_stress,
+                ..law
+            };
+            let ledger = run(&scenario).scalars().energy;
+            let error = ledger.residual().abs() / ledger.external;
+            assert!(error < ENERGY_RESIDUAL, "{name}, {volumetric_law:?}: {error:e}");
+            assert!(ledger.elastic > 0.0 && ledger.viscous_dissipation > 0.0, "{name}: {ledger:?}");
+        }
     }
 }
