@@ -50,7 +50,7 @@ impl<'a> Arrays<'a> {
             state: StateMemory {
                 nodes: region.take(size.state_nodes)?,
                 cells: region.take(size.state_cells)?,
-                prony: region.take(size.state_prony)?,
+                viscous: region.take(size.state_viscous)?,
             },
         })
     }
@@ -65,7 +65,7 @@ pub(crate) fn bytes(size: &Size) -> usize {
         padded::<HoopConstants>(size.model_hoops),
         padded::<f64>(size.state_nodes),
         padded::<CellHistory>(size.state_cells),
-        padded::<Deviator>(size.state_prony),
+        padded::<Deviator>(size.state_viscous),
     ];
     parts.into_iter().fold(0, |sum: usize, part| sum.saturating_add(part.unwrap_or(usize::MAX)))
 }

@@ -126,6 +126,8 @@ fn scenario_status(error: &ScenarioError) -> Status {
         ScenarioError::PronySum { .. } => Status::PronySum,
         ScenarioError::ShearModulus { .. } => Status::ShearModulus,
         ScenarioError::FaceTooSmall { .. } => Status::FaceTooSmall,
+        ScenarioError::TearStretch { .. } => Status::TearStretch,
+        ScenarioError::SkinTooThin { .. } => Status::SkinTooThin,
     }
 }
 
@@ -164,9 +166,11 @@ impl Failure {
             Self::UnknownId { id, count, .. } => [f64::from(id), 0.0, count.saturating_sub(1) as f64],
             Self::ReservedSlot { value, .. } => [value, 0.0, 0.0],
             Self::Scenario(ScenarioError::Parameter(ParameterError { value, min, max, .. })) => [value, min, max],
-            Self::Scenario(ScenarioError::PronySum { sum }) => [sum, 0.0, 1.0],
-            Self::Scenario(ScenarioError::ShearModulus { modulus }) => [modulus, 0.0, NAN],
+            Self::Scenario(ScenarioError::PronySum { sum, .. }) => [sum, 0.0, 1.0],
+            Self::Scenario(ScenarioError::ShearModulus { modulus, .. }) => [modulus, 0.0, NAN],
             Self::Scenario(ScenarioError::FaceTooSmall { diameter, minimum }) => [diameter, minimum, NAN],
+            Self::Scenario(ScenarioError::TearStretch { stretch, .. }) => [stretch, 1.0, NAN],
+            Self::Scenario(ScenarioError::SkinTooThin { thickness, minimum }) => [thickness, minimum, NAN],
             Self::Model(ModelError::TooManyCells { cells }) => [cells, 1.0, softanvil_kernel::mesh::MAX_CELLS as f64],
             Self::Model(ModelError::StepTooSmall { step, smallest }) => [step, smallest, NAN],
             Self::Model(ModelError::StepTooLarge { step, limit }) => [step, 0.0, limit],
@@ -181,6 +185,7 @@ impl Failure {
         let name = match self {
             Self::Scenario(ScenarioError::Parameter(error)) => error.name,
             Self::Scenario(ScenarioError::FaceTooSmall { .. }) => "impactor.face_diameter",
+            Self::Scenario(ScenarioError::SkinTooThin { .. }) => "geometry.skin_thickness",
             Self::Model(ModelError::TooManyCells { .. }) => "mesh.element_size",
             Self::Model(ModelError::StepTooLarge { .. }) => "time.step",
             _ => return NONE,

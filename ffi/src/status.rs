@@ -39,6 +39,10 @@ pub enum SoftanvilStatus {
     StepTooLarge = 206,
     /// A slot of a scenario or an input that has no meaning in this version is not zero.
     ReservedSlot = 207,
+    /// The stretch at which a layer begins to tear is below 1.
+    TearStretch = 208,
+    /// A skin with a material of its own has next to no thickness.
+    SkinTooThin = 209,
     /// An element turned inside out or is no longer finite.
     Inverted = 300,
     /// The time step is above the current stability limit of an element.
@@ -59,7 +63,7 @@ use SoftanvilStatus as S;
 
 impl SoftanvilStatus {
     /// Every status.
-    pub const ALL: [Self; 22] = [
+    pub const ALL: [Self; 24] = [
         S::Ok,
         S::NullPointer,
         S::Misaligned,
@@ -75,6 +79,8 @@ impl SoftanvilStatus {
         S::StepTooSmall,
         S::StepTooLarge,
         S::ReservedSlot,
+        S::TearStretch,
+        S::SkinTooThin,
         S::Inverted,
         S::Unstable,
         S::IllegalInput,
@@ -102,6 +108,8 @@ impl SoftanvilStatus {
             S::StepTooSmall => c"stable time step too small",
             S::StepTooLarge => c"given time step above the stability limit",
             S::ReservedSlot => c"reserved slot not zero",
+            S::TearStretch => c"tear stretch below 1",
+            S::SkinTooThin => c"skin too thin for a layer of its own",
             S::Inverted => c"element inverted or not finite",
             S::Unstable => c"time step above the current stability limit",
             S::IllegalInput => c"input of a step not finite",

@@ -8,9 +8,12 @@
 
 use crate::lanes::{Deviator, LANES, Lane, ZERO};
 use crate::material::Laws;
+use crate::material::relaxation::Overstress;
+use crate::material::tear::Tear;
 use crate::math;
 use crate::mesh::{Grid, out_of_plane, reference_position, triangles};
 use crate::scenario::Scenario;
+use crate::stretch::IsochoricStretch;
 
 /// Constants of the triangles of a block of cells; all zero in padding.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,10 +52,14 @@ pub struct CellHistory {
 pub struct TriangleHistory {
     /// Right stretch U11, U22, U12, U33 of the last step.
     pub stretch_prev: [Lane; 4],
-    /// Long-term isochoric stress of the last step, Pa.
+    /// Long-term isochoric stress of the last step, Pa, before any tear.
     pub elastic_prev: Deviator,
-    /// Stress of the damping spring, Pa.
+    /// Stress of the damping spring, Pa, before any tear.
     pub slider_stress: Deviator,
+    /// Largest principal stretch so far, where the material can tear; 1 otherwise.
+    pub largest_stretch: Lane,
+    /// Isochoric and spring energy of the last step before any tear, J/m3, where the material can tear; 0 otherwise.
+    pub stored_prev: Lane,
 }
 
 impl CellConstants {
@@ -74,6 +81,8 @@ impl CellHistory {
             stretch_prev: [ONE, ONE, ZERO, ONE],
             elastic_prev: Deviator::ZERO,
             slider_stress: Deviator::ZERO,
+            largest_stretch: ONE,
+            stored_prev: ZERO,
         }; 2],
     };
 }
@@ -143,6 +152,25 @@ impl Kinematics {
         k
     }
 
+    /// U-bar = J^(-1/3) U of lane `l`.
+    #[inline(always)]
+    pub fn isochoric_stretch(&self, l: usize) -> IsochoricStretch {
+        let scale = self.inverse_cbrt_j[l];
+        IsochoricStretch {
+            u11: scale * self.u11[l],
+            u22: scale * self.u22[l],
+            u12: scale * self.u12[l],
+            u33: scale * self.u33[l],
+        }
+    }
+
+    /// C-bar = U-bar^2 of lane `l`: components 11, 22, 12, 33.
+    #[inline(always)]
+    pub fn isochoric_cauchy_green(&self, l: usize) -> [f64; 4] {
+        let IsochoricStretch { u11, u22, u12, u33 } = self.isochoric_stretch(l);
+        [u11 * u11 + u12 * u12, u22 * u22 + u12 * u12, u12 * (u11 + u22), u33 * u33]
+    }
+
     /// First lane whose Jacobian is not positive, or not a number.
     #[inline(always)]
     pub fn inverted_lane(&self) -> Option<usize> {
@@ -177,7 +205,7 @@ impl Kinematics {
     }
 }
 
-/// Energy of the elements, section sums per lane, J.
+/// Energy of the elements: section sums per lane, J, or densities, J/m3.
 #[derive(Clone, Copy, Debug)]
 pub struct ElementEnergy {
     /// Long-term elastic energy, isochoric and volumetric.
@@ -186,18 +214,41 @@ pub struct ElementEnergy {
     pub slider_stored: Lane,
     /// Work done on the viscous overstress in this step.
     pub viscous_increment: Lane,
+    /// Power dissipated by the dashpots after this step, W.
+    pub viscous_power: Lane,
     /// Energy dissipated by the sliders in this step.
     pub slider_increment: Lane,
+    /// Energy dissipated by tearing in this step.
+    pub tear_increment: Lane,
 }
 
 impl ElementEnergy {
     /// Nothing yet.
-    pub const ZERO: Self = Self { elastic: ZERO, slider_stored: ZERO, viscous_increment: ZERO, slider_increment: ZERO };
+    pub const ZERO: Self = Self {
+        elastic: ZERO,
+        slider_stored: ZERO,
+        viscous_increment: ZERO,
+        viscous_power: ZERO,
+        slider_increment: ZERO,
+        tear_increment: ZERO,
+    };
+
+    /// Adds the energy densities, but for tearing, of triangles of the reference volumes `volume`.
+    #[inline(always)]
+    fn add(&mut self, volume: &Lane, density: &Self) {
+        for l in 0..LANES {
+            self.elastic[l] += volume[l] * density.elastic[l];
+            self.slider_stored[l] += volume[l] * density.slider_stored[l];
+            self.viscous_increment[l] += volume[l] * density.viscous_increment[l];
+            self.viscous_power[l] += volume[l] * density.viscous_power[l];
+            self.slider_increment[l] += volume[l] * density.slider_increment[l];
+        }
+    }
 }
 
 /// Nodal internal forces of a block, N, from the displacements of its corners; advances the history of its triangles.
 ///
-/// `prony` holds the overstress of the first triangle's terms, then of the second's.
+/// `viscous` holds the overstress of the first triangle's terms, then of the second's.
 ///
 /// # Errors
 /// The first inverted (lane, triangle). The history of the block is not to be used then.
@@ -208,7 +259,7 @@ pub fn internal_force(
     hoop: Option<&HoopConstants>,
     corners: &Corners,
     history: &mut CellHistory,
-    prony: &mut [Deviator],
+    viscous: &mut [Deviator],
     energy: &mut ElementEnergy,
 ) -> Result<Corners, (usize, usize)> {
     let weights = [hoop.map(|h| &h.weight[0]), hoop.map(|h| &h.weight[1])];
@@ -223,7 +274,7 @@ pub fn internal_force(
     }
     let pressure = patch_pressure(laws, constants, &kinematics, energy);
     let mut force = [[ZERO; 2]; 4];
-    let (first, second) = prony.split_at_mut_checked(laws.prony.n_term()).unwrap_or_default();
+    let (first, second) = viscous.split_at_mut_checked(laws.n_term()).unwrap_or_default();
     for (t, terms) in [first, second].into_iter().enumerate() {
         let stress = deviatoric_stress(
             laws,
@@ -267,27 +318,70 @@ fn deviatoric_stress(
     kinematics: &Kinematics,
     volume: &Lane,
     history: &mut TriangleHistory,
-    prony: &mut [Deviator],
+    viscous: &mut [Deviator],
     energy: &mut ElementEnergy,
 ) -> Deviator {
     let strain_increment = kinematics.strain_increment(&mut history.stretch_prev);
-    let (elastic, density) = laws.elastic.stress(kinematics);
-    let [before, after] = laws.prony.update(&elastic, &history.elastic_prev, prony);
+    let (elastic, stored_elastic) = laws.elastic.stress(kinematics);
+    let mut overstress = Overstress::NONE;
+    let (quasi_linear, additive) = viscous.split_at_mut_checked(laws.prony.n_term()).unwrap_or_default();
+    laws.prony.update(&elastic, &history.elastic_prev, quasi_linear, &mut overstress);
+    laws.maxwell.update(&strain_increment, additive, &mut overstress);
     let dissipation = laws.slider.update(&strain_increment, &mut history.slider_stress);
-    let stored = laws.slider.stored_energy(&history.slider_stress);
-    let mut overstress = before;
-    overstress.add(&after);
-    for l in 0..LANES {
-        energy.elastic[l] += volume[l] * density[l];
-        energy.viscous_increment[l] += 0.5 * volume[l] * overstress.contract(&strain_increment, l);
-        energy.slider_increment[l] += volume[l] * dissipation[l];
-        energy.slider_stored[l] += volume[l] * stored[l];
-    }
+    let mut double_mean = overstress.before;
+    double_mean.add(&overstress.after);
     history.elastic_prev = elastic;
     let mut total = elastic;
-    total.add(&after);
+    total.add(&overstress.after);
     total.add(&history.slider_stress);
+    let mut density = ElementEnergy {
+        elastic: stored_elastic,
+        slider_stored: laws.slider.stored_energy(&history.slider_stress),
+        viscous_increment: ZERO,
+        viscous_power: overstress.power,
+        slider_increment: dissipation,
+        tear_increment: ZERO,
+    };
+    for l in 0..LANES {
+        density.viscous_increment[l] = 0.5 * double_mean.contract(&strain_increment, l);
+    }
+    if laws.tear.active() {
+        // Copies, so that the address of the numbers that all materials need is not taken, which would cost them time.
+        let (mut torn, mut rest) = (total, density);
+        tear(&laws.tear, kinematics, history, &mut torn, &mut rest);
+        energy.add(volume, &rest);
+        for l in 0..LANES {
+            energy.tear_increment[l] += volume[l] * rest.tear_increment[l];
+        }
+        return torn;
+    }
+    energy.add(volume, &density);
     total
+}
+
+/// Takes from a block of triangles the stress and the energies that it has lost by tearing.
+fn tear(
+    law: &Tear,
+    kinematics: &Kinematics,
+    history: &mut TriangleHistory,
+    stress: &mut Deviator,
+    energy: &mut ElementEnergy,
+) {
+    let [before, after] = law.update(kinematics, &mut history.largest_stretch);
+    for l in 0..LANES {
+        let (factor, mean) = (after[l], 0.5 * (before[l] + after[l]));
+        let stored = energy.elastic[l] + energy.slider_stored[l];
+        energy.tear_increment[l] = (before[l] - after[l]) * 0.5 * (history.stored_prev[l] + stored);
+        history.stored_prev[l] = stored;
+        energy.elastic[l] *= factor;
+        energy.slider_stored[l] *= factor;
+        energy.viscous_increment[l] *= mean;
+        energy.viscous_power[l] *= factor;
+        energy.slider_increment[l] *= mean;
+        for component in [&mut stress.xx, &mut stress.yy, &mut stress.xy] {
+            component[l] *= factor;
+        }
+    }
 }
 
 /// Adds V P dN/dX of one triangle of each cell to the corner forces.

@@ -3,6 +3,13 @@
 //! Kinetic energy is 1/2 m v(n-1/2) v(n+1/2), for which the central difference scheme balances exactly against the
 //! trapezoidal work of the nodal forces. Elastic and spring energy are evaluated from their potentials, viscous work and
 //! slip from the stresses, so the residual compares the laws with the forces that they gave.
+//!
+//! The work on the viscous overstress is one term of the sum, because that is what the forces do. The part of it that the
+//! dashpots have turned into heat is stated beside it, from the overstress alone: the trapezoidal rule over
+//! H : H / (2 G tau) of each branch, which cannot be negative. The rest of the work is in the springs of the branches. For
+//! additive terms, and for quasi-linear ones at small strain, this is exact. A quasi-linear branch on a law that stiffens
+//! has no spring of constant modulus: counted with the modulus at rest its dissipation comes out too large at large
+//! strain, and may exceed the work. It is an indicator there, and the work is what the sum relies on.
 
 use crate::element::ElementEnergy;
 use crate::face::Contact;
@@ -10,6 +17,9 @@ use crate::impactor::{Prediction, StepInput};
 use crate::lanes::sum;
 use crate::model::Model;
 use crate::scenario::Motion;
+
+/// Numbers of a [`Ledger`] in a snapshot.
+pub(crate) const LEDGER_WORDS: usize = 15;
 
 /// Energies of the whole anvil and impactor at the time of the last completed step's forces, J.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,10 +32,15 @@ pub struct Ledger {
     pub elastic: f64,
     /// Work done on the viscous overstress: dissipated, or still stored in its springs.
     pub viscous: f64,
+    /// Dissipation of the dashpots by the moduli at rest, not a term of the sum: exact for additive terms and at small
+    /// strain, too high where a quasi-linear law stiffens.
+    pub viscous_dissipation: f64,
     /// Energy in the damping springs.
     pub slider_stored: f64,
     /// Energy dissipated by the sliders.
     pub slider_dissipation: f64,
+    /// Energy dissipated by tearing.
+    pub tear: f64,
     /// Energy dissipated by friction under the face and on the core.
     pub friction: f64,
     /// Energy lost in catching nodes at the face and on the core.
@@ -33,6 +48,8 @@ pub struct Ledger {
     /// Energy brought in: kinetic energy at the start, work of gravity and of the external force, or the work of the
     /// drive.
     pub external: f64,
+    /// Power of the dashpots after the last step, W.
+    viscous_power: f64,
     /// The halves of this step's works that belong to the time after its forces: friction, contact, external.
     pending: [f64; 3],
 }
@@ -50,11 +67,14 @@ impl Ledger {
             layer_kinetic: 0.0,
             elastic: 0.0,
             viscous: 0.0,
+            viscous_dissipation: 0.0,
             slider_stored: 0.0,
             slider_dissipation: 0.0,
+            tear: 0.0,
             friction: 0.0,
             contact: 0.0,
             external: kinetic,
+            viscous_power: 0.0,
             pending: [0.0; 3],
         }
     }
@@ -67,24 +87,28 @@ impl Ledger {
             + self.viscous
             + self.slider_stored
             + self.slider_dissipation
+            + self.tear
             + self.friction
             + self.contact;
         self.external - found
     }
 
     /// Every number, for snapshots.
-    pub(crate) fn words_mut(&mut self) -> [&mut f64; 12] {
+    pub(crate) fn words_mut(&mut self) -> [&mut f64; LEDGER_WORDS] {
         let [friction, contact, external] = &mut self.pending;
         [
             &mut self.impactor_kinetic,
             &mut self.layer_kinetic,
             &mut self.elastic,
             &mut self.viscous,
+            &mut self.viscous_dissipation,
             &mut self.slider_stored,
             &mut self.slider_dissipation,
+            &mut self.tear,
             &mut self.friction,
             &mut self.contact,
             &mut self.external,
+            &mut self.viscous_power,
             friction,
             contact,
             external,
@@ -113,7 +137,11 @@ impl Ledger {
         self.elastic = factor * sum(&element.elastic);
         self.slider_stored = factor * sum(&element.slider_stored);
         self.viscous += factor * sum(&element.viscous_increment);
+        let power = factor * sum(&element.viscous_power);
+        self.viscous_dissipation += 0.5 * model.constants.dt * (self.viscous_power + power);
+        self.viscous_power = power;
         self.slider_dissipation += factor * sum(&element.slider_increment);
+        self.tear += factor * sum(&element.tear_increment);
         let (friction, contact) = (halves(work, |c| c.sliding), halves(work, |c| c.catching));
         let external = external_work(model, work);
         let [pending_friction, pending_contact, pending_external] = self.pending;

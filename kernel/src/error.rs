@@ -2,6 +2,8 @@
 
 use core::fmt;
 
+use crate::scenario::ElasticLaw;
+
 /// A parameter value that is not legal.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParameterError {
@@ -45,13 +47,33 @@ pub enum ScenarioError {
     Parameter(ParameterError),
     /// The Prony coefficients leave no long-term stiffness.
     PronySum {
+        /// Group of the layer's parameters.
+        layer: &'static str,
         /// sum g_i.
         sum: f64,
     },
     /// The elastic law has no positive shear modulus at rest.
     ShearModulus {
-        /// 2 (C10 + C01), Pa.
+        /// Group of the layer's parameters.
+        layer: &'static str,
+        /// The law.
+        law: ElasticLaw,
+        /// Its shear modulus at rest, Pa.
         modulus: f64,
+    },
+    /// The material would be torn before the test.
+    TearStretch {
+        /// Group of the layer's parameters.
+        layer: &'static str,
+        /// Stretch at which it begins to tear.
+        stretch: f64,
+    },
+    /// A skin with a material of its own has next to no thickness.
+    SkinTooThin {
+        /// Thickness of the skin, m.
+        thickness: f64,
+        /// Smallest legal thickness, m.
+        minimum: f64,
     },
     /// The face does not cover the anvil, so the chord thickness ends inside the section.
     FaceTooSmall {
@@ -72,12 +94,24 @@ impl fmt::Display for ScenarioError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Parameter(error) => error.fmt(f),
-            Self::PronySum { sum } => {
-                write!(f, "silicone.prony_g_1 to _5 sum to {sum}: legal is a sum of at least 0 and below 1")
+            Self::PronySum { layer, sum } => {
+                write!(f, "{layer}.prony_g_1 to _5 sum to {sum}: legal is a sum of at least 0 and below 1")
             }
-            Self::ShearModulus { modulus } => {
-                write!(f, "silicone.c10 and c01 give a shear modulus of {modulus} Pa: legal is above 0 Pa")
+            Self::ShearModulus { layer, law, modulus } => {
+                let coefficients = match law {
+                    ElasticLaw::NeoHookean | ElasticLaw::Yeoh => "c10 gives",
+                    ElasticLaw::MooneyRivlin => "c10 and c01 give",
+                    ElasticLaw::Ogden => "ogden_mu_1 to _3 and ogden_alpha_1 to _3 give",
+                };
+                write!(f, "{layer}.{coefficients} a shear modulus of {modulus} Pa: legal is above 0 Pa")
             }
+            Self::TearStretch { layer, stretch } => {
+                write!(f, "{layer}.tear_stretch = {stretch} is refused: legal is 0 (off) or at least 1")
+            }
+            Self::SkinTooThin { thickness, minimum } => write!(
+                f,
+                "geometry.skin_thickness = {thickness} m is refused: with two layers legal is at least {minimum} m"
+            ),
             Self::FaceTooSmall { diameter, minimum } => write!(
                 f,
                 "impactor.face_diameter = {diameter} m is refused: over this anvil legal is at least {minimum} m"

@@ -9,7 +9,8 @@
 //! 3. [`step()`] is the algorithm: internal forces ([`element`], [`material`]), the core ([`core_contact`]), the
 //!    face ([`face`]), motion ([`impactor`]), the books ([`energy`], [`measurement`]).
 //! 4. [`snapshot`] saves and restores a state, [`digest`] fingerprints it.
-//! 5. [`lanes`] and [`math`] are the ground: data in lanes, and mathematics with a fixed sequence of operations.
+//! 5. [`lanes`], [`stretch`] and [`math`] are the ground: data in lanes, and mathematics with a fixed sequence of
+//!    operations.
 //!
 //! No function allocates or panics, and none reads anything but its arguments.
 
@@ -43,6 +44,7 @@ pub mod snapshot;
 pub mod state;
 mod step;
 pub mod storage;
+pub mod stretch;
 pub mod time_step;
 
 pub use error::{ModelError, ParameterError, ScenarioError, SnapshotError, StepError};

@@ -8,6 +8,31 @@ pub fn exp(x: f64) -> f64 {
     libm::exp(x)
 }
 
+/// e^x - 1 without cancellation, from libm.
+pub fn expm1(x: f64) -> f64 {
+    libm::expm1(x)
+}
+
+/// Natural logarithm, from libm.
+pub fn ln(x: f64) -> f64 {
+    libm::log(x)
+}
+
+/// ln(1 + x) without cancellation, from libm.
+pub fn ln_1p(x: f64) -> f64 {
+    libm::log1p(x)
+}
+
+/// Hyperbolic sine, from libm; accurate relative to itself down to zero.
+pub fn sinh(x: f64) -> f64 {
+    libm::sinh(x)
+}
+
+/// Inverse hyperbolic sine, from libm; accurate relative to itself down to zero.
+pub fn asinh(x: f64) -> f64 {
+    libm::asinh(x)
+}
+
 /// Square root, from libm (correctly rounded).
 pub fn sqrt(x: f64) -> f64 {
     libm::sqrt(x)

@@ -9,7 +9,7 @@
 use crate::error::ModelError;
 use crate::lanes::LANES;
 use crate::math;
-use crate::scenario::{Formulation, Scenario, Shape};
+use crate::scenario::{Formulation, Layers, Scenario, Shape};
 
 /// Largest number of cells of a mesh.
 pub const MAX_CELLS: usize = 1 << 20;
@@ -21,10 +21,12 @@ pub struct Grid {
     pub n_u: usize,
     /// Rows of cells, from the core to the surface.
     pub n_v: usize,
+    /// Rows of the silicone; the skin has the others.
+    pub n_v_silicone: usize,
 }
 
 impl Grid {
-    /// The grid whose cells come nearest to the scenario's element size.
+    /// The grid whose cells come nearest to the scenario's element size, each layer with at least one row.
     ///
     /// # Errors
     /// An element size that asks for more than [`MAX_CELLS`] cells.
@@ -36,11 +38,16 @@ impl Grid {
             Shape::Block => 0.5 * geometry.block_width,
         };
         let count = |length: f64| math::larger(1.0, math::round(length / scenario.mesh.element_size));
-        let cells = count(width) * count(thickness);
+        let [silicone, skin] = match geometry.layers {
+            Layers::One => [count(thickness), 0.0],
+            Layers::Two => [count(geometry.silicone_thickness), count(geometry.skin_thickness)],
+        };
+        let cells = count(width) * (silicone + skin);
         if cells > MAX_CELLS as f64 {
             return Err(ModelError::TooManyCells { cells });
         }
-        Ok(Self { n_u: count(width) as usize, n_v: count(thickness) as usize })
+        let n_v_silicone = silicone as usize;
+        Ok(Self { n_u: count(width) as usize, n_v: n_v_silicone + skin as usize, n_v_silicone })
     }
 
     /// Blocks that hold a row of cells.
@@ -51,6 +58,11 @@ impl Grid {
     /// Blocks of the whole mesh.
     pub fn n_block(&self) -> usize {
         self.blocks_per_row() * self.n_v
+    }
+
+    /// Blocks of the silicone, which are the first ones.
+    pub fn n_block_silicone(&self) -> usize {
+        self.blocks_per_row() * self.n_v_silicone
     }
 
     /// Nodes from one row to the next, padding included.
@@ -80,7 +92,7 @@ impl Grid {
 pub fn reference_position(scenario: &Scenario, grid: &Grid, u: usize, v: usize) -> [f64; 2] {
     let geometry = &scenario.geometry;
     let across = u as f64 / grid.n_u as f64;
-    let depth = geometry.layer_thickness() * (v as f64 / grid.n_v as f64);
+    let depth = height_over_core(scenario, grid, v);
     match geometry.shape {
         Shape::Round => {
             let radius = geometry.core_radius + depth;
@@ -88,6 +100,20 @@ pub fn reference_position(scenario: &Scenario, grid: &Grid, u: usize, v: usize) 
             [radius * math::sin(angle), radius * math::cos(angle)]
         }
         Shape::Block => [0.5 * geometry.block_width * across, depth],
+    }
+}
+
+/// Height of row `v` of nodes over the core at rest, m.
+fn height_over_core(scenario: &Scenario, grid: &Grid, v: usize) -> f64 {
+    let geometry = &scenario.geometry;
+    let part = |row: usize, rows: usize| row as f64 / rows as f64;
+    match geometry.layers {
+        Layers::One => geometry.layer_thickness() * part(v, grid.n_v),
+        Layers::Two if v <= grid.n_v_silicone => geometry.silicone_thickness * part(v, grid.n_v_silicone),
+        Layers::Two => {
+            let row = part(v - grid.n_v_silicone, grid.n_v - grid.n_v_silicone);
+            geometry.silicone_thickness + geometry.skin_thickness * row
+        }
     }
 }
 

@@ -7,7 +7,7 @@ use crate::lanes::LANES;
 use crate::material::Laws;
 use crate::mesh::{Grid, reference_position};
 use crate::parameter::PARAMETERS;
-use crate::scenario::{Formulation, Interface, Scenario, Shape};
+use crate::scenario::{Formulation, Interface, MAX_LAYERS, Scenario, Shape};
 use crate::storage::{MODEL_NODE_FIELDS, ModelMemory, Size, split_row, take};
 use crate::time_step;
 
@@ -29,8 +29,8 @@ pub struct Constants {
     pub dt: f64,
     /// Steps in a sampling interval; `dt` times it is [`SAMPLING_INTERVAL`].
     pub steps_per_sample: u32,
-    /// Laws of the layer.
-    pub laws: Laws,
+    /// Laws of silicone and skin.
+    pub laws: [Laws; MAX_LAYERS],
     /// Forces of the whole anvil per force of the meshed section: 2 in plane strain, which meshes one half.
     pub section_factor: f64,
     /// Height of the undeformed anvil's top above the origin, m.
@@ -43,6 +43,17 @@ impl Constants {
     /// Mass of the impactor that belongs to the meshed section, kg.
     pub fn section_mass(&self) -> f64 {
         self.scenario.impactor.mass / self.section_factor
+    }
+
+    /// Laws of a block of cells.
+    pub fn laws_of(&self, block: usize) -> &Laws {
+        let [silicone, skin] = &self.laws;
+        if block < self.grid.n_block_silicone() { silicone } else { skin }
+    }
+
+    /// Entries of viscous history per triangle: those of the layer that has more.
+    pub fn n_term(&self) -> usize {
+        self.laws.iter().fold(0, |most, laws| most.max(laws.n_term()))
     }
 
     /// Simulated time after `step_index` steps, s: whole sampling intervals and the steps beyond them.
@@ -96,7 +107,7 @@ impl<'a> Model<'a> {
         let hoops = take(memory.hoops, size.model_hoops, "model hoops")?;
         build_cells(scenario, &grid, cells, hoops);
         build_nodes(scenario, &grid, cells, nodes);
-        let steps_per_sample = time_step::steps_per_sample(scenario, cells)?;
+        let steps_per_sample = time_step::steps_per_sample(scenario, &grid, cells)?;
         let dt = SAMPLING_INTERVAL / f64::from(steps_per_sample);
         let constants = Constants {
             scenario: *scenario,
@@ -104,7 +115,7 @@ impl<'a> Model<'a> {
             size,
             dt,
             steps_per_sample,
-            laws: Laws::new(&scenario.silicone, dt),
+            laws: scenario.layers().map(|layer| Laws::new(layer.material, dt)),
             section_factor: if scenario.geometry.formulation == Formulation::PlaneStrain { 2.0 } else { 1.0 },
             top_height: reference_position(scenario, &grid, 0, grid.n_v)[1],
             fingerprint: fingerprint(scenario),
@@ -211,12 +222,14 @@ fn fixed_directions(scenario: &Scenario, u: usize, v: usize) -> [bool; 2] {
 
 /// A third of each triangle's mass to each of its corners.
 fn lump_mass(scenario: &Scenario, grid: &Grid, cells: &[CellConstants], mass: &mut [f64]) {
+    let [silicone, skin] = scenario.layers().map(|layer| layer.material.density);
     for v in 0..grid.n_v {
+        let density = if v < grid.n_v_silicone { silicone } else { skin };
         for u in 0..grid.n_u {
             let corner = [(0, 0), (1, 0), (1, 1), (0, 1)].map(|(du, dv)| (v + dv) * grid.stride() + u + du);
             let Some(cell) = cells.get(v * grid.blocks_per_row() + u / LANES) else { continue };
             for (t, nodes) in crate::mesh::triangles(u, v).into_iter().enumerate() {
-                let third = cell.triangle[t].reference_volume[u % LANES] * scenario.silicone.density / 3.0;
+                let third = cell.triangle[t].reference_volume[u % LANES] * density / 3.0;
                 for a in nodes {
                     mass[corner[a]] += third;
                 }

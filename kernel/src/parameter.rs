@@ -2,10 +2,14 @@
 //!
 //! Scenario files, the C ABI and the FMU are all generated from or checked against this table.
 
+mod material;
+
+use self::material::{SILICONE, SKIN};
 use crate::error::ParameterError;
-use crate::scenario::{DropBy, Formulation, Interface, Moduli, Motion, Scenario, Shape, StepBy, VolumetricBy};
+use crate::scenario::{DropBy, Formulation, Interface, Layers, Motion, Scenario, Shape, StepBy};
 
 /// One row of the table.
+#[derive(Clone, Copy)]
 pub struct Parameter {
     /// Structured name, `group.field`.
     pub name: &'static str,
@@ -16,6 +20,7 @@ pub struct Parameter {
 }
 
 /// What a parameter's value is.
+#[derive(Clone, Copy)]
 pub enum Kind {
     /// A physical quantity in an SI unit ("1" for a ratio), legal from `min` to `max`, both included.
     Real {
@@ -121,7 +126,30 @@ const fn choice(
 }
 
 /// Every parameter of a scenario, in the order in which users meet them.
-pub static PARAMETERS: &[Parameter] = &[
+pub static PARAMETERS: &[Parameter] = &ROWS;
+
+static ROWS: [Parameter; TEST.len() + SILICONE.len() + SKIN.len() + NUMERICS.len()] =
+    join([TEST, SILICONE, SKIN, NUMERICS]);
+
+/// The groups one after the other; its length has to be the sum of theirs.
+const fn join<const N: usize>(groups: [&[Parameter]; 4]) -> [Parameter; N] {
+    let mut rows = [TEST[0]; N];
+    let (mut group, mut from, mut to) = (0, 0, 0);
+    while to < N {
+        if from == groups[group].len() {
+            group += 1;
+            from = 0;
+        } else {
+            rows[to] = groups[group][from];
+            from += 1;
+            to += 1;
+        }
+    }
+    rows
+}
+
+/// Geometry and impactor.
+const TEST: &[Parameter] = &[
     choice(
         "geometry.shape",
         &["round", "block"],
@@ -135,6 +163,13 @@ pub static PARAMETERS: &[Parameter] = &[
         |s| s.geometry.formulation as usize,
         |s, i| s.geometry.formulation = if i == 0 { Formulation::PlaneStrain } else { Formulation::Axisymmetric },
         "kinematics of the section",
+    ),
+    choice(
+        "geometry.layers",
+        &["one", "two"],
+        |s| s.geometry.layers as usize,
+        |s, i| s.geometry.layers = if i == 0 { Layers::One } else { Layers::Two },
+        "the silicone's material through silicone and skin (the study's simplification), or a skin of its own",
     ),
     real(
         "geometry.core_radius",
@@ -155,7 +190,7 @@ pub static PARAMETERS: &[Parameter] = &[
         "m",
         (0.0, 0.1),
         |s| &mut s.geometry.skin_thickness,
-        "thickness of the skin, which has the silicone's material",
+        "thickness of the skin; above 0 where it has a material of its own",
     ),
     real(
         "geometry.length",
@@ -204,58 +239,10 @@ pub static PARAMETERS: &[Parameter] = &[
     real("impactor.drop_height", "m", (0.0, 100.0), |s| &mut s.impactor.drop_height, "free fall before the start"),
     real("impactor.drop_energy", "J", (0.0, 1e5), |s| &mut s.impactor.drop_energy, "kinetic energy at the start"),
     real("impactor.drop_speed", "m/s", (0.0, 100.0), |s| &mut s.impactor.drop_speed, "downward speed at the start"),
-    real("silicone.density", "kg/m3", (10.0, 2e4), |s| &mut s.silicone.density, "density of the layer"),
-    choice(
-        "silicone.moduli",
-        &["long_term", "instantaneous"],
-        |s| s.silicone.moduli as usize,
-        |s, i| s.silicone.moduli = if i == 0 { Moduli::LongTerm } else { Moduli::Instantaneous },
-        "what the elastic coefficients are: after full relaxation, or before any",
-    ),
-    real("silicone.c10", "Pa", (-1e9, 1e9), |s| &mut s.silicone.c10, "Mooney-Rivlin coefficient of (I1 - 3)"),
-    real("silicone.c01", "Pa", (-1e9, 1e9), |s| &mut s.silicone.c01, "Mooney-Rivlin coefficient of (I2 - 3)"),
-    real("silicone.c11", "Pa", (-1e9, 1e9), |s| &mut s.silicone.c11, "Mooney-Rivlin coefficient of (I1 - 3)(I2 - 3)"),
-    real("silicone.c20", "Pa", (-1e9, 1e9), |s| &mut s.silicone.c20, "Mooney-Rivlin coefficient of (I1 - 3)^2"),
-    real("silicone.c02", "Pa", (-1e9, 1e9), |s| &mut s.silicone.c02, "Mooney-Rivlin coefficient of (I2 - 3)^2"),
-    choice(
-        "silicone.volumetric_by",
-        &["bulk_modulus", "poissons_ratio"],
-        |s| s.silicone.volumetric_by as usize,
-        |s, i| s.silicone.volumetric_by = if i == 0 { VolumetricBy::BulkModulus } else { VolumetricBy::PoissonsRatio },
-        "which of the next two states the compressibility",
-    ),
-    real("silicone.bulk_modulus", "Pa", (1e2, 1e12), |s| &mut s.silicone.bulk_modulus, "bulk modulus"),
-    real(
-        "silicone.poissons_ratio",
-        "1",
-        (0.0, 0.4999),
-        |s| &mut s.silicone.poissons_ratio,
-        "Poisson's ratio of the long-term law",
-    ),
-    real("silicone.prony_g_1", "1", (0.0, 0.9999), |s| &mut s.silicone.prony_g[0], PRONY_G),
-    real("silicone.prony_tau_1", "s", (1e-7, 1e6), |s| &mut s.silicone.prony_tau[0], PRONY_TAU),
-    real("silicone.prony_g_2", "1", (0.0, 0.9999), |s| &mut s.silicone.prony_g[1], PRONY_G),
-    real("silicone.prony_tau_2", "s", (1e-7, 1e6), |s| &mut s.silicone.prony_tau[1], PRONY_TAU),
-    real("silicone.prony_g_3", "1", (0.0, 0.9999), |s| &mut s.silicone.prony_g[2], PRONY_G),
-    real("silicone.prony_tau_3", "s", (1e-7, 1e6), |s| &mut s.silicone.prony_tau[2], PRONY_TAU),
-    real("silicone.prony_g_4", "1", (0.0, 0.9999), |s| &mut s.silicone.prony_g[3], PRONY_G),
-    real("silicone.prony_tau_4", "s", (1e-7, 1e6), |s| &mut s.silicone.prony_tau[3], PRONY_TAU),
-    real("silicone.prony_g_5", "1", (0.0, 0.9999), |s| &mut s.silicone.prony_g[4], PRONY_G),
-    real("silicone.prony_tau_5", "s", (1e-7, 1e6), |s| &mut s.silicone.prony_tau[4], PRONY_TAU),
-    real(
-        "silicone.slider_stiffness",
-        "Pa",
-        (0.0, 1e11),
-        |s| &mut s.silicone.slider_stiffness,
-        "shear modulus G of the damping spring; 0 switches the spring-slider off",
-    ),
-    real(
-        "silicone.slider_yield_stress",
-        "Pa",
-        (0.0, 1e10),
-        |s| &mut s.silicone.slider_yield_stress,
-        "von Mises stress SIGF at which the slider slips",
-    ),
+];
+
+/// Interfaces, mesh, time and measurement.
+const NUMERICS: &[Parameter] = &[
     choice(
         "core.interface",
         &["bonded", "frictional"],
@@ -314,9 +301,6 @@ pub static PARAMETERS: &[Parameter] = &[
         "force that begins and ends the impact duration",
     ),
 ];
-
-const PRONY_G: &str = "Prony coefficient, normalised on the instantaneous modulus; 0 switches the term off";
-const PRONY_TAU: &str = "relaxation time of the Prony term";
 
 #[cfg(test)]
 mod tests {

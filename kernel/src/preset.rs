@@ -1,8 +1,8 @@
 //! Ready-made scenarios. The parameter sets stand here and nowhere else.
 
 use crate::scenario::{
-    CoreInterface, DropBy, FaceInterface, Formulation, Geometry, Impactor, Interface, Material, Measurement, Mesh,
-    Moduli, Motion, Scenario, Shape, StepBy, Time, VolumetricBy,
+    CoreInterface, DropBy, ElasticLaw, FaceInterface, Formulation, Geometry, Impactor, Interface, Layers, Material,
+    Measurement, Mesh, Moduli, Motion, Scenario, Shape, StepBy, Time, VolumetricBy, VolumetricLaw,
 };
 
 /// A scenario with a name.
@@ -35,6 +35,7 @@ pub fn study() -> Scenario {
         geometry: Geometry {
             shape: Shape::Round,
             formulation: Formulation::PlaneStrain,
+            layers: Layers::One,
             core_radius: 37.5e-3,
             silicone_thickness: 14e-3,
             skin_thickness: 1e-3,
@@ -53,6 +54,7 @@ pub fn study() -> Scenario {
             drop_speed: 2.42,
         },
         silicone: study_silicone(),
+        skin: chamois(),
         core: CoreInterface { interface: Interface::Bonded, friction_coefficient: 0.3 },
         face: FaceInterface { friction_coefficient: 0.3 },
         mesh: Mesh { element_size: 3e-3 },
@@ -75,18 +77,47 @@ fn study_silicone() -> Material {
     let instantaneous = 1.0 + overstress[0] + overstress[1];
     Material {
         density: 1072.0,
+        law: ElasticLaw::MooneyRivlin,
         moduli: Moduli::LongTerm,
         c10: 0.107e6,
         c01: 0.082e6,
         c11: 0.088e6,
         c20: 0.09e3,
         c02: 15.5e3,
+        c30: 0.0,
+        ogden_mu: [0.0; 3],
+        ogden_alpha: [2.0, -2.0, 4.0],
+        volumetric_law: VolumetricLaw::Quadratic,
         volumetric_by: VolumetricBy::PoissonsRatio,
         bulk_modulus: 1.449e6,
         poissons_ratio: 0.38,
         prony_g: [overstress[0] / instantaneous, overstress[1] / instantaneous, 0.0, 0.0, 0.0],
         prony_tau: [0.1816e-3, 1.68, 1.0, 1.0, 1.0],
+        maxwell_g: [0.0; 5],
+        maxwell_beta: [1e3; 5],
         slider_stiffness: 50.8e6,
         slider_yield_stress: 5.44e3,
+        tear_stretch: 0.0,
+        tear_width: 0.1,
+        tear_residual: 0.0,
+    }
+}
+
+/// A synthetic chamois for two layers. Not from the study, which gives its skin the silicone's material: the density and
+/// the modulus of 3 MPa are of the order of soft leather, and nothing is fitted.
+fn chamois() -> Material {
+    Material {
+        density: 600.0,
+        law: ElasticLaw::NeoHookean,
+        c10: 0.5e6,
+        c01: 0.0,
+        c11: 0.0,
+        c20: 0.0,
+        c02: 0.0,
+        poissons_ratio: 0.45,
+        prony_g: [0.0; 5],
+        slider_stiffness: 0.0,
+        slider_yield_stress: 0.0,
+        ..study_silicone()
     }
 }

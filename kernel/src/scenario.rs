@@ -4,7 +4,7 @@
 //! unit, legal range and meaning; [`Scenario::validate`] checks the rows and what several fields say together.
 
 use crate::error::ScenarioError;
-use crate::material::MAX_PRONY_TERMS;
+use crate::material::{Elastic, MAX_MAXWELL_TERMS, MAX_OGDEN_TERMS, MAX_PRONY_TERMS};
 use crate::parameter::PARAMETERS;
 
 /// Everything that defines a simulation, in SI units.
@@ -14,8 +14,10 @@ pub struct Scenario {
     pub geometry: Geometry,
     /// The drop mass.
     pub impactor: Impactor,
-    /// Material of the soft layer.
+    /// Material of the silicone.
     pub silicone: Material,
+    /// Material of the skin where [`Geometry::layers`] gives it one of its own.
+    pub skin: Material,
     /// Interface between layer and core.
     pub core: CoreInterface,
     /// Interface between impactor and layer.
@@ -46,6 +48,27 @@ pub enum Formulation {
     Axisymmetric,
 }
 
+/// Layers of different material.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Layers {
+    /// The silicone's material through silicone and skin: the study's simplification.
+    One,
+    /// A skin with a material, and rows of the mesh, of its own.
+    Two,
+}
+
+/// Most layers of different material.
+pub const MAX_LAYERS: usize = 2;
+
+/// A layer of the anvil.
+#[derive(Clone, Copy, Debug)]
+pub struct Layer<'a> {
+    /// Group of its parameters.
+    pub name: &'static str,
+    /// Its material.
+    pub material: &'a Material,
+}
+
 /// Shape and size of the anvil.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Geometry {
@@ -53,6 +76,8 @@ pub struct Geometry {
     pub shape: Shape,
     /// Plane strain or axisymmetric.
     pub formulation: Formulation,
+    /// One material, or two.
+    pub layers: Layers,
     /// Radius of the rigid core of a round anvil, m.
     pub core_radius: f64,
     /// Thickness of the silicone, m.
@@ -131,13 +156,36 @@ impl Impactor {
     }
 }
 
+/// The volumetric law.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum VolumetricLaw {
+    /// K/2 (J - 1)^2.
+    Quadratic,
+    /// K/4 (J^2 - 1 - 2 ln J), without bound as J goes to 0.
+    Simo,
+}
+
 /// Which of the two numbers states the compressibility.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum VolumetricBy {
     /// [`Material::bulk_modulus`].
     BulkModulus,
-    /// [`Material::poissons_ratio`], by K = 2 G (1 + nu) / (3 (1 - 2 nu)) with G = 2 (C10 + C01) of the long-term law.
+    /// [`Material::poissons_ratio`], by K = 2 G (1 + nu) / (3 (1 - 2 nu)) with the shear modulus G at rest of the
+    /// long-term law.
     PoissonsRatio,
+}
+
+/// The isochoric hyperelastic law.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ElasticLaw {
+    /// C10.
+    NeoHookean,
+    /// C10, C01, C11, C20, C02; zeros give the laws of two and three parameters.
+    MooneyRivlin,
+    /// C10, C20, C30.
+    Yeoh,
+    /// Up to three pairs of mu and alpha.
+    Ogden,
 }
 
 /// Which moduli the coefficients of the elastic law are.
@@ -154,18 +202,28 @@ pub enum Moduli {
 pub struct Material {
     /// Density, kg/m3.
     pub density: f64,
-    /// Whether the next five are long-term or instantaneous.
+    /// Isochoric hyperelastic law; it uses those of the next coefficients that belong to it.
+    pub law: ElasticLaw,
+    /// Whether the coefficients are long-term or instantaneous.
     pub moduli: Moduli,
-    /// Mooney-Rivlin coefficient of (I1 - 3), Pa.
+    /// Coefficient of (I1 - 3) in all laws but Ogden's, Pa.
     pub c10: f64,
     /// Mooney-Rivlin coefficient of (I2 - 3), Pa.
     pub c01: f64,
     /// Mooney-Rivlin coefficient of (I1 - 3)(I2 - 3), Pa.
     pub c11: f64,
-    /// Mooney-Rivlin coefficient of (I1 - 3)^2, Pa.
+    /// Mooney-Rivlin and Yeoh coefficient of (I1 - 3)^2, Pa.
     pub c20: f64,
     /// Mooney-Rivlin coefficient of (I2 - 3)^2, Pa.
     pub c02: f64,
+    /// Yeoh coefficient of (I1 - 3)^3, Pa.
+    pub c30: f64,
+    /// Ogden coefficients mu_i, Pa; a term with mu = 0 is off.
+    pub ogden_mu: [f64; MAX_OGDEN_TERMS],
+    /// Ogden exponents alpha_i.
+    pub ogden_alpha: [f64; MAX_OGDEN_TERMS],
+    /// Energy of volume change.
+    pub volumetric_law: VolumetricLaw,
     /// Which of the next two counts.
     pub volumetric_by: VolumetricBy,
     /// Bulk modulus, Pa.
@@ -176,10 +234,20 @@ pub struct Material {
     pub prony_g: [f64; MAX_PRONY_TERMS],
     /// Relaxation times tau_i, s.
     pub prony_tau: [f64; MAX_PRONY_TERMS],
+    /// Shear moduli G_i of the additive Maxwell terms, Pa; a term with G = 0 is off.
+    pub maxwell_g: [f64; MAX_MAXWELL_TERMS],
+    /// Their decay constants beta_i, 1/s.
+    pub maxwell_beta: [f64; MAX_MAXWELL_TERMS],
     /// Shear modulus G of the damping spring, Pa; 0 switches the spring-slider off.
     pub slider_stiffness: f64,
     /// Von Mises stress SIGF at which the slider slips, Pa.
     pub slider_yield_stress: f64,
+    /// Largest principal stretch at which the material begins to tear; 0 switches tearing off.
+    pub tear_stretch: f64,
+    /// Stretch over which the deviatoric stress falls.
+    pub tear_width: f64,
+    /// Part of the deviatoric stress that remains.
+    pub tear_residual: f64,
 }
 
 impl Material {
@@ -188,9 +256,14 @@ impl Material {
         1.0 - self.prony_g.iter().fold(0.0, |sum, g| sum + g)
     }
 
-    /// Long-term shear modulus at rest, Pa: 2 (C10 + C01), scaled if the coefficients are instantaneous.
+    /// Viscous terms that are on, quasi-linear and additive.
+    pub fn n_viscous_term(&self) -> usize {
+        self.prony_g.iter().chain(&self.maxwell_g).filter(|g| **g > 0.0).count()
+    }
+
+    /// Shear modulus of the long-term law at rest, Pa.
     pub fn shear_modulus_inf(&self) -> f64 {
-        2.0 * (self.c10 + self.c01) * self.long_term_scale()
+        Elastic::new(self).shear_modulus()
     }
 
     /// Factor from the given coefficients to the long-term law.
@@ -283,22 +356,25 @@ impl Scenario {
         for parameter in PARAMETERS {
             parameter.check(parameter.get(self))?;
         }
-        self.validate_material()?;
+        self.layers().iter().try_for_each(Layer::validate)?;
         self.validate_geometry()
     }
 
-    fn validate_material(&self) -> Result<(), ScenarioError> {
-        if self.silicone.prony_g_inf() <= 0.0 {
-            return Err(ScenarioError::PronySum { sum: 1.0 - self.silicone.prony_g_inf() });
-        }
-        if self.silicone.shear_modulus_inf() <= 0.0 {
-            return Err(ScenarioError::ShearModulus { modulus: self.silicone.shear_modulus_inf() });
-        }
-        Ok(())
+    /// The layers from the core to the surface; one material through the whole thickness counts for both.
+    pub fn layers(&self) -> [Layer<'_>; MAX_LAYERS] {
+        let silicone = Layer { name: "silicone", material: &self.silicone };
+        let skin = match self.geometry.layers {
+            Layers::One => silicone,
+            Layers::Two => Layer { name: "skin", material: &self.skin },
+        };
+        [silicone, skin]
     }
 
     fn validate_geometry(&self) -> Result<(), ScenarioError> {
         let geometry = &self.geometry;
+        if geometry.layers == Layers::Two && geometry.skin_thickness < MIN_SKIN {
+            return Err(ScenarioError::SkinTooThin { thickness: geometry.skin_thickness, minimum: MIN_SKIN });
+        }
         let outer = geometry.core_radius + geometry.layer_thickness();
         let chord_ends = geometry.shape == Shape::Round && geometry.formulation == Formulation::PlaneStrain;
         if chord_ends && 0.5 * self.impactor.face_diameter < FACE_MARGIN * outer {
@@ -308,6 +384,27 @@ impl Scenario {
         Ok(())
     }
 }
+
+impl Layer<'_> {
+    fn validate(&self) -> Result<(), ScenarioError> {
+        let (layer, material) = (self.name, self.material);
+        if material.prony_g_inf() <= 0.0 {
+            return Err(ScenarioError::PronySum { layer, sum: 1.0 - material.prony_g_inf() });
+        }
+        let modulus = material.shear_modulus_inf();
+        if modulus <= 0.0 {
+            return Err(ScenarioError::ShearModulus { layer, law: material.law, modulus });
+        }
+        let stretch = material.tear_stretch;
+        if stretch > 0.0 && stretch < 1.0 {
+            return Err(ScenarioError::TearStretch { layer, stretch });
+        }
+        Ok(())
+    }
+}
+
+/// Thinnest skin with a material of its own, m: as thin as the smallest element.
+const MIN_SKIN: f64 = 1e-5;
 
 /// The face's chord is the thickness of the section, so the face must reach past the anvil's side by this factor.
 const FACE_MARGIN: f64 = 1.02;

@@ -22,7 +22,7 @@ pub struct Simulation {
     model_hoops: Vec<HoopConstants>,
     state_nodes: Vec<f64>,
     state_cells: Vec<CellHistory>,
-    state_prony: Vec<Deviator>,
+    state_viscous: Vec<Deviator>,
 }
 
 impl Simulation {
@@ -37,17 +37,17 @@ impl Simulation {
         let mut model_hoops = vec![HoopConstants::ZERO; size.model_hoops];
         let mut state_nodes = vec![0.0; size.state_nodes];
         let mut state_cells = vec![CellHistory::REST; size.state_cells];
-        let mut state_prony = vec![Deviator::ZERO; size.state_prony];
+        let mut state_viscous = vec![Deviator::ZERO; size.state_viscous];
         let model = Model::new(
             scenario,
             ModelMemory { nodes: &mut model_nodes, cells: &mut model_cells, hoops: &mut model_hoops },
         )?;
         let state = State::new(
             &model,
-            StateMemory { nodes: &mut state_nodes, cells: &mut state_cells, prony: &mut state_prony },
+            StateMemory { nodes: &mut state_nodes, cells: &mut state_cells, viscous: &mut state_viscous },
         )?;
         let (constants, scalars) = (model.constants, state.scalars);
-        Ok(Self { constants, scalars, model_nodes, model_cells, model_hoops, state_nodes, state_cells, state_prony })
+        Ok(Self { constants, scalars, model_nodes, model_cells, model_hoops, state_nodes, state_cells, state_viscous })
     }
 
     /// The scalar constants of the model.
@@ -71,8 +71,11 @@ impl Simulation {
     /// Never in practice: the memory was sized for this model.
     pub fn with<R>(&mut self, work: impl FnOnce(&Model, &mut State) -> R) -> Result<R, ModelError> {
         let model = Model::view(self.constants, &self.model_nodes, &self.model_cells, &self.model_hoops);
-        let memory =
-            StateMemory { nodes: &mut self.state_nodes, cells: &mut self.state_cells, prony: &mut self.state_prony };
+        let memory = StateMemory {
+            nodes: &mut self.state_nodes,
+            cells: &mut self.state_cells,
+            viscous: &mut self.state_viscous,
+        };
         let mut state = State::view(&model, self.scalars, memory)?;
         let result = work(&model, &mut state);
         self.scalars = state.scalars;

@@ -5,6 +5,7 @@
 //! everything before it. Equal states give equal bytes.
 
 use crate::digest::Digest;
+use crate::energy::LEDGER_WORDS;
 use crate::error::SnapshotError;
 use crate::lanes::{Deviator, LANES};
 use crate::model::{Constants, Model};
@@ -13,12 +14,12 @@ use crate::state::{Scalars, State};
 /// "SOFTANVL" in ASCII, least significant byte first.
 const MAGIC: u64 = u64::from_le_bytes(*b"SOFTANVL");
 /// Changes with the format.
-const VERSION: u64 = 1;
+const VERSION: u64 = 2;
 const HEADER_WORDS: usize = 4;
 const CHECKSUM_WORDS: usize = 1;
-const SCALAR_WORDS: usize = 7 + 15 + 12;
-/// Lanes per triangle: stretch, elastic stress, slider stress.
-const HISTORY_LANES: usize = 4 + 3 + 3;
+const SCALAR_WORDS: usize = 7 + 15 + LEDGER_WORDS;
+/// Lanes per triangle: stretch, elastic stress, slider stress, largest stretch, stored energy.
+const HISTORY_LANES: usize = 4 + 3 + 3 + 1 + 1;
 
 /// Bytes of a snapshot of a state of this model.
 pub fn snapshot_size(constants: &Constants) -> usize {
@@ -27,7 +28,7 @@ pub fn snapshot_size(constants: &Constants) -> usize {
 
 fn payload_words(constants: &Constants) -> usize {
     let size = &constants.size;
-    SCALAR_WORDS + size.state_nodes + size.state_cells * 2 * HISTORY_LANES * LANES + size.state_prony * 3 * LANES
+    SCALAR_WORDS + size.state_nodes + size.state_cells * 2 * HISTORY_LANES * LANES + size.state_viscous * 3 * LANES
 }
 
 /// Writes `state` into `bytes`, which has exactly [`snapshot_size`].
@@ -121,8 +122,10 @@ fn visit(state: &mut State, f: &mut dyn FnMut(&mut u64)) {
         triangle.stretch_prev.iter_mut().flatten().for_each(&mut number);
         visit_deviator(&mut triangle.elastic_prev, &mut number);
         visit_deviator(&mut triangle.slider_stress, &mut number);
+        triangle.largest_stretch.iter_mut().for_each(&mut number);
+        triangle.stored_prev.iter_mut().for_each(&mut number);
     }
-    for stress in state.prony.iter_mut() {
+    for stress in state.viscous.iter_mut() {
         visit_deviator(stress, &mut number);
     }
 }

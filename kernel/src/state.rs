@@ -64,7 +64,7 @@ pub struct State<'a> {
     pub scalars: Scalars,
     pub(crate) nodes: StateNodes<'a>,
     pub(crate) cells: &'a mut [CellHistory],
-    pub(crate) prony: &'a mut [Deviator],
+    pub(crate) viscous: &'a mut [Deviator],
 }
 
 impl<'a> State<'a> {
@@ -102,7 +102,7 @@ impl<'a> State<'a> {
                 contact_tangential: row(grid.stride()),
             },
             cells: take(memory.cells, size.state_cells, "state cells")?,
-            prony: take(memory.prony, size.state_prony, "state Prony history")?,
+            viscous: take(memory.viscous, size.state_viscous, "state viscous history")?,
         })
     }
 
@@ -113,7 +113,7 @@ impl<'a> State<'a> {
             array.fill(0.0);
         }
         self.cells.fill(CellHistory::REST);
-        self.prony.fill(Deviator::ZERO);
+        self.viscous.fill(Deviator::ZERO);
     }
 
     /// Simulated time, s.

@@ -59,17 +59,17 @@ fn advance(model: &Model, state: &mut State, input: &StepInput) -> Result<(), St
 /// Fills the nodal forces with minus the internal forces, block by block in index order.
 fn internal_forces(model: &Model, state: &mut State) -> Result<ElementEnergy, StepError> {
     let grid = &model.constants.grid;
-    let laws = &model.constants.laws;
-    let terms = (2 * laws.prony.n_term()).max(1);
+    let terms = (2 * model.constants.n_term()).max(1);
     let mut energy = ElementEnergy::ZERO;
     state.nodes.force_x.fill(0.0);
     state.nodes.force_y.fill(0.0);
     for (block, constants) in model.cells.iter().enumerate() {
         let corners = state.corners(grid, block);
-        let prony = state.prony.chunks_exact_mut(terms).nth(block).unwrap_or_default();
+        let viscous = state.viscous.chunks_exact_mut(terms).nth(block).unwrap_or_default();
         let Some(history) = state.cells.get_mut(block) else { break };
         let hoop = model.hoops.get(block);
-        let force = element::internal_force(laws, constants, hoop, &corners, history, prony, &mut energy).map_err(
+        let laws = model.constants.laws_of(block);
+        let force = element::internal_force(laws, constants, hoop, &corners, history, viscous, &mut energy).map_err(
             |(lane, t)| StepError::Inverted {
                 element: grid.element_index(block, lane, t),
                 time: model.constants.time(state.scalars.step_index),

@@ -26,8 +26,8 @@ pub struct Size {
     pub state_nodes: usize,
     /// Blocks of element history of a state.
     pub state_cells: usize,
-    /// Blocks of Prony history of a state.
-    pub state_prony: usize,
+    /// Blocks of viscous history of a state.
+    pub state_viscous: usize,
 }
 
 impl Size {
@@ -39,14 +39,14 @@ impl Size {
         scenario.validate()?;
         let grid = Grid::new(scenario)?;
         let axisymmetric = scenario.geometry.formulation == Formulation::Axisymmetric;
-        let terms = scenario.silicone.prony_g.iter().filter(|g| **g > 0.0).count();
+        let terms = scenario.layers().iter().fold(0, |most, layer| most.max(layer.material.n_viscous_term()));
         Ok(Self {
             model_nodes: MODEL_NODE_FIELDS * grid.n_node(),
             model_cells: grid.n_block(),
             model_hoops: if axisymmetric { grid.n_block() } else { 0 },
             state_nodes: STATE_NODE_FIELDS * grid.n_node() + SURFACE_FIELDS * grid.stride(),
             state_cells: grid.n_block(),
-            state_prony: 2 * terms * grid.n_block(),
+            state_viscous: 2 * terms * grid.n_block(),
         })
     }
 }
@@ -67,8 +67,8 @@ pub struct StateMemory<'a> {
     pub nodes: &'a mut [f64],
     /// At least [`Size::state_cells`] blocks.
     pub cells: &'a mut [CellHistory],
-    /// At least [`Size::state_prony`] blocks.
-    pub prony: &'a mut [Deviator],
+    /// At least [`Size::state_viscous`] blocks.
+    pub viscous: &'a mut [Deviator],
 }
 
 /// The first `needed` items of `memory`.

@@ -10,9 +10,11 @@ use crate::error::{ModelError, StepError};
 use crate::lanes::LANES;
 use crate::material::Laws;
 use crate::math;
+use crate::mesh::Grid;
 use crate::model::{Model, SAMPLING_INTERVAL};
 use crate::scenario::{Scenario, StepBy};
 use crate::state::State;
+use crate::stretch::IsochoricStretch;
 
 /// Stretch through the thickness that the step is chosen for. It holds up to five times the energy of the study's
 /// highest drop, where the layer gets thinner than this but, being compressible, less stiff than assumed.
@@ -28,19 +30,16 @@ pub const MAX_STEPS_PER_SAMPLE: u32 = 5000;
 ///
 /// # Errors
 /// A stable step that is too small to offer, or a given step above the limit at rest.
-pub(crate) fn steps_per_sample(scenario: &Scenario, cells: &[CellConstants]) -> Result<u32, ModelError> {
-    let laws = Laws::new(&scenario.silicone, SAMPLING_INTERVAL);
-    let lambda = largest_eigenvalue(cells);
-    let density = scenario.silicone.density;
+pub(crate) fn steps_per_sample(scenario: &Scenario, grid: &Grid, cells: &[CellConstants]) -> Result<u32, ModelError> {
     let step = match scenario.time.step_by {
         StepBy::SafetyFactor => {
-            // Plane compression to the stretch s: I1 = I2 = s^2 + s^-2 + 1, gradients grow by 1/s.
-            let s2 = DESIGN_STRETCH * DESIGN_STRETCH;
-            let invariant = s2 + 1.0 / s2 + 1.0;
-            scenario.time.safety_factor * limit(&laws, invariant, invariant, lambda / s2, density)
+            // In plane compression to the stretch s gradients grow by 1/s.
+            let stretch = IsochoricStretch::plane_compression(DESIGN_STRETCH);
+            let growth = 1.0 / (DESIGN_STRETCH * DESIGN_STRETCH);
+            scenario.time.safety_factor * smallest_limit(scenario, grid, cells, &stretch, growth)
         }
         StepBy::Given => {
-            let at_rest = limit(&laws, 3.0, 3.0, lambda, density);
+            let at_rest = smallest_limit(scenario, grid, cells, &IsochoricStretch::REST, 1.0);
             if scenario.time.step > at_rest {
                 return Err(ModelError::StepTooLarge { step: scenario.time.step, limit: at_rest });
             }
@@ -56,12 +55,31 @@ pub(crate) fn steps_per_sample(scenario: &Scenario, cells: &[CellConstants]) -> 
     Ok(count as u32)
 }
 
-/// Largest stable step, s, where the isochoric invariants are `i1`, `i2` and the eigenvalue `lambda`, 1/m2.
-fn limit(laws: &Laws, i1: f64, i2: f64, lambda: f64, density: f64) -> f64 {
-    let shear = laws.shear_tangent(i1, i2);
-    let bulk = laws.volumetric.tangent();
+/// Largest step, s, that is stable in every layer at an isochoric stretch, with eigenvalues `growth` times those at rest.
+fn smallest_limit(
+    scenario: &Scenario,
+    grid: &Grid,
+    cells: &[CellConstants],
+    stretch: &IsochoricStretch,
+    growth: f64,
+) -> f64 {
+    let (silicone, skin) = cells.split_at_checked(grid.n_block_silicone()).unwrap_or((cells, &[]));
+    let mut smallest = f64::INFINITY;
+    for (layer, cells) in scenario.layers().iter().zip([silicone, skin]) {
+        // A layer without rows has the eigenvalue 0 and no limit.
+        let laws = Laws::new(layer.material, SAMPLING_INTERVAL);
+        let limit = limit(&laws, stretch, 1.0, growth * largest_eigenvalue(cells));
+        smallest = if limit < smallest { limit } else { smallest };
+    }
+    smallest
+}
+
+/// Largest stable step, s, at an isochoric stretch, a Jacobian and the eigenvalue `lambda`, 1/m2.
+fn limit(laws: &Laws, stretch: &IsochoricStretch, jacobian: f64, lambda: f64) -> f64 {
+    let shear = laws.shear_tangent(stretch);
+    let bulk = laws.volumetric.tangent(jacobian);
     let modulus = math::larger(2.0 * shear, 2.0 * bulk + (2.0 / 3.0) * shear);
-    2.0 / math::sqrt(3.0 * modulus * lambda / density)
+    2.0 / math::sqrt(3.0 * modulus * lambda / laws.density)
 }
 
 /// Largest eigenvalue of sum_a dN_a/dX (x) dN_a/dX over all triangles at rest, 1/m2.
@@ -111,29 +129,30 @@ pub(crate) fn monitor(model: &Model, state: &State) -> Result<(), StepError> {
         for (t, triangle) in cell.triangle.iter().enumerate() {
             let hoop = model.hoops.get(block).map(|h| &h.weight[t]);
             let kinematics = Kinematics::new(triangle, hoop, &corners);
-            check_triangle(model, state, block, t, triangle, &kinematics)?;
+            let place = Place { block, t };
+            check_triangle(model, state, place, triangle, &kinematics)?;
         }
     }
     Ok(())
 }
 
+/// Triangle `t` of each cell of a block.
+struct Place {
+    block: usize,
+    t: usize,
+}
+
 fn check_triangle(
     model: &Model,
     state: &State,
-    block: usize,
-    t: usize,
+    place: Place,
     triangle: &TriangleConstants,
     k: &Kinematics,
 ) -> Result<(), StepError> {
     let constants = &model.constants;
+    let laws = constants.laws_of(place.block);
     for l in 0..LANES {
         let (u11, u22, u12) = (k.u11[l], k.u22[l], k.u12[l]);
-        let (c11, c22, c12) = (u11 * u11 + u12 * u12, u22 * u22 + u12 * u12, u12 * (u11 + u22));
-        let c33 = k.u33[l] * k.u33[l];
-        let cof33 = c11 * c22 - c12 * c12;
-        let scale = k.inverse_cbrt_j[l] * k.inverse_cbrt_j[l];
-        let i1 = scale * (c11 + c22 + c33);
-        let i2 = scale * scale * ((c11 + c22) * c33 + cof33);
         // The eigenvalues of G_ij = g_i . g_j are those of U^-1 (sum dN/dX (x) dN/dX) U^-1.
         let det = u11 * u22 - u12 * u12;
         let (v11, v22, v12) = (u22 / det, u11 / det, -u12 / det);
@@ -141,10 +160,10 @@ fn check_triangle(
         let (a11, a12) = (v11 * xx + v12 * xy, v11 * xy + v12 * yy);
         let (a21, a22) = (v12 * xx + v22 * xy, v12 * xy + v22 * yy);
         let lambda = eigenvalue(a11 * v11 + a12 * v12, a21 * v12 + a22 * v22, a11 * v12 + a12 * v22);
-        let limit = limit(&constants.laws, i1, i2, lambda, constants.scenario.silicone.density);
+        let limit = limit(laws, &k.isochoric_stretch(l), k.jacobian[l], lambda);
         if limit < constants.dt {
             return Err(StepError::Unstable {
-                element: constants.grid.element_index(block, l, t),
+                element: constants.grid.element_index(place.block, l, place.t),
                 time: constants.time(state.scalars.step_index),
                 limit,
                 step: constants.dt,

@@ -3,51 +3,84 @@
 //! All deviatoric stresses are Kirchhoff stresses tau = J sigma in the unrotated frame, R^T tau R with F = R U, so that
 //! they can be added, carry their history through any rotation unchanged and have no pressure by construction:
 //!
-//! * [`mooney_rivlin`]: isochoric hyperelastic stress;
+//! * [`elastic`]: isochoric hyperelastic stress, by [`neo_hookean`], [`mooney_rivlin`], [`yeoh`] or [`ogden`];
 //! * [`prony`]: quasi-linear viscous overstress on it;
+//! * [`maxwell`]: additive viscous overstress, from absolute moduli; both are branches of [`relaxation`];
 //! * [`slider`]: frequency-independent damping, a spring and a slider in series;
+//! * [`tear`]: irreversible loss of the deviatoric stress beyond a stretch;
 //! * [`volumetric`]: pressure from the mean dilatation of a cell.
 
+pub mod elastic;
+pub mod maxwell;
 pub mod mooney_rivlin;
+pub mod neo_hookean;
+pub mod ogden;
 pub mod prony;
+pub mod relaxation;
 pub mod slider;
+pub mod tear;
 pub mod volumetric;
+pub mod yeoh;
 
+pub use elastic::Elastic;
+pub(crate) use elastic::plane_shear_tangent;
+pub use maxwell::{MAX_MAXWELL_TERMS, Maxwell};
 pub use mooney_rivlin::MooneyRivlin;
+pub use neo_hookean::NeoHookean;
+pub use ogden::{MAX_OGDEN_TERMS, Ogden};
 pub use prony::{MAX_PRONY_TERMS, Prony};
 pub use slider::Slider;
+pub use tear::Tear;
 pub use volumetric::Volumetric;
+pub use yeoh::Yeoh;
 
 use crate::scenario::Material;
+use crate::stretch::IsochoricStretch;
 
 /// The laws of one layer with everything precomputed that does not change.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Laws {
+    /// Density, kg/m3.
+    pub density: f64,
     /// Long-term isochoric elasticity.
-    pub elastic: MooneyRivlin,
+    pub elastic: Elastic,
     /// Pressure.
     pub volumetric: Volumetric,
-    /// Viscous overstress.
+    /// Quasi-linear viscous overstress.
     pub prony: Prony,
+    /// Additive viscous overstress.
+    pub maxwell: Maxwell,
     /// Frequency-independent damping.
     pub slider: Slider,
+    /// Loss of all these beyond a stretch.
+    pub tear: Tear,
 }
 
 impl Laws {
     /// The laws of `material` for steps of `dt` s.
     pub fn new(material: &Material, dt: f64) -> Self {
         Self {
-            elastic: MooneyRivlin::new(material),
-            volumetric: Volumetric { bulk_modulus: material.effective_bulk_modulus() },
+            density: material.density,
+            elastic: Elastic::new(material),
+            volumetric: Volumetric::new(material),
             prony: Prony::new(material, dt),
+            maxwell: Maxwell::new(material, dt),
             slider: Slider { stiffness: material.slider_stiffness, yield_stress: material.slider_yield_stress },
+            tear: Tear::new(material),
         }
+    }
+
+    /// Entries of viscous history per block of triangles: the Prony terms, then the Maxwell terms.
+    pub fn n_term(&self) -> usize {
+        self.prony.n_term() + self.maxwell.n_term()
     }
 
     /// An upper bound of the shear tangent of elasticity, overstress and damping together, Pa.
     ///
-    /// `i1`, `i2` are the isochoric invariants. All Prony terms count as unrelaxed.
-    pub fn shear_tangent(&self, i1: f64, i2: f64) -> f64 {
-        self.elastic.shear_tangent(i1, i2) * (1.0 + self.prony.overstress()) + self.slider.stiffness
+    /// All viscous terms count as unrelaxed, and nothing as torn.
+    pub fn shear_tangent(&self, stretch: &IsochoricStretch) -> f64 {
+        self.elastic.shear_tangent(stretch) * (1.0 + self.prony.overstress())
+            + self.maxwell.shear_modulus()
+            + self.slider.stiffness
     }
 }

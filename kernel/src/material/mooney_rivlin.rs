@@ -1,4 +1,5 @@
-//! Mooney-Rivlin with five parameters, isochoric (Mooney 1940, Rivlin 1948; the polynomial form of degree two):
+//! Mooney-Rivlin with two, three or five parameters, isochoric (Mooney 1940, Rivlin 1948; the polynomial form of degree
+//! two). With C20 = C02 = 0 it is the law of three parameters, with C11 = 0 as well that of two:
 //!
 //! W = C10 (I1-3) + C01 (I2-3) + C11 (I1-3)(I2-3) + C20 (I1-3)^2 + C02 (I2-3)^2
 //!
@@ -7,8 +8,9 @@
 
 use crate::element::Kinematics;
 use crate::lanes::{Deviator, LANES, Lane};
-use crate::math;
+use crate::material::plane_shear_tangent;
 use crate::scenario::Material;
+use crate::stretch::IsochoricStretch;
 
 /// Long-term coefficients, Pa.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,11 +47,17 @@ impl MooneyRivlin {
         (self.c10 + 2.0 * self.c20 * a + self.c11 * b, self.c01 + 2.0 * self.c02 * b + self.c11 * a)
     }
 
-    /// W, J/m3 of reference volume.
+    /// W at the invariants.
     #[inline(always)]
-    pub fn strain_energy_density(&self, i1: f64, i2: f64) -> f64 {
+    fn energy(&self, i1: f64, i2: f64) -> f64 {
         let (a, b) = (i1 - 3.0, i2 - 3.0);
         a * (self.c10 + self.c20 * a + self.c11 * b) + b * (self.c01 + self.c02 * b)
+    }
+
+    /// W, J/m3 of reference volume.
+    pub fn strain_energy_density(&self, stretch: &IsochoricStretch) -> f64 {
+        let (i1, i2) = stretch.invariants();
+        self.energy(i1, i2)
     }
 
     /// Kirchhoff stress in the unrotated frame, Pa, and W, J/m3, of a block of triangles.
@@ -73,20 +81,20 @@ impl MooneyRivlin {
             tau.xx[l] = a * c11 - b * (c22 * c33) - mean;
             tau.yy[l] = a * c22 - b * (c11 * c33) - mean;
             tau.xy[l] = a * c12 + b * (c12 * c33);
-            energy[l] = self.strain_energy_density(i1, i2);
+            energy[l] = self.energy(i1, i2);
         }
         (tau, energy)
     }
 
-    /// An upper bound of the shear tangent, Pa, at isochoric invariants `i1` and `i2`.
-    ///
-    /// In a plane isochoric stretch l, where I1 = I2 = I and l^2 + l^-2 = I - 1, the tangent of pure shear is
-    /// W' (I-1) + W'' ((I-1)^2 - 4) with the derivatives along I1 = I2; it exceeds those of simple shear.
-    pub fn shear_tangent(&self, i1: f64, i2: f64) -> f64 {
+    /// Shear modulus at rest, Pa.
+    pub fn shear_modulus(&self) -> f64 {
+        2.0 * (self.c10 + self.c01)
+    }
+
+    /// An upper bound of the shear tangent, Pa.
+    pub fn shear_tangent(&self, stretch: &IsochoricStretch) -> f64 {
+        let (i1, i2) = stretch.invariants();
         let (w1, w2) = self.derivatives(i1, i2);
-        let i = math::larger(i1, i2) - 1.0;
-        let first = math::larger(w1 + w2, 0.0);
-        let second = math::larger(2.0 * (self.c20 + self.c02 + self.c11), 0.0);
-        first * i + second * math::larger(i * i - 4.0, 0.0)
+        plane_shear_tangent((i1, i2), w1 + w2, 2.0 * (self.c20 + self.c02 + self.c11))
     }
 }

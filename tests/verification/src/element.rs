@@ -17,11 +17,19 @@ pub struct Cell {
     corners: [[f64; 2]; 4],
     laws: Laws,
     history: CellHistory,
-    prony: Vec<Deviator>,
+    viscous: Vec<Deviator>,
+    dt: f64,
+    viscous_power: f64,
     /// Viscous work so far, J/m3.
     pub viscous_work: f64,
+    /// Dissipation of the dashpots so far, J/m3.
+    pub viscous_dissipation: f64,
     /// Slider dissipation so far, J/m3.
     pub slider_dissipation: f64,
+    /// Dissipation by tearing so far, J/m3.
+    pub tear: f64,
+    /// Energy in the damping spring, J/m3.
+    pub slider_stored: f64,
     /// Elastic energy, J/m3.
     pub elastic_energy: f64,
 }
@@ -47,10 +55,15 @@ impl Cell {
             corners,
             laws: Laws::new(&material, dt),
             history: CellHistory::REST,
-            prony: vec![Deviator::ZERO; size.state_prony],
+            viscous: vec![Deviator::ZERO; size.state_viscous],
+            dt,
+            viscous_power: 0.0,
+            viscous_dissipation: 0.0,
             memory,
             viscous_work: 0.0,
             slider_dissipation: 0.0,
+            tear: 0.0,
+            slider_stored: 0.0,
             elastic_energy: 0.0,
         }
     }
@@ -75,13 +88,18 @@ impl Cell {
             hoop,
             &displacement,
             &mut self.history,
-            &mut self.prony,
+            &mut self.viscous,
             &mut energy,
         )
         .expect("a positive Jacobian");
         let volume: f64 = constants.triangle.iter().map(|t| t.reference_volume[0]).sum();
         self.viscous_work += sum(&energy.viscous_increment) / volume;
+        let power = sum(&energy.viscous_power) / volume;
+        self.viscous_dissipation += 0.5 * self.dt * (self.viscous_power + power);
+        self.viscous_power = power;
         self.slider_dissipation += sum(&energy.slider_increment) / volume;
+        self.tear += sum(&energy.tear_increment) / volume;
+        self.slider_stored = sum(&energy.slider_stored) / volume;
         self.elastic_energy = sum(&energy.elastic) / volume;
         let mut stress = [[0.0; 2]; 2];
         for (nodal, reference) in force.iter().zip(&self.corners) {

@@ -1,5 +1,6 @@
 //! What the verification problems share: the tolerances, a driver for one element, and scenarios.
 
+pub mod deformation;
 pub mod element;
 pub mod scenes;
 pub mod tolerance;

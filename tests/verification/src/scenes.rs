@@ -1,6 +1,6 @@
 //! Scenarios and runs that several problems use.
 
-use softanvil_kernel::scenario::{Interface, Material, Moduli, Motion, Shape, VolumetricBy};
+use softanvil_kernel::scenario::{ElasticLaw, Interface, Material, Moduli, Motion, Shape, VolumetricBy, VolumetricLaw};
 use softanvil_kernel::{Scenario, Simulation, StepInput, preset};
 
 /// The impact energies of the study, J.
@@ -25,12 +25,14 @@ pub fn run(scenario: &Scenario) -> Simulation {
 /// Mooney-Rivlin without memory or damping.
 pub fn elastic(c10: f64, c01: f64, bulk_modulus: f64) -> Material {
     Material {
+        law: ElasticLaw::MooneyRivlin,
         moduli: Moduli::LongTerm,
         c10,
         c01,
         c11: 0.0,
         c20: 0.0,
         c02: 0.0,
+        volumetric_law: VolumetricLaw::Quadratic,
         volumetric_by: VolumetricBy::BulkModulus,
         bulk_modulus,
         prony_g: [0.0; 5],
@@ -38,6 +40,30 @@ pub fn elastic(c10: f64, c01: f64, bulk_modulus: f64) -> Material {
         slider_yield_stress: 0.0,
         ..preset::study().silicone
     }
+}
+
+/// Ogden's law without memory or damping.
+pub fn ogden(bulk_modulus: f64, mu: [f64; 3], alpha: [f64; 3]) -> Material {
+    Material { law: ElasticLaw::Ogden, ogden_mu: mu, ogden_alpha: alpha, ..elastic(0.0, 0.0, bulk_modulus) }
+}
+
+/// One material of each law, and of each number of parameters, without memory or damping.
+pub fn laws(bulk_modulus: f64) -> Vec<(&'static str, Material)> {
+    let base = elastic(0.1e6, 0.0, bulk_modulus);
+    vec![
+        ("neo-Hooke", Material { law: ElasticLaw::NeoHookean, ..base }),
+        ("Mooney-Rivlin 2", elastic(0.1e6, 0.05e6, bulk_modulus)),
+        ("Mooney-Rivlin 3", Material { c11: 0.02e6, ..elastic(0.1e6, 0.05e6, bulk_modulus) }),
+        (
+            "Mooney-Rivlin 5",
+            Material { c11: 0.02e6, c20: 0.004e6, c02: 0.003e6, ..elastic(0.1e6, 0.05e6, bulk_modulus) },
+        ),
+        ("Yeoh 2", Material { law: ElasticLaw::Yeoh, c20: -0.002e6, ..base }),
+        ("Yeoh 3", Material { law: ElasticLaw::Yeoh, c20: -0.002e6, c30: 0.0004e6, ..base }),
+        ("Ogden 1", ogden(bulk_modulus, [0.15e6, 0.0, 0.0], [1.3, 0.0, 0.0])),
+        ("Ogden 2", ogden(bulk_modulus, [0.02e6, -0.03e6, 0.0], [4.5, -3.1, 0.0])),
+        ("Ogden 3", ogden(bulk_modulus, [0.63e6, 0.0012e6, -0.01e6], [1.3, 5.0, -2.0])),
+    ]
 }
 
 /// A flat block of `width` by `height` m on a frictionless core under a frictionless face that nothing moves.

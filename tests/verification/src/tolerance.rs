@@ -3,12 +3,30 @@
 /// Closed forms evaluated by the element at prescribed corner positions: round-off of some hundred operations.
 pub const CLOSED_FORM: f64 = 1e-11;
 
+/// P against central differences of W with a step of 10^-5: the next order is its square times a third derivative of
+/// some ten moduli, the round-off of W over the step about the same.
+pub const ENERGY_GRADIENT: f64 = 1e-8;
+
+/// A law at almost equal stretches against its closed form, relative to each stress component by itself.
+pub const COINCIDENCE: f64 = 1e-13;
+
+/// Shear modulus from a shear of 10^-4: the next order is its square.
+pub const SMALL_SHEAR: f64 = 1e-7;
+
 /// Patch test: residual force of an interior node relative to the largest internal force of a node, round-off.
 pub const PATCH: f64 = 1e-11;
 
 /// Ramp of a Prony series, relative to the peak: the recurrence is exact for the linear ramp of the elastic stress, which
 /// a strain of 10^-4 leaves nonlinear to the order of the strain.
 pub const PRONY_RAMP: f64 = 1e-3;
+
+/// Ramp of additive terms at a constant true strain rate: the increment at the mean stretch is off by the square of its
+/// size over 12, and each term is exact for it.
+pub const MAXWELL_RAMP: f64 = 1e-6;
+
+/// Storage and loss modulus at 400 steps a cycle: the steps are straight, which takes (omega dt)^2 / 12 = 2 10^-5 off an
+/// amplitude, and a transient of e^-12 is left.
+pub const HARMONIC: f64 = 1e-4;
 
 /// Slider loop at a shear of 1 %: the closed form is that of small strain, the next order is the square of the shear.
 pub const SLIDER_LOOP: f64 = 1e-3;
@@ -23,8 +41,23 @@ pub const FREE_FALL: f64 = 1e-12;
 /// makes the law nonlinear to the same order.
 pub const SPRING: f64 = 0.01;
 
+/// Energy of a tear against its integral and against the work of the forces, in some thousand steps: the trapezoidal rule
+/// over a slope that changes within a thousand of them.
+pub const TEAR_ENERGY: f64 = 1e-5;
+
+/// Energy of random histories over the work done on the way, in steps of up to 1.4 thousandths of strain: the trapezoidal
+/// rule.
+pub const HISTORY_ENERGY: f64 = 1e-3;
+
+/// Loss of a dissipated energy in one step over its size: round-off of a product that is zero at its least.
+pub const NO_GAIN: f64 = 1e-12;
+
 /// Energy residual over impact energy (0.1 % is the requirement).
 pub const ENERGY_RESIDUAL: f64 = 1e-3;
+
+/// Two layers of one material against one layer: the round-off of the positions of the rows, grown in some thousand steps
+/// in which nodes touch and leave the face.
+pub const LAYERS: f64 = 1e-9;
 
 /// Momentum balance over the impulse: round-off of some thousand steps.
 pub const MOMENTUM: f64 = 1e-9;

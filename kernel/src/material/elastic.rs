@@ -1,0 +1,84 @@
+//! The choice of isochoric hyperelastic law, made once per block of triangles and outside the loop over lanes.
+
+use crate::element::Kinematics;
+use crate::lanes::{Deviator, Lane};
+use crate::material::{MooneyRivlin, NeoHookean, Ogden, Yeoh};
+use crate::math;
+use crate::scenario::{ElasticLaw, Material};
+use crate::stretch::IsochoricStretch;
+
+/// Long-term isochoric elasticity.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Elastic {
+    /// See [`crate::material::neo_hookean`].
+    NeoHookean(NeoHookean),
+    /// See [`crate::material::mooney_rivlin`].
+    MooneyRivlin(MooneyRivlin),
+    /// See [`crate::material::yeoh`].
+    Yeoh(Yeoh),
+    /// See [`crate::material::ogden`].
+    Ogden(Ogden),
+}
+
+impl Elastic {
+    /// The long-term law of `material`.
+    pub fn new(material: &Material) -> Self {
+        match material.law {
+            ElasticLaw::NeoHookean => Self::NeoHookean(NeoHookean::new(material)),
+            ElasticLaw::MooneyRivlin => Self::MooneyRivlin(MooneyRivlin::new(material)),
+            ElasticLaw::Yeoh => Self::Yeoh(Yeoh::new(material)),
+            ElasticLaw::Ogden => Self::Ogden(Ogden::new(material)),
+        }
+    }
+
+    /// W, J/m3 of reference volume.
+    pub fn strain_energy_density(&self, stretch: &IsochoricStretch) -> f64 {
+        match self {
+            Self::NeoHookean(law) => law.strain_energy_density(stretch),
+            Self::MooneyRivlin(law) => law.strain_energy_density(stretch),
+            Self::Yeoh(law) => law.strain_energy_density(stretch),
+            Self::Ogden(law) => law.strain_energy_density(stretch),
+        }
+    }
+
+    /// Kirchhoff stress in the unrotated frame, Pa, and W, J/m3, of a block of triangles.
+    #[inline(always)]
+    pub fn stress(&self, kinematics: &Kinematics) -> (Deviator, Lane) {
+        match self {
+            Self::NeoHookean(law) => law.stress(kinematics),
+            Self::MooneyRivlin(law) => law.stress(kinematics),
+            Self::Yeoh(law) => law.stress(kinematics),
+            Self::Ogden(law) => law.stress(kinematics),
+        }
+    }
+
+    /// Shear modulus at rest, Pa.
+    pub fn shear_modulus(&self) -> f64 {
+        match self {
+            Self::NeoHookean(law) => law.shear_modulus(),
+            Self::MooneyRivlin(law) => law.shear_modulus(),
+            Self::Yeoh(law) => law.shear_modulus(),
+            Self::Ogden(law) => law.shear_modulus(),
+        }
+    }
+
+    /// An upper bound of the shear tangent, Pa, at a stretch.
+    pub fn shear_tangent(&self, stretch: &IsochoricStretch) -> f64 {
+        match self {
+            Self::NeoHookean(law) => law.shear_tangent(stretch),
+            Self::MooneyRivlin(law) => law.shear_tangent(stretch),
+            Self::Yeoh(law) => law.shear_tangent(stretch),
+            Self::Ogden(law) => law.shear_tangent(stretch),
+        }
+    }
+}
+
+/// The shear tangent of a law of the invariants, Pa, from its first and second derivative along I1 = I2.
+///
+/// In a plane isochoric stretch l, where I1 = I2 = I and l^2 + l^-2 = I - 1, the tangent of pure shear is
+/// W' (I-1) + W'' ((I-1)^2 - 4) with the derivatives along I1 = I2; it exceeds those of simple shear. The larger
+/// invariant makes it a bound for other stretches; a negative derivative is not counted.
+pub(crate) fn plane_shear_tangent((i1, i2): (f64, f64), first: f64, second: f64) -> f64 {
+    let i = math::larger(i1, i2) - 1.0;
+    math::larger(first, 0.0) * i + math::larger(second, 0.0) * math::larger(i * i - 4.0, 0.0)
+}

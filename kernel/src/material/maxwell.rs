@@ -1,0 +1,51 @@
+//! Additive viscoelasticity: Maxwell elements of absolute shear modulus G_k and decay constant beta_k beside the rest, as
+//! in LS-DYNA's MAT_077_H and OpenRadioss's viscous option of its hyperelastic laws:
+//!
+//! H_k' = -beta_k H_k + 2 G_k dev(e'), overstress = sum H_k,
+//!
+//! with the unrotated rate of deformation e' = R^T D R, as in [`crate::material::slider`], and the recurrence of
+//! [`crate::material::relaxation`].
+
+use crate::lanes::Deviator;
+use crate::material::relaxation::{Branches, MAX_BRANCHES, Overstress};
+use crate::scenario::Material;
+
+/// Most additive Maxwell terms.
+pub const MAX_MAXWELL_TERMS: usize = MAX_BRANCHES;
+
+/// The constants of the recurrence, for one step size.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Maxwell {
+    branches: Branches,
+    shear_modulus: f64,
+}
+
+impl Maxwell {
+    /// The terms of `material` with G > 0, for steps of `dt` s.
+    pub fn new(material: &Material, dt: f64) -> Self {
+        let mut maxwell = Self { branches: Branches::NONE, shear_modulus: 0.0 };
+        for (g, beta) in material.maxwell_g.iter().zip(material.maxwell_beta) {
+            if *g > 0.0 {
+                maxwell.branches.push(2.0 * g, dt * beta, beta / g);
+                maxwell.shear_modulus += g;
+            }
+        }
+        maxwell
+    }
+
+    /// Number of active terms.
+    pub fn n_term(&self) -> usize {
+        self.branches.n_term()
+    }
+
+    /// Shear modulus of all terms unrelaxed, Pa.
+    pub fn shear_modulus(&self) -> f64 {
+        self.shear_modulus
+    }
+
+    /// Advances the `history` of a block (one entry per active term) by the deviatoric strain increment.
+    #[inline(always)]
+    pub fn update(&self, strain_increment: &Deviator, history: &mut [Deviator], overstress: &mut Overstress) {
+        self.branches.update(strain_increment, history, overstress);
+    }
+}

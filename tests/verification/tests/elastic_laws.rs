@@ -1,0 +1,119 @@
+//! What every hyperelastic law must satisfy, through the element: its stress is the gradient of its energy, turns with the
+//! body, vanishes at rest, and starts with the modulus that the material states.
+//!
+//! Source: the definition of a hyperelastic material, P = dW/dF, and of objectivity, P(Q F) = Q P(F), e.g. Holzapfel,
+//! Nonlinear Solid Mechanics (2000), section 6.1.
+
+use softanvil_kernel::preset;
+use softanvil_kernel::scenario::{Formulation, Material, VolumetricLaw};
+use softanvil_verification::deformation::{Samples, product, rotation};
+use softanvil_verification::element::{Cell, Gradient};
+use softanvil_verification::scenes::{laws, run};
+use softanvil_verification::tolerance::{CLOSED_FORM, ENERGY_GRADIENT, ENERGY_RESIDUAL, SMALL_SHEAR, relative_error};
+
+const BULK: f64 = 1e6;
+
+fn cell(material: Material, formulation: Formulation) -> Cell {
+    Cell::new(material, formulation, 1e-6)
+}
+
+fn energy(material: Material, formulation: Formulation, gradient: Gradient) -> f64 {
+    let mut cell = cell(material, formulation);
+    cell.deform(gradient);
+    cell.elastic_energy
+}
+
+fn scale(stress: &Gradient) -> f64 {
+    stress.iter().flatten().fold(0.0_f64, |largest, p| largest.max(p.abs()))
+}
+
+/// Compares the stress with central differences of the energy along the `entries` of the gradient.
+fn check_gradient(what: &str, material: Material, f: Formulation, gradient: Gradient, entries: &[(usize, usize)]) {
+    let step = 1e-5;
+    let stress = cell(material, f).deform(gradient);
+    for &(i, j) in entries {
+        let at = |offset: f64| {
+            let mut moved = gradient;
+            moved[i][j] += offset;
+            energy(material, f, moved)
+        };
+        let difference = (at(step) - at(-step)) / (2.0 * step);
+        let error = (stress[i][j] - difference).abs() / scale(&stress).max(BULK);
+        assert!(error < ENERGY_GRADIENT, "{what} P{i}{j} at {gradient:?}: {} against {difference}", stress[i][j]);
+    }
+}
+
+#[test]
+fn stress_is_the_gradient_of_the_energy() {
+    let mut samples = Samples::new(1);
+    for (name, material) in laws(BULK) {
+        for _ in 0..20 {
+            let gradient = samples.gradient(0.4);
+            let entries = [(0, 0), (0, 1), (1, 0), (1, 1)];
+            check_gradient(name, material, Formulation::PlaneStrain, gradient, &entries);
+            // Homogeneous in a body of revolution: no shear of the radius along the axis.
+            let turned = [[gradient[0][0].abs().max(0.5), 0.0], [0.3 * samples.number(), 1.0 + 0.4 * samples.number()]];
+            check_gradient(name, material, Formulation::Axisymmetric, turned, &[(0, 0), (1, 0), (1, 1)]);
+        }
+    }
+}
+
+#[test]
+fn stress_turns_with_the_body() {
+    let mut samples = Samples::new(2);
+    for (name, material) in laws(BULK) {
+        for _ in 0..20 {
+            let gradient = samples.gradient(0.4);
+            let turn = rotation(std::f64::consts::PI * samples.number());
+            let still = product(turn, cell(material, Formulation::PlaneStrain).deform(gradient));
+            let turned = cell(material, Formulation::PlaneStrain).deform(product(turn, gradient));
+            for (a, b) in still.iter().flatten().zip(turned.iter().flatten()) {
+                assert!((a - b).abs() < CLOSED_FORM * scale(&still).max(BULK), "{name} at {gradient:?}: {a} {b}");
+            }
+        }
+    }
+}
+
+#[test]
+fn no_stress_and_no_energy_at_rest() {
+    for (name, material) in laws(BULK) {
+        for formulation in [Formulation::PlaneStrain, Formulation::Axisymmetric] {
+            let mut cell = cell(material, formulation);
+            let stress = cell.deform([[1.0, 0.0], [0.0, 1.0]]);
+            assert_eq!((scale(&stress), cell.elastic_energy), (0.0, 0.0), "{name}");
+        }
+    }
+}
+
+/// Source: linear elasticity, shear stress = G times shear.
+#[test]
+fn the_shear_modulus_at_rest_is_the_one_stated() {
+    let shear = 1e-4;
+    for (name, material) in laws(BULK) {
+        let stress = cell(material, Formulation::PlaneStrain).deform([[1.0, shear], [0.0, 1.0]])[0][1];
+        let stated = material.shear_modulus_inf();
+        assert!(relative_error(stress / shear, stated) < SMALL_SHEAR, "{name}: {} against {stated}", stress / shear);
+    }
+}
+
+/// Source: conservation of energy, in the study's drop on a silicone of each law with the study's memory and damping.
+#[test]
+fn energy_closes_in_a_drop_with_every_law() {
+    let study = preset::study();
+    for (name, law) in laws(study.silicone.bulk_modulus) {
+        for volumetric_law in [VolumetricLaw::Quadratic, VolumetricLaw::Simo] {
+            let mut scenario = study;
+            scenario.silicone = Material {
+                volumetric_law,
+                prony_g: study.silicone.prony_g,
+                slider_stiffness: study.silicone.slider_stiffness,
+                slider_yield_stress: study.silicone.slider_yield_stress,
+                ..law
+            };
+            let ledger = run(&scenario).scalars().energy;
+            let error = ledger.residual().abs() / ledger.external;
+            assert!(error < ENERGY_RESIDUAL, "{name}, {volumetric_law:?}: {error:e}");
+            assert!(ledger.elastic > 0.0 && ledger.viscous_dissipation > 0.0, "{name}: {ledger:?}");
+        }
+    }
+}
