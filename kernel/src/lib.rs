@@ -43,6 +43,7 @@ pub mod snapshot;
 pub mod state;
 mod step;
 pub mod storage;
+pub mod surface;
 pub mod time_step;
 
 pub use error::{ModelError, ParameterError, ScenarioError, SnapshotError, StepError};

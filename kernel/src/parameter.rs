@@ -3,7 +3,7 @@
 //! Scenario files, the C ABI and the FMU are all generated from or checked against this table.
 
 use crate::error::ParameterError;
-use crate::scenario::{DropBy, Formulation, Interface, Moduli, Motion, Scenario, Shape, StepBy, VolumetricBy};
+use crate::scenario::{DropBy, Formulation, Interface, Moduli, Motion, Scenario, Section, Shape, StepBy, VolumetricBy};
 
 /// One row of the table.
 pub struct Parameter {
@@ -136,6 +136,13 @@ pub static PARAMETERS: &[Parameter] = &[
         |s, i| s.geometry.formulation = if i == 0 { Formulation::PlaneStrain } else { Formulation::Axisymmetric },
         "kinematics of the section",
     ),
+    choice(
+        "geometry.section",
+        &["half", "full"],
+        |s| s.geometry.section as usize,
+        |s, i| s.geometry.section = if i == 0 { Section::Half } else { Section::Full },
+        "half of the section with symmetry, or all of it",
+    ),
     real(
         "geometry.core_radius",
         "m",
@@ -185,6 +192,13 @@ pub static PARAMETERS: &[Parameter] = &[
         (1e-3, 10.0),
         |s| &mut s.impactor.face_diameter,
         "diameter of the flat face; its chord is the thickness of a round section in plane strain",
+    ),
+    real(
+        "impactor.offset",
+        "m",
+        (-1.0, 1.0),
+        |s| &mut s.impactor.offset,
+        "distance of the face's centre from the centre line, to the right (full section)",
     ),
     real("impactor.gap", "m", (0.0, 1.0), |s| &mut s.impactor.gap, "height of the face above the anvil at the start"),
     real("impactor.gravity", "m/s2", (0.0, 100.0), |s| &mut s.impactor.gravity, "acceleration of gravity"),
@@ -258,10 +272,16 @@ pub static PARAMETERS: &[Parameter] = &[
     ),
     choice(
         "core.interface",
-        &["bonded", "frictional"],
+        &["bonded", "frictional", "sliding"],
         |s| s.core.interface as usize,
-        |s, i| s.core.interface = if i == 0 { Interface::Bonded } else { Interface::Frictional },
-        "how the layer sits on the core",
+        |s, i| {
+            s.core.interface = match i {
+                0 => Interface::Bonded,
+                1 => Interface::Frictional,
+                _ => Interface::Sliding,
+            }
+        },
+        "how the layer sits on the core: glued, in contact with friction, or on rollers (neither lifts nor rubs)",
     ),
     real(
         "core.friction_coefficient",

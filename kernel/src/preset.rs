@@ -2,7 +2,7 @@
 
 use crate::scenario::{
     CoreInterface, DropBy, FaceInterface, Formulation, Geometry, Impactor, Interface, Material, Measurement, Mesh,
-    Moduli, Motion, Scenario, Shape, StepBy, Time, VolumetricBy,
+    Moduli, Motion, Scenario, Section, Shape, StepBy, Time, VolumetricBy,
 };
 
 /// The soft anvil of "Finite element model to simulate impact on a soft tissue simulant", Sports Engineering (2023),
@@ -16,6 +16,7 @@ pub fn study() -> Scenario {
         geometry: Geometry {
             shape: Shape::Round,
             formulation: Formulation::PlaneStrain,
+            section: Section::Half,
             core_radius: 37.5e-3,
             silicone_thickness: 14e-3,
             skin_thickness: 1e-3,
@@ -26,6 +27,7 @@ pub fn study() -> Scenario {
             motion: Motion::Drop,
             mass: 5.0,
             face_diameter: 130e-3,
+            offset: 0.0,
             gap: 2e-3,
             gravity: 9.81,
             drop_by: DropBy::Energy,

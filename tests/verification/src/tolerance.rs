@@ -35,6 +35,9 @@ pub const MESH: f64 = 0.03;
 /// Penetration of the face over the element size: contact is a constraint, what is left is round-off.
 pub const PENETRATION: f64 = 1e-9;
 
+/// Mirror images and two halves against the whole: round-off, grown over some thousand steps of contact.
+pub const SYMMETRY: f64 = 1e-8;
+
 /// The value `measured` against `reference`, relative.
 pub fn relative_error(measured: f64, reference: f64) -> f64 {
     (measured - reference).abs() / reference.abs()
