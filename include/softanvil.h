@@ -105,6 +105,16 @@ enum SoftanvilStatus
     SOFTANVIL_STATUS_STEP_TOO_LARGE = 206,
     /** A slot of a scenario or an input that has no meaning in this version is not zero. */
     SOFTANVIL_STATUS_RESERVED_SLOT = 207,
+    /** The stretch at which a layer begins to tear is below 1. */
+    SOFTANVIL_STATUS_TEAR_STRETCH = 208,
+    /** A skin with a material of its own has next to no thickness. */
+    SOFTANVIL_STATUS_SKIN_TOO_THIN = 209,
+    /** An axisymmetric anvil has no full section. */
+    SOFTANVIL_STATUS_FULL_AXISYMMETRIC = 210,
+    /** Only a full section can have an impactor beside the centre line. */
+    SOFTANVIL_STATUS_OFFSET_OF_HALF = 211,
+    /** An element has no area. */
+    SOFTANVIL_STATUS_NO_AREA = 212,
     /** An element turned inside out or is no longer finite. */
     SOFTANVIL_STATUS_INVERTED = 300,
     /** The time step is above the current stability limit of an element. */
@@ -208,7 +218,7 @@ enum SoftanvilParameter {
     SOFTANVIL_PARAMETER_GEOMETRY_CORE_RADIUS = 2,
     /** geometry.silicone_thickness, m, from 1e-4 to 0.5: thickness of the silicone. */
     SOFTANVIL_PARAMETER_GEOMETRY_SILICONE_THICKNESS = 3,
-    /** geometry.skin_thickness, m, from 0 to 0.1: thickness of the skin, which has the silicone's material. */
+    /** geometry.skin_thickness, m, from 0 to 0.1: thickness of the skin; above 0 where it has a material of its own. */
     SOFTANVIL_PARAMETER_GEOMETRY_SKIN_THICKNESS = 4,
     /** geometry.length, m, from 0.001 to 10: largest out-of-plane thickness in plane strain (effective length of the layer). */
     SOFTANVIL_PARAMETER_GEOMETRY_LENGTH = 5,
@@ -232,19 +242,19 @@ enum SoftanvilParameter {
     SOFTANVIL_PARAMETER_IMPACTOR_DROP_ENERGY = 14,
     /** impactor.drop_speed, m/s, from 0 to 100: downward speed at the start. */
     SOFTANVIL_PARAMETER_IMPACTOR_DROP_SPEED = 15,
-    /** silicone.density, kg/m3, from 10 to 20000: density of the layer. */
+    /** silicone.density, kg/m3, from 10 to 20000: density. */
     SOFTANVIL_PARAMETER_SILICONE_DENSITY = 16,
     /** silicone.moduli, a SoftanvilSiliconeModuli: what the elastic coefficients are: after full relaxation, or before any. */
     SOFTANVIL_PARAMETER_SILICONE_MODULI = 17,
-    /** silicone.c10, Pa, from -1e9 to 1e9: Mooney-Rivlin coefficient of (I1 - 3). */
+    /** silicone.c10, Pa, from -1e9 to 1e9: coefficient of (I1 - 3) in all laws but ogden. */
     SOFTANVIL_PARAMETER_SILICONE_C10 = 18,
-    /** silicone.c01, Pa, from -1e9 to 1e9: Mooney-Rivlin coefficient of (I2 - 3). */
+    /** silicone.c01, Pa, from -1e9 to 1e9: mooney_rivlin coefficient of (I2 - 3). */
     SOFTANVIL_PARAMETER_SILICONE_C01 = 19,
-    /** silicone.c11, Pa, from -1e9 to 1e9: Mooney-Rivlin coefficient of (I1 - 3)(I2 - 3). */
+    /** silicone.c11, Pa, from -1e9 to 1e9: mooney_rivlin coefficient of (I1 - 3)(I2 - 3). */
     SOFTANVIL_PARAMETER_SILICONE_C11 = 20,
-    /** silicone.c20, Pa, from -1e9 to 1e9: Mooney-Rivlin coefficient of (I1 - 3)^2. */
+    /** silicone.c20, Pa, from -1e9 to 1e9: mooney_rivlin and yeoh coefficient of (I1 - 3)^2. */
     SOFTANVIL_PARAMETER_SILICONE_C20 = 21,
-    /** silicone.c02, Pa, from -1e9 to 1e9: Mooney-Rivlin coefficient of (I2 - 3)^2. */
+    /** silicone.c02, Pa, from -1e9 to 1e9: mooney_rivlin coefficient of (I2 - 3)^2. */
     SOFTANVIL_PARAMETER_SILICONE_C02 = 22,
     /** silicone.volumetric_by, a SoftanvilSiliconeVolumetricBy: which of the next two states the compressibility. */
     SOFTANVIL_PARAMETER_SILICONE_VOLUMETRIC_BY = 23,
@@ -276,7 +286,7 @@ enum SoftanvilParameter {
     SOFTANVIL_PARAMETER_SILICONE_SLIDER_STIFFNESS = 36,
     /** silicone.slider_yield_stress, Pa, from 0 to 1e10: von Mises stress SIGF at which the slider slips. */
     SOFTANVIL_PARAMETER_SILICONE_SLIDER_YIELD_STRESS = 37,
-    /** core.interface, a SoftanvilCoreInterface: how the layer sits on the core. */
+    /** core.interface, a SoftanvilCoreInterface: how the layer sits on the core: glued, in contact with friction, or on rollers (neither lifts nor rubs). */
     SOFTANVIL_PARAMETER_CORE_INTERFACE = 38,
     /** core.friction_coefficient, from 0 to 10: Coulomb coefficient of a frictional core. */
     SOFTANVIL_PARAMETER_CORE_FRICTION_COEFFICIENT = 39,
@@ -293,7 +303,145 @@ enum SoftanvilParameter {
     /** time.duration, s, from 5e-5 to 100: simulated time of a run. */
     SOFTANVIL_PARAMETER_TIME_DURATION = 45,
     /** measurement.force_threshold, N, from 0 to 1e5: force that begins and ends the impact duration. */
-    SOFTANVIL_PARAMETER_MEASUREMENT_FORCE_THRESHOLD = 46
+    SOFTANVIL_PARAMETER_MEASUREMENT_FORCE_THRESHOLD = 46,
+    /** geometry.layers, a SoftanvilGeometryLayers: the silicone's material through silicone and skin (the study's simplification), or a skin of its own. */
+    SOFTANVIL_PARAMETER_GEOMETRY_LAYERS = 47,
+    /** geometry.section, a SoftanvilGeometrySection: half of the section with symmetry, or all of it. */
+    SOFTANVIL_PARAMETER_GEOMETRY_SECTION = 48,
+    /** impactor.offset, m, from -1 to 1: distance of the face's centre from the centre line, to the right (full section). */
+    SOFTANVIL_PARAMETER_IMPACTOR_OFFSET = 49,
+    /** silicone.law, a SoftanvilSiliconeLaw: isochoric hyperelastic law (mooney_rivlin has 2, 3 or 5 parameters, by coefficients of zero). */
+    SOFTANVIL_PARAMETER_SILICONE_LAW = 50,
+    /** silicone.c30, Pa, from -1e9 to 1e9: yeoh coefficient of (I1 - 3)^3. */
+    SOFTANVIL_PARAMETER_SILICONE_C30 = 51,
+    /** silicone.ogden_mu_1, Pa, from -1e9 to 1e9: ogden coefficient, W = sum mu/alpha (l1^alpha + l2^alpha + l3^alpha - 3); 0 switches the term off. */
+    SOFTANVIL_PARAMETER_SILICONE_OGDEN_MU_1 = 52,
+    /** silicone.ogden_alpha_1, from -30 to 30: ogden exponent; the shear modulus at rest is sum mu alpha / 2. */
+    SOFTANVIL_PARAMETER_SILICONE_OGDEN_ALPHA_1 = 53,
+    /** silicone.ogden_mu_2, Pa, from -1e9 to 1e9: ogden coefficient, W = sum mu/alpha (l1^alpha + l2^alpha + l3^alpha - 3); 0 switches the term off. */
+    SOFTANVIL_PARAMETER_SILICONE_OGDEN_MU_2 = 54,
+    /** silicone.ogden_alpha_2, from -30 to 30: ogden exponent; the shear modulus at rest is sum mu alpha / 2. */
+    SOFTANVIL_PARAMETER_SILICONE_OGDEN_ALPHA_2 = 55,
+    /** silicone.ogden_mu_3, Pa, from -1e9 to 1e9: ogden coefficient, W = sum mu/alpha (l1^alpha + l2^alpha + l3^alpha - 3); 0 switches the term off. */
+    SOFTANVIL_PARAMETER_SILICONE_OGDEN_MU_3 = 56,
+    /** silicone.ogden_alpha_3, from -30 to 30: ogden exponent; the shear modulus at rest is sum mu alpha / 2. */
+    SOFTANVIL_PARAMETER_SILICONE_OGDEN_ALPHA_3 = 57,
+    /** silicone.volumetric_law, a SoftanvilSiliconeVolumetricLaw: energy of volume change: K/2 (J-1)^2, or K/4 (J^2 - 1 - 2 ln J), which no compression brings to J = 0. */
+    SOFTANVIL_PARAMETER_SILICONE_VOLUMETRIC_LAW = 58,
+    /** silicone.maxwell_g_1, Pa, from 0 to 1e11: shear modulus of an additive Maxwell term; 0 switches the term off. */
+    SOFTANVIL_PARAMETER_SILICONE_MAXWELL_G_1 = 59,
+    /** silicone.maxwell_beta_1, 1/s, from 1e-6 to 1e7: decay constant of the Maxwell term, one over its relaxation time. */
+    SOFTANVIL_PARAMETER_SILICONE_MAXWELL_BETA_1 = 60,
+    /** silicone.maxwell_g_2, Pa, from 0 to 1e11: shear modulus of an additive Maxwell term; 0 switches the term off. */
+    SOFTANVIL_PARAMETER_SILICONE_MAXWELL_G_2 = 61,
+    /** silicone.maxwell_beta_2, 1/s, from 1e-6 to 1e7: decay constant of the Maxwell term, one over its relaxation time. */
+    SOFTANVIL_PARAMETER_SILICONE_MAXWELL_BETA_2 = 62,
+    /** silicone.maxwell_g_3, Pa, from 0 to 1e11: shear modulus of an additive Maxwell term; 0 switches the term off. */
+    SOFTANVIL_PARAMETER_SILICONE_MAXWELL_G_3 = 63,
+    /** silicone.maxwell_beta_3, 1/s, from 1e-6 to 1e7: decay constant of the Maxwell term, one over its relaxation time. */
+    SOFTANVIL_PARAMETER_SILICONE_MAXWELL_BETA_3 = 64,
+    /** silicone.maxwell_g_4, Pa, from 0 to 1e11: shear modulus of an additive Maxwell term; 0 switches the term off. */
+    SOFTANVIL_PARAMETER_SILICONE_MAXWELL_G_4 = 65,
+    /** silicone.maxwell_beta_4, 1/s, from 1e-6 to 1e7: decay constant of the Maxwell term, one over its relaxation time. */
+    SOFTANVIL_PARAMETER_SILICONE_MAXWELL_BETA_4 = 66,
+    /** silicone.maxwell_g_5, Pa, from 0 to 1e11: shear modulus of an additive Maxwell term; 0 switches the term off. */
+    SOFTANVIL_PARAMETER_SILICONE_MAXWELL_G_5 = 67,
+    /** silicone.maxwell_beta_5, 1/s, from 1e-6 to 1e7: decay constant of the Maxwell term, one over its relaxation time. */
+    SOFTANVIL_PARAMETER_SILICONE_MAXWELL_BETA_5 = 68,
+    /** silicone.tear_stretch, from 0 to 100: largest principal stretch at which the material begins to tear, at least 1; 0 switches tearing off. */
+    SOFTANVIL_PARAMETER_SILICONE_TEAR_STRETCH = 69,
+    /** silicone.tear_width, from 0.001 to 10: stretch over which the deviatoric stress falls. */
+    SOFTANVIL_PARAMETER_SILICONE_TEAR_WIDTH = 70,
+    /** silicone.tear_residual, from 0 to 1: part of the deviatoric stress that remains after the tear. */
+    SOFTANVIL_PARAMETER_SILICONE_TEAR_RESIDUAL = 71,
+    /** skin.density, kg/m3, from 10 to 20000: density. */
+    SOFTANVIL_PARAMETER_SKIN_DENSITY = 72,
+    /** skin.law, a SoftanvilSkinLaw: isochoric hyperelastic law (mooney_rivlin has 2, 3 or 5 parameters, by coefficients of zero). */
+    SOFTANVIL_PARAMETER_SKIN_LAW = 73,
+    /** skin.moduli, a SoftanvilSkinModuli: what the elastic coefficients are: after full relaxation, or before any. */
+    SOFTANVIL_PARAMETER_SKIN_MODULI = 74,
+    /** skin.c10, Pa, from -1e9 to 1e9: coefficient of (I1 - 3) in all laws but ogden. */
+    SOFTANVIL_PARAMETER_SKIN_C10 = 75,
+    /** skin.c01, Pa, from -1e9 to 1e9: mooney_rivlin coefficient of (I2 - 3). */
+    SOFTANVIL_PARAMETER_SKIN_C01 = 76,
+    /** skin.c11, Pa, from -1e9 to 1e9: mooney_rivlin coefficient of (I1 - 3)(I2 - 3). */
+    SOFTANVIL_PARAMETER_SKIN_C11 = 77,
+    /** skin.c20, Pa, from -1e9 to 1e9: mooney_rivlin and yeoh coefficient of (I1 - 3)^2. */
+    SOFTANVIL_PARAMETER_SKIN_C20 = 78,
+    /** skin.c02, Pa, from -1e9 to 1e9: mooney_rivlin coefficient of (I2 - 3)^2. */
+    SOFTANVIL_PARAMETER_SKIN_C02 = 79,
+    /** skin.c30, Pa, from -1e9 to 1e9: yeoh coefficient of (I1 - 3)^3. */
+    SOFTANVIL_PARAMETER_SKIN_C30 = 80,
+    /** skin.ogden_mu_1, Pa, from -1e9 to 1e9: ogden coefficient, W = sum mu/alpha (l1^alpha + l2^alpha + l3^alpha - 3); 0 switches the term off. */
+    SOFTANVIL_PARAMETER_SKIN_OGDEN_MU_1 = 81,
+    /** skin.ogden_alpha_1, from -30 to 30: ogden exponent; the shear modulus at rest is sum mu alpha / 2. */
+    SOFTANVIL_PARAMETER_SKIN_OGDEN_ALPHA_1 = 82,
+    /** skin.ogden_mu_2, Pa, from -1e9 to 1e9: ogden coefficient, W = sum mu/alpha (l1^alpha + l2^alpha + l3^alpha - 3); 0 switches the term off. */
+    SOFTANVIL_PARAMETER_SKIN_OGDEN_MU_2 = 83,
+    /** skin.ogden_alpha_2, from -30 to 30: ogden exponent; the shear modulus at rest is sum mu alpha / 2. */
+    SOFTANVIL_PARAMETER_SKIN_OGDEN_ALPHA_2 = 84,
+    /** skin.ogden_mu_3, Pa, from -1e9 to 1e9: ogden coefficient, W = sum mu/alpha (l1^alpha + l2^alpha + l3^alpha - 3); 0 switches the term off. */
+    SOFTANVIL_PARAMETER_SKIN_OGDEN_MU_3 = 85,
+    /** skin.ogden_alpha_3, from -30 to 30: ogden exponent; the shear modulus at rest is sum mu alpha / 2. */
+    SOFTANVIL_PARAMETER_SKIN_OGDEN_ALPHA_3 = 86,
+    /** skin.volumetric_law, a SoftanvilSkinVolumetricLaw: energy of volume change: K/2 (J-1)^2, or K/4 (J^2 - 1 - 2 ln J), which no compression brings to J = 0. */
+    SOFTANVIL_PARAMETER_SKIN_VOLUMETRIC_LAW = 87,
+    /** skin.volumetric_by, a SoftanvilSkinVolumetricBy: which of the next two states the compressibility. */
+    SOFTANVIL_PARAMETER_SKIN_VOLUMETRIC_BY = 88,
+    /** skin.bulk_modulus, Pa, from 100 to 1e12: bulk modulus. */
+    SOFTANVIL_PARAMETER_SKIN_BULK_MODULUS = 89,
+    /** skin.poissons_ratio, from 0 to 0.4999: Poisson's ratio of the long-term law. */
+    SOFTANVIL_PARAMETER_SKIN_POISSONS_RATIO = 90,
+    /** skin.prony_g_1, from 0 to 0.9999: Prony coefficient, normalised on the instantaneous modulus; 0 switches the term off. */
+    SOFTANVIL_PARAMETER_SKIN_PRONY_G_1 = 91,
+    /** skin.prony_tau_1, s, from 1e-7 to 1e6: relaxation time of the Prony term. */
+    SOFTANVIL_PARAMETER_SKIN_PRONY_TAU_1 = 92,
+    /** skin.prony_g_2, from 0 to 0.9999: Prony coefficient, normalised on the instantaneous modulus; 0 switches the term off. */
+    SOFTANVIL_PARAMETER_SKIN_PRONY_G_2 = 93,
+    /** skin.prony_tau_2, s, from 1e-7 to 1e6: relaxation time of the Prony term. */
+    SOFTANVIL_PARAMETER_SKIN_PRONY_TAU_2 = 94,
+    /** skin.prony_g_3, from 0 to 0.9999: Prony coefficient, normalised on the instantaneous modulus; 0 switches the term off. */
+    SOFTANVIL_PARAMETER_SKIN_PRONY_G_3 = 95,
+    /** skin.prony_tau_3, s, from 1e-7 to 1e6: relaxation time of the Prony term. */
+    SOFTANVIL_PARAMETER_SKIN_PRONY_TAU_3 = 96,
+    /** skin.prony_g_4, from 0 to 0.9999: Prony coefficient, normalised on the instantaneous modulus; 0 switches the term off. */
+    SOFTANVIL_PARAMETER_SKIN_PRONY_G_4 = 97,
+    /** skin.prony_tau_4, s, from 1e-7 to 1e6: relaxation time of the Prony term. */
+    SOFTANVIL_PARAMETER_SKIN_PRONY_TAU_4 = 98,
+    /** skin.prony_g_5, from 0 to 0.9999: Prony coefficient, normalised on the instantaneous modulus; 0 switches the term off. */
+    SOFTANVIL_PARAMETER_SKIN_PRONY_G_5 = 99,
+    /** skin.prony_tau_5, s, from 1e-7 to 1e6: relaxation time of the Prony term. */
+    SOFTANVIL_PARAMETER_SKIN_PRONY_TAU_5 = 100,
+    /** skin.maxwell_g_1, Pa, from 0 to 1e11: shear modulus of an additive Maxwell term; 0 switches the term off. */
+    SOFTANVIL_PARAMETER_SKIN_MAXWELL_G_1 = 101,
+    /** skin.maxwell_beta_1, 1/s, from 1e-6 to 1e7: decay constant of the Maxwell term, one over its relaxation time. */
+    SOFTANVIL_PARAMETER_SKIN_MAXWELL_BETA_1 = 102,
+    /** skin.maxwell_g_2, Pa, from 0 to 1e11: shear modulus of an additive Maxwell term; 0 switches the term off. */
+    SOFTANVIL_PARAMETER_SKIN_MAXWELL_G_2 = 103,
+    /** skin.maxwell_beta_2, 1/s, from 1e-6 to 1e7: decay constant of the Maxwell term, one over its relaxation time. */
+    SOFTANVIL_PARAMETER_SKIN_MAXWELL_BETA_2 = 104,
+    /** skin.maxwell_g_3, Pa, from 0 to 1e11: shear modulus of an additive Maxwell term; 0 switches the term off. */
+    SOFTANVIL_PARAMETER_SKIN_MAXWELL_G_3 = 105,
+    /** skin.maxwell_beta_3, 1/s, from 1e-6 to 1e7: decay constant of the Maxwell term, one over its relaxation time. */
+    SOFTANVIL_PARAMETER_SKIN_MAXWELL_BETA_3 = 106,
+    /** skin.maxwell_g_4, Pa, from 0 to 1e11: shear modulus of an additive Maxwell term; 0 switches the term off. */
+    SOFTANVIL_PARAMETER_SKIN_MAXWELL_G_4 = 107,
+    /** skin.maxwell_beta_4, 1/s, from 1e-6 to 1e7: decay constant of the Maxwell term, one over its relaxation time. */
+    SOFTANVIL_PARAMETER_SKIN_MAXWELL_BETA_4 = 108,
+    /** skin.maxwell_g_5, Pa, from 0 to 1e11: shear modulus of an additive Maxwell term; 0 switches the term off. */
+    SOFTANVIL_PARAMETER_SKIN_MAXWELL_G_5 = 109,
+    /** skin.maxwell_beta_5, 1/s, from 1e-6 to 1e7: decay constant of the Maxwell term, one over its relaxation time. */
+    SOFTANVIL_PARAMETER_SKIN_MAXWELL_BETA_5 = 110,
+    /** skin.slider_stiffness, Pa, from 0 to 1e11: shear modulus G of the damping spring; 0 switches the spring-slider off. */
+    SOFTANVIL_PARAMETER_SKIN_SLIDER_STIFFNESS = 111,
+    /** skin.slider_yield_stress, Pa, from 0 to 1e10: von Mises stress SIGF at which the slider slips. */
+    SOFTANVIL_PARAMETER_SKIN_SLIDER_YIELD_STRESS = 112,
+    /** skin.tear_stretch, from 0 to 100: largest principal stretch at which the material begins to tear, at least 1; 0 switches tearing off. */
+    SOFTANVIL_PARAMETER_SKIN_TEAR_STRETCH = 113,
+    /** skin.tear_width, from 0.001 to 10: stretch over which the deviatoric stress falls. */
+    SOFTANVIL_PARAMETER_SKIN_TEAR_WIDTH = 114,
+    /** skin.tear_residual, from 0 to 1: part of the deviatoric stress that remains after the tear. */
+    SOFTANVIL_PARAMETER_SKIN_TEAR_RESIDUAL = 115
 };
 
 /** geometry.shape: layer on a round core, or a flat block on a flat core. */
@@ -333,16 +481,69 @@ enum SoftanvilSiliconeVolumetricBy {
     SOFTANVIL_SILICONE_VOLUMETRIC_BY_POISSONS_RATIO = 1
 };
 
-/** core.interface: how the layer sits on the core. */
+/** core.interface: how the layer sits on the core: glued, in contact with friction, or on rollers (neither lifts nor rubs). */
 enum SoftanvilCoreInterface {
     SOFTANVIL_CORE_INTERFACE_BONDED = 0,
-    SOFTANVIL_CORE_INTERFACE_FRICTIONAL = 1
+    SOFTANVIL_CORE_INTERFACE_FRICTIONAL = 1,
+    SOFTANVIL_CORE_INTERFACE_SLIDING = 2
 };
 
 /** time.step_by: which of the next two states the time step. */
 enum SoftanvilTimeStepBy {
     SOFTANVIL_TIME_STEP_BY_SAFETY_FACTOR = 0,
     SOFTANVIL_TIME_STEP_BY_GIVEN = 1
+};
+
+/** geometry.layers: the silicone's material through silicone and skin (the study's simplification), or a skin of its own. */
+enum SoftanvilGeometryLayers {
+    SOFTANVIL_GEOMETRY_LAYERS_ONE = 0,
+    SOFTANVIL_GEOMETRY_LAYERS_TWO = 1
+};
+
+/** geometry.section: half of the section with symmetry, or all of it. */
+enum SoftanvilGeometrySection {
+    SOFTANVIL_GEOMETRY_SECTION_HALF = 0,
+    SOFTANVIL_GEOMETRY_SECTION_FULL = 1
+};
+
+/** silicone.law: isochoric hyperelastic law (mooney_rivlin has 2, 3 or 5 parameters, by coefficients of zero). */
+enum SoftanvilSiliconeLaw {
+    SOFTANVIL_SILICONE_LAW_NEO_HOOKEAN = 0,
+    SOFTANVIL_SILICONE_LAW_MOONEY_RIVLIN = 1,
+    SOFTANVIL_SILICONE_LAW_YEOH = 2,
+    SOFTANVIL_SILICONE_LAW_OGDEN = 3
+};
+
+/** silicone.volumetric_law: energy of volume change: K/2 (J-1)^2, or K/4 (J^2 - 1 - 2 ln J), which no compression brings to J = 0. */
+enum SoftanvilSiliconeVolumetricLaw {
+    SOFTANVIL_SILICONE_VOLUMETRIC_LAW_QUADRATIC = 0,
+    SOFTANVIL_SILICONE_VOLUMETRIC_LAW_SIMO = 1
+};
+
+/** skin.law: isochoric hyperelastic law (mooney_rivlin has 2, 3 or 5 parameters, by coefficients of zero). */
+enum SoftanvilSkinLaw {
+    SOFTANVIL_SKIN_LAW_NEO_HOOKEAN = 0,
+    SOFTANVIL_SKIN_LAW_MOONEY_RIVLIN = 1,
+    SOFTANVIL_SKIN_LAW_YEOH = 2,
+    SOFTANVIL_SKIN_LAW_OGDEN = 3
+};
+
+/** skin.moduli: what the elastic coefficients are: after full relaxation, or before any. */
+enum SoftanvilSkinModuli {
+    SOFTANVIL_SKIN_MODULI_LONG_TERM = 0,
+    SOFTANVIL_SKIN_MODULI_INSTANTANEOUS = 1
+};
+
+/** skin.volumetric_law: energy of volume change: K/2 (J-1)^2, or K/4 (J^2 - 1 - 2 ln J), which no compression brings to J = 0. */
+enum SoftanvilSkinVolumetricLaw {
+    SOFTANVIL_SKIN_VOLUMETRIC_LAW_QUADRATIC = 0,
+    SOFTANVIL_SKIN_VOLUMETRIC_LAW_SIMO = 1
+};
+
+/** skin.volumetric_by: which of the next two states the compressibility. */
+enum SoftanvilSkinVolumetricBy {
+    SOFTANVIL_SKIN_VOLUMETRIC_BY_BULK_MODULUS = 0,
+    SOFTANVIL_SKIN_VOLUMETRIC_BY_POISSONS_RATIO = 1
 };
 
 /** Outputs of a simulation: name, unit, meaning. */
@@ -396,7 +597,13 @@ enum SoftanvilOutput {
     /** energy.external, J: energy at the start and work from outside. */
     SOFTANVIL_OUTPUT_ENERGY_EXTERNAL = 23,
     /** energy.residual, J: external energy that the other terms leave unexplained. */
-    SOFTANVIL_OUTPUT_ENERGY_RESIDUAL = 24
+    SOFTANVIL_OUTPUT_ENERGY_RESIDUAL = 24,
+    /** contact.half_width, m: half of the width over which the face touches the anvil (radius if axisymmetric). */
+    SOFTANVIL_OUTPUT_CONTACT_HALF_WIDTH = 25,
+    /** energy.viscous_dissipation, J: dissipation of the dashpots by the moduli at rest, not a term of the sum: exact for additive terms and small strains, too high where a quasi-linear law stiffens. */
+    SOFTANVIL_OUTPUT_ENERGY_VISCOUS_DISSIPATION = 26,
+    /** energy.tear, J: energy dissipated by tearing. */
+    SOFTANVIL_OUTPUT_ENERGY_TEAR = 27
 };
 
 /* ================================================================================================================ */

@@ -43,6 +43,12 @@ pub enum SoftanvilStatus {
     TearStretch = 208,
     /// A skin with a material of its own has next to no thickness.
     SkinTooThin = 209,
+    /// An axisymmetric anvil has no full section.
+    FullAxisymmetric = 210,
+    /// Only a full section can have an impactor beside the centre line.
+    OffsetOfHalf = 211,
+    /// An element has no area.
+    NoArea = 212,
     /// An element turned inside out or is no longer finite.
     Inverted = 300,
     /// The time step is above the current stability limit of an element.
@@ -63,7 +69,7 @@ use SoftanvilStatus as S;
 
 impl SoftanvilStatus {
     /// Every status.
-    pub const ALL: [Self; 24] = [
+    pub const ALL: [Self; 27] = [
         S::Ok,
         S::NullPointer,
         S::Misaligned,
@@ -81,6 +87,9 @@ impl SoftanvilStatus {
         S::ReservedSlot,
         S::TearStretch,
         S::SkinTooThin,
+        S::FullAxisymmetric,
+        S::OffsetOfHalf,
+        S::NoArea,
         S::Inverted,
         S::Unstable,
         S::IllegalInput,
@@ -110,6 +119,9 @@ impl SoftanvilStatus {
             S::ReservedSlot => c"reserved slot not zero",
             S::TearStretch => c"tear stretch below 1",
             S::SkinTooThin => c"skin too thin for a layer of its own",
+            S::FullAxisymmetric => c"full section of an axisymmetric anvil",
+            S::OffsetOfHalf => c"offset impactor on a half section",
+            S::NoArea => c"element without area",
             S::Inverted => c"element inverted or not finite",
             S::Unstable => c"time step above the current stability limit",
             S::IllegalInput => c"input of a step not finite",

@@ -15,7 +15,7 @@ pub(crate) fn react(model: &Model, state: &mut State) -> Contact {
     for node in 0..=model.constants.grid.n_u {
         let done = match model.constants.scenario.core.interface {
             Interface::Bonded => hold(state, node, &mut contact),
-            Interface::Frictional => touch(model, state, node, &mut contact),
+            Interface::Frictional | Interface::Sliding => touch(model, state, node, &mut contact),
         };
         if done.is_none() {
             break;
@@ -30,7 +30,7 @@ fn hold(state: &State, node: usize, contact: &mut Contact) -> Option<()> {
     Some(())
 }
 
-/// A node that may slide and lift.
+/// A node that may slide and, unless it is on rollers, lift.
 fn touch(model: &Model, state: &mut State, node: usize, contact: &mut Contact) -> Option<()> {
     let dt = model.constants.dt;
     let nodes = &mut state.nodes;
@@ -46,9 +46,10 @@ fn touch(model: &Model, state: &mut State, node: usize, contact: &mut Contact) -
     let free = [before[0] + dt * inverse[0] * *force_x, before[1] + dt * inverse[1] * *force_y];
     // On the centre line the normal is vertical, so the fixed direction takes no part in it.
     let approach = depth / dt - (free[0] * normal[0] + free[1] * normal[1]);
-    let pressure = if approach > 0.0 { mass * approach / dt } else { 0.0 };
+    let sliding = model.constants.scenario.core.interface == Interface::Sliding;
+    let pressure = if approach > 0.0 || sliding { mass * approach / dt } else { 0.0 };
     let along = free[0] * normal[1] - free[1] * normal[0];
-    let shear = if inverse[0] > 0.0 {
+    let shear = if inverse[0] > 0.0 && !sliding {
         limited(-mass * along / dt, model.constants.scenario.core.friction_coefficient * pressure)
     } else {
         0.0

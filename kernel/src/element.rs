@@ -11,7 +11,7 @@ use crate::material::Laws;
 use crate::material::relaxation::Overstress;
 use crate::material::tear::Tear;
 use crate::math;
-use crate::mesh::{Grid, out_of_plane, reference_position, triangles};
+use crate::mesh::out_of_plane;
 use crate::scenario::Scenario;
 use crate::stretch::IsochoricStretch;
 
@@ -443,14 +443,9 @@ pub(crate) struct Triangle {
 }
 
 impl Triangle {
-    /// Triangle `t` of cell (u, v).
-    pub fn new(scenario: &Scenario, grid: &Grid, u: usize, v: usize, t: usize) -> Self {
-        let corner = |c: usize| {
-            let (du, dv) = [(0, 0), (1, 0), (1, 1), (0, 1)][c];
-            reference_position(scenario, grid, u + du, v + dv)
-        };
-        let nodes = triangles(u, v)[t];
-        let [a, b, c] = nodes.map(corner);
+    /// The triangle of three of a cell's four `corners`, m.
+    pub fn new(scenario: &Scenario, corners: &[[f64; 2]; 4], nodes: [usize; 3]) -> Self {
+        let [a, b, c] = nodes.map(|node| corners[node]);
         // The corners run counter-clockwise, so this is positive.
         let double_area = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
         let radius = (a[0] + b[0] + c[0]) / 3.0;

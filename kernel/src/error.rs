@@ -82,6 +82,13 @@ pub enum ScenarioError {
         /// Smallest legal diameter for this anvil, m.
         minimum: f64,
     },
+    /// A full section of a body of revolution.
+    FullAxisymmetric,
+    /// An impactor beside the centre line of a half section.
+    OffsetOfHalf {
+        /// Distance from the centre line, m.
+        offset: f64,
+    },
 }
 
 impl From<ParameterError> for ScenarioError {
@@ -112,6 +119,12 @@ impl fmt::Display for ScenarioError {
                 f,
                 "geometry.skin_thickness = {thickness} m is refused: with two layers legal is at least {minimum} m"
             ),
+            Self::FullAxisymmetric => {
+                f.write_str("geometry.section = full is refused: legal with an axisymmetric formulation is half")
+            }
+            Self::OffsetOfHalf { offset } => {
+                write!(f, "impactor.offset = {offset} m is refused: legal with geometry.section = half is 0 m")
+            }
             Self::FaceTooSmall { diameter, minimum } => write!(
                 f,
                 "impactor.face_diameter = {diameter} m is refused: over this anvil legal is at least {minimum} m"
@@ -146,6 +159,11 @@ pub enum ModelError {
         /// Stability limit, s.
         limit: f64,
     },
+    /// A triangle without area, or with its corners in the wrong order.
+    NoArea {
+        /// Index of the triangle.
+        element: u32,
+    },
     /// The memory given is smaller than [`crate::storage::Size`] says.
     Memory {
         /// What the memory is for.
@@ -177,6 +195,9 @@ impl fmt::Display for ModelError {
             }
             Self::StepTooLarge { step, limit } => {
                 write!(f, "time.step = {step} s is refused: legal is above 0 s and up to {limit} s at rest")
+            }
+            Self::NoArea { element } => {
+                write!(f, "element {element} has no area: legal are corners in counter-clockwise order")
             }
             Self::Memory { what, given, needed } => {
                 write!(f, "memory for {what} holds {given} items: legal is at least {needed}")

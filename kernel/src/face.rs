@@ -8,6 +8,7 @@
 //! Friction stops a node within the limit of Coulomb's law in the same step: a sticking node has exactly no velocity.
 
 use crate::impactor::Prediction;
+use crate::math;
 use crate::model::Model;
 use crate::state::State;
 
@@ -57,8 +58,9 @@ struct SurfaceNode {
 fn surface_node(model: &Model, state: &State, column: usize) -> Option<SurfaceNode> {
     let (constants, fixed, nodes) = (&model.constants, &model.nodes, &state.nodes);
     let node = constants.grid.n_v * constants.grid.stride() + column;
+    let impactor = &constants.scenario.impactor;
     let x = fixed.reference_x.get(node)? + nodes.displacement_x.get(node)?;
-    if x > 0.5 * constants.scenario.impactor.face_diameter {
+    if math::abs(x - impactor.offset) > 0.5 * impactor.face_diameter {
         return None;
     }
     let acceleration = fixed.inverse_mass_y.get(node)? * nodes.force_y.get(node)?;

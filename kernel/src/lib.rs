@@ -45,6 +45,7 @@ pub mod state;
 mod step;
 pub mod storage;
 pub mod stretch;
+pub mod surface;
 pub mod time_step;
 
 pub use error::{ModelError, ParameterError, ScenarioError, SnapshotError, StepError};

@@ -1,5 +1,5 @@
 //! The structured mesh of the section: rows of cells from the core (v = 0) to the surface, columns from the centre
-//! line (u = 0) outwards.
+//! line (u = 0) outwards, or from left to right in a full section.
 //!
 //! The topology is implicit: cell (u, v) has the corners (u, v), (u + 1, v), (u + 1, v + 1), (u, v + 1), numbered 0 to
 //! 3 in this order, and is split into two triangles by a diagonal whose direction alternates from cell to cell. Blocks
@@ -9,7 +9,7 @@
 use crate::error::ModelError;
 use crate::lanes::LANES;
 use crate::math;
-use crate::scenario::{Formulation, Layers, Scenario, Shape};
+use crate::scenario::{Formulation, Layers, Scenario, Section, Shape};
 
 /// Largest number of cells of a mesh.
 pub const MAX_CELLS: usize = 1 << 20;
@@ -17,8 +17,10 @@ pub const MAX_CELLS: usize = 1 << 20;
 /// Counts and strides of the structured mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Grid {
-    /// Cells along a row, from the centre line outwards.
+    /// Cells along a row, outwards from the centre line or, in a full section, from left to right.
     pub n_u: usize,
+    /// Column of the nodes on the centre line.
+    pub centre: usize,
     /// Rows of cells, from the core to the surface.
     pub n_v: usize,
     /// Rows of the silicone; the skin has the others.
@@ -42,12 +44,18 @@ impl Grid {
             Layers::One => [count(thickness), 0.0],
             Layers::Two => [count(geometry.silicone_thickness), count(geometry.skin_thickness)],
         };
-        let cells = count(width) * (silicone + skin);
+        let halves = if geometry.section == Section::Full { 2.0 } else { 1.0 };
+        let cells = halves * count(width) * (silicone + skin);
         if cells > MAX_CELLS as f64 {
             return Err(ModelError::TooManyCells { cells });
         }
+        let half = count(width) as usize;
         let n_v_silicone = silicone as usize;
-        Ok(Self { n_u: count(width) as usize, n_v: n_v_silicone + skin as usize, n_v_silicone })
+        let n_v = n_v_silicone + skin as usize;
+        Ok(match geometry.section {
+            Section::Half => Self { n_u: half, centre: 0, n_v, n_v_silicone },
+            Section::Full => Self { n_u: 2 * half, centre: half, n_v, n_v_silicone },
+        })
     }
 
     /// Blocks that hold a row of cells.
@@ -91,7 +99,7 @@ impl Grid {
 /// Position of node (u, v) at rest, m.
 pub fn reference_position(scenario: &Scenario, grid: &Grid, u: usize, v: usize) -> [f64; 2] {
     let geometry = &scenario.geometry;
-    let across = u as f64 / grid.n_u as f64;
+    let across = (u as f64 - grid.centre as f64) / (grid.n_u - grid.centre) as f64;
     let depth = height_over_core(scenario, grid, v);
     match geometry.shape {
         Shape::Round => {
@@ -117,7 +125,7 @@ fn height_over_core(scenario: &Scenario, grid: &Grid, v: usize) -> f64 {
     }
 }
 
-/// Reference volume per area of section at distance `x` from the centre line, m: the out-of-plane thickness in plane
+/// Reference volume per area of section at `x` from the centre line, m: the out-of-plane thickness in plane
 /// strain, the circumference when axisymmetric.
 pub fn out_of_plane(scenario: &Scenario, x: f64) -> f64 {
     let geometry = &scenario.geometry;
@@ -126,15 +134,21 @@ pub fn out_of_plane(scenario: &Scenario, x: f64) -> f64 {
         (Formulation::PlaneStrain, Shape::Block) => geometry.length,
         (Formulation::PlaneStrain, Shape::Round) => {
             let radius = 0.5 * scenario.impactor.face_diameter;
+            let x = x - scenario.impactor.offset;
             let chord = 2.0 * math::sqrt(math::larger(0.0, radius * radius - x * x));
             if chord < geometry.length { chord } else { geometry.length }
         }
     }
 }
 
-/// Corners of the two triangles of cell (u, v).
-pub fn triangles(u: usize, v: usize) -> [[usize; 3]; 2] {
-    if (u + v).is_multiple_of(2) { [[0, 1, 2], [0, 2, 3]] } else { [[0, 1, 3], [1, 2, 3]] }
+/// Corners of the two triangles of cell (u, v). The left half of a full section mirrors the right.
+pub fn triangles(grid: &Grid, u: usize, v: usize) -> [[usize; 3]; 2] {
+    let rising = if u >= grid.centre {
+        (u - grid.centre + v).is_multiple_of(2)
+    } else {
+        !(grid.centre - 1 - u + v).is_multiple_of(2)
+    };
+    if rising { [[0, 1, 2], [0, 2, 3]] } else { [[0, 1, 3], [1, 2, 3]] }
 }
 
 const HALF_PI: f64 = core::f64::consts::FRAC_PI_2;

@@ -5,9 +5,9 @@ use crate::element::{CellConstants, HoopConstants, Triangle};
 use crate::error::ModelError;
 use crate::lanes::LANES;
 use crate::material::Laws;
-use crate::mesh::{Grid, reference_position};
+use crate::mesh::{Grid, reference_position, triangles};
 use crate::parameter::PARAMETERS;
-use crate::scenario::{Formulation, Interface, MAX_LAYERS, Scenario, Shape};
+use crate::scenario::{Formulation, Interface, MAX_LAYERS, Scenario, Section, Shape};
 use crate::storage::{MODEL_NODE_FIELDS, ModelMemory, Size, split_row, take};
 use crate::time_step;
 
@@ -100,13 +100,27 @@ impl<'a> Model<'a> {
     /// # Errors
     /// A refused scenario, a mesh or step out of bounds, or too little memory; see [`ModelError`].
     pub fn new(scenario: &Scenario, memory: ModelMemory<'a>) -> Result<Self, ModelError> {
+        let grid = Grid::new(scenario)?;
+        Self::with_positions(scenario, &|u, v| reference_position(scenario, &grid, u, v), memory)
+    }
+
+    /// Builds a model whose nodes rest at `position(u, v)`, m, instead of on the scenario's shape: distorted or graded
+    /// meshes, other domains. The corners of each cell must run counter-clockwise from (u, v).
+    ///
+    /// # Errors
+    /// As [`Model::new`], and a cell without area.
+    pub fn with_positions(
+        scenario: &Scenario,
+        position: &dyn Fn(usize, usize) -> [f64; 2],
+        memory: ModelMemory<'a>,
+    ) -> Result<Self, ModelError> {
         let size = Size::of(scenario)?;
         let grid = Grid::new(scenario)?;
         let nodes = take(memory.nodes, size.model_nodes, "model nodes")?;
         let cells = take(memory.cells, size.model_cells, "model cells")?;
         let hoops = take(memory.hoops, size.model_hoops, "model hoops")?;
-        build_cells(scenario, &grid, cells, hoops);
-        build_nodes(scenario, &grid, cells, nodes);
+        build_cells(scenario, &grid, position, cells, hoops)?;
+        build_nodes(scenario, &grid, position, cells, nodes);
         let steps_per_sample = time_step::steps_per_sample(scenario, &grid, cells)?;
         let dt = SAMPLING_INTERVAL / f64::from(steps_per_sample);
         let constants = Constants {
@@ -116,8 +130,8 @@ impl<'a> Model<'a> {
             dt,
             steps_per_sample,
             laws: scenario.layers().map(|layer| Laws::new(layer.material, dt)),
-            section_factor: if scenario.geometry.formulation == Formulation::PlaneStrain { 2.0 } else { 1.0 },
-            top_height: reference_position(scenario, &grid, 0, grid.n_v)[1],
+            section_factor: section_factor(scenario),
+            top_height: position(grid.centre, grid.n_v)[1],
             fingerprint: fingerprint(scenario),
         };
         Ok(Self::view(constants, nodes, cells, hoops))
@@ -170,20 +184,37 @@ fn fingerprint(scenario: &Scenario) -> u64 {
     digest.value()
 }
 
-fn build_cells(scenario: &Scenario, grid: &Grid, cells: &mut [CellConstants], hoops: &mut [HoopConstants]) {
-    let blocks = grid.blocks_per_row();
+/// Forces of the whole anvil per force of what is meshed.
+fn section_factor(scenario: &Scenario) -> f64 {
+    match (scenario.geometry.formulation, scenario.geometry.section) {
+        (Formulation::PlaneStrain, Section::Half) => 2.0,
+        _ => 1.0,
+    }
+}
+
+fn build_cells(
+    scenario: &Scenario,
+    grid: &Grid,
+    position: &dyn Fn(usize, usize) -> [f64; 2],
+    cells: &mut [CellConstants],
+    hoops: &mut [HoopConstants],
+) -> Result<(), ModelError> {
+    let blocks = grid.blocks_per_row().max(1);
     cells.fill(CellConstants::ZERO);
     hoops.fill(HoopConstants::ZERO);
     for (block, cell) in cells.iter_mut().enumerate() {
-        let v = block / blocks.max(1);
         for l in 0..LANES {
-            let u = (block % blocks.max(1)) * LANES + l;
+            let (u, v) = ((block % blocks) * LANES + l, block / blocks);
             if u >= grid.n_u {
                 continue;
             }
-            let pair = [Triangle::new(scenario, grid, u, v, 0), Triangle::new(scenario, grid, u, v, 1)];
+            let corners = CORNERS.map(|(du, dv)| position(u + du, v + dv));
+            let pair = triangles(grid, u, v).map(|nodes| Triangle::new(scenario, &corners, nodes));
             let volume = pair[0].volume + pair[1].volume;
             for (t, triangle) in pair.iter().enumerate() {
+                if triangle.volume.is_nan() || triangle.volume <= 0.0 {
+                    return Err(ModelError::NoArea { element: grid.element_index(block, l, t) });
+                }
                 triangle.store(l, &mut cell.triangle[t], volume);
                 if let Some(hoop) = hoops.get_mut(block) {
                     for a in 0..4 {
@@ -193,9 +224,19 @@ fn build_cells(scenario: &Scenario, grid: &Grid, cells: &mut [CellConstants], ho
             }
         }
     }
+    Ok(())
 }
 
-fn build_nodes(scenario: &Scenario, grid: &Grid, cells: &[CellConstants], mut nodes: &mut [f64]) {
+/// Offsets (u, v) of a cell's corners.
+const CORNERS: [(usize, usize); 4] = [(0, 0), (1, 0), (1, 1), (0, 1)];
+
+fn build_nodes(
+    scenario: &Scenario,
+    grid: &Grid,
+    position: &dyn Fn(usize, usize) -> [f64; 2],
+    cells: &[CellConstants],
+    mut nodes: &mut [f64],
+) {
     nodes.fill(0.0);
     let n = grid.n_node();
     let [x, y, inverse_x, inverse_y, mass]: [&mut [f64]; MODEL_NODE_FIELDS] =
@@ -205,7 +246,7 @@ fn build_nodes(scenario: &Scenario, grid: &Grid, cells: &[CellConstants], mut no
         for u in 0..=grid.n_u {
             let node = v * grid.stride() + u;
             let fixed = fixed_directions(scenario, u, v);
-            let [px, py] = reference_position(scenario, grid, u, v);
+            let [px, py] = position(u, v);
             x[node] = px;
             y[node] = py;
             inverse_x[node] = if fixed[0] { 0.0 } else { 1.0 / mass[node] };
@@ -214,10 +255,11 @@ fn build_nodes(scenario: &Scenario, grid: &Grid, cells: &[CellConstants], mut no
     }
 }
 
-/// The centre line moves only along y; a bonded core not at all.
+/// The centre line of a half section moves only along y; a bonded core not at all.
 fn fixed_directions(scenario: &Scenario, u: usize, v: usize) -> [bool; 2] {
     let bonded = v == 0 && scenario.core.interface == Interface::Bonded;
-    [u == 0 || bonded, bonded]
+    let centre = u == 0 && scenario.geometry.section == Section::Half;
+    [centre || bonded, bonded]
 }
 
 /// A third of each triangle's mass to each of its corners.
@@ -226,9 +268,9 @@ fn lump_mass(scenario: &Scenario, grid: &Grid, cells: &[CellConstants], mass: &m
     for v in 0..grid.n_v {
         let density = if v < grid.n_v_silicone { silicone } else { skin };
         for u in 0..grid.n_u {
-            let corner = [(0, 0), (1, 0), (1, 1), (0, 1)].map(|(du, dv)| (v + dv) * grid.stride() + u + du);
+            let corner = CORNERS.map(|(du, dv)| (v + dv) * grid.stride() + u + du);
             let Some(cell) = cells.get(v * grid.blocks_per_row() + u / LANES) else { continue };
-            for (t, nodes) in crate::mesh::triangles(u, v).into_iter().enumerate() {
+            for (t, nodes) in triangles(grid, u, v).into_iter().enumerate() {
                 let third = cell.triangle[t].reference_volume[u % LANES] * density / 3.0;
                 for a in nodes {
                     mass[corner[a]] += third;

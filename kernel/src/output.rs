@@ -48,6 +48,12 @@ pub static OUTPUTS: &[Output] = &[
         "contact force on the impactor in the last step alone, with the impulses of single nodes in it",
     ),
     output(
+        "contact.half_width",
+        "m",
+        |_, s| s.contact_half_width,
+        "half of the width over which the face touches the anvil (radius if axisymmetric)",
+    ),
+    output(
         "core.reaction",
         "N",
         |_, s| s.sampler.last.core_reaction,

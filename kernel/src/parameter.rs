@@ -6,7 +6,7 @@ mod material;
 
 use self::material::{SILICONE, SKIN};
 use crate::error::ParameterError;
-use crate::scenario::{DropBy, Formulation, Interface, Layers, Motion, Scenario, Shape, StepBy};
+use crate::scenario::{DropBy, Formulation, Interface, Layers, Motion, Scenario, Section, Shape, StepBy};
 
 /// One row of the table.
 #[derive(Clone, Copy)]
@@ -171,6 +171,13 @@ const TEST: &[Parameter] = &[
         |s, i| s.geometry.layers = if i == 0 { Layers::One } else { Layers::Two },
         "the silicone's material through silicone and skin (the study's simplification), or a skin of its own",
     ),
+    choice(
+        "geometry.section",
+        &["half", "full"],
+        |s| s.geometry.section as usize,
+        |s, i| s.geometry.section = if i == 0 { Section::Half } else { Section::Full },
+        "half of the section with symmetry, or all of it",
+    ),
     real(
         "geometry.core_radius",
         "m",
@@ -221,6 +228,13 @@ const TEST: &[Parameter] = &[
         |s| &mut s.impactor.face_diameter,
         "diameter of the flat face; its chord is the thickness of a round section in plane strain",
     ),
+    real(
+        "impactor.offset",
+        "m",
+        (-1.0, 1.0),
+        |s| &mut s.impactor.offset,
+        "distance of the face's centre from the centre line, to the right (full section)",
+    ),
     real("impactor.gap", "m", (0.0, 1.0), |s| &mut s.impactor.gap, "height of the face above the anvil at the start"),
     real("impactor.gravity", "m/s2", (0.0, 100.0), |s| &mut s.impactor.gravity, "acceleration of gravity"),
     choice(
@@ -245,10 +259,16 @@ const TEST: &[Parameter] = &[
 const NUMERICS: &[Parameter] = &[
     choice(
         "core.interface",
-        &["bonded", "frictional"],
+        &["bonded", "frictional", "sliding"],
         |s| s.core.interface as usize,
-        |s, i| s.core.interface = if i == 0 { Interface::Bonded } else { Interface::Frictional },
-        "how the layer sits on the core",
+        |s, i| {
+            s.core.interface = match i {
+                0 => Interface::Bonded,
+                1 => Interface::Frictional,
+                _ => Interface::Sliding,
+            }
+        },
+        "how the layer sits on the core: glued, in contact with friction, or on rollers (neither lifts nor rubs)",
     ),
     real(
         "core.friction_coefficient",

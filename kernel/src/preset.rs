@@ -2,7 +2,7 @@
 
 use crate::scenario::{
     CoreInterface, DropBy, ElasticLaw, FaceInterface, Formulation, Geometry, Impactor, Interface, Layers, Material,
-    Measurement, Mesh, Moduli, Motion, Scenario, Shape, StepBy, Time, VolumetricBy, VolumetricLaw,
+    Measurement, Mesh, Moduli, Motion, Scenario, Section, Shape, StepBy, Time, VolumetricBy, VolumetricLaw,
 };
 
 /// A scenario with a name.
@@ -36,6 +36,7 @@ pub fn study() -> Scenario {
             shape: Shape::Round,
             formulation: Formulation::PlaneStrain,
             layers: Layers::One,
+            section: Section::Half,
             core_radius: 37.5e-3,
             silicone_thickness: 14e-3,
             skin_thickness: 1e-3,
@@ -46,6 +47,7 @@ pub fn study() -> Scenario {
             motion: Motion::Drop,
             mass: 5.0,
             face_diameter: 130e-3,
+            offset: 0.0,
             gap: 2e-3,
             gravity: 9.81,
             drop_by: DropBy::Energy,

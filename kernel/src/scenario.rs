@@ -69,6 +69,15 @@ pub struct Layer<'a> {
     pub material: &'a Material,
 }
 
+/// How much of the section is meshed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Section {
+    /// The right half, with a centre line that moves only vertically.
+    Half,
+    /// Both halves (plane strain).
+    Full,
+}
+
 /// Shape and size of the anvil.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Geometry {
@@ -78,6 +87,8 @@ pub struct Geometry {
     pub formulation: Formulation,
     /// One material, or two.
     pub layers: Layers,
+    /// Half or full section.
+    pub section: Section,
     /// Radius of the rigid core of a round anvil, m.
     pub core_radius: f64,
     /// Thickness of the silicone, m.
@@ -126,6 +137,8 @@ pub struct Impactor {
     pub mass: f64,
     /// Diameter of the flat face, m.
     pub face_diameter: f64,
+    /// Distance of the face's centre from the centre line, m, to the right (full section).
+    pub offset: f64,
     /// Height of the face above the anvil at the start, m.
     pub gap: f64,
     /// Acceleration of gravity on the impactor, m/s2.
@@ -293,6 +306,8 @@ pub enum Interface {
     Bonded,
     /// Unilateral contact with Coulomb friction.
     Frictional,
+    /// Neither lifts nor rubs: rollers.
+    Sliding,
 }
 
 /// Interface between layer and core.
@@ -377,8 +392,15 @@ impl Scenario {
         }
         let outer = geometry.core_radius + geometry.layer_thickness();
         let chord_ends = geometry.shape == Shape::Round && geometry.formulation == Formulation::PlaneStrain;
-        if chord_ends && 0.5 * self.impactor.face_diameter < FACE_MARGIN * outer {
-            let minimum = 2.0 * FACE_MARGIN * outer;
+        let reach = FACE_MARGIN * outer + crate::math::abs(self.impactor.offset);
+        if geometry.section == Section::Full && geometry.formulation == Formulation::Axisymmetric {
+            return Err(ScenarioError::FullAxisymmetric);
+        }
+        if geometry.section == Section::Half && self.impactor.offset != 0.0 {
+            return Err(ScenarioError::OffsetOfHalf { offset: self.impactor.offset });
+        }
+        if chord_ends && 0.5 * self.impactor.face_diameter < reach {
+            let minimum = 2.0 * reach;
             return Err(ScenarioError::FaceTooSmall { diameter: self.impactor.face_diameter, minimum });
         }
         Ok(())

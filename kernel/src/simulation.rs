@@ -31,6 +31,24 @@ impl Simulation {
     /// # Errors
     /// A refused scenario; see [`ModelError`].
     pub fn new(scenario: &Scenario) -> Result<Self, ModelError> {
+        Self::build(scenario, |memory| Model::new(scenario, memory))
+    }
+
+    /// The same with nodes that rest at `position(u, v)`, m; see [`Model::with_positions`].
+    ///
+    /// # Errors
+    /// As [`Simulation::new`], and a cell without area.
+    pub fn with_positions(
+        scenario: &Scenario,
+        position: &dyn Fn(usize, usize) -> [f64; 2],
+    ) -> Result<Self, ModelError> {
+        Self::build(scenario, |memory| Model::with_positions(scenario, position, memory))
+    }
+
+    fn build(
+        scenario: &Scenario,
+        model: impl for<'m> FnOnce(ModelMemory<'m>) -> Result<Model<'m>, ModelError>,
+    ) -> Result<Self, ModelError> {
         let size = Size::of(scenario)?;
         let mut model_nodes = vec![0.0; size.model_nodes];
         let mut model_cells = vec![CellConstants::ZERO; size.model_cells];
@@ -38,10 +56,7 @@ impl Simulation {
         let mut state_nodes = vec![0.0; size.state_nodes];
         let mut state_cells = vec![CellHistory::REST; size.state_cells];
         let mut state_viscous = vec![Deviator::ZERO; size.state_viscous];
-        let model = Model::new(
-            scenario,
-            ModelMemory { nodes: &mut model_nodes, cells: &mut model_cells, hoops: &mut model_hoops },
-        )?;
+        let model = model(ModelMemory { nodes: &mut model_nodes, cells: &mut model_cells, hoops: &mut model_hoops })?;
         let state = State::new(
             &model,
             StateMemory { nodes: &mut state_nodes, cells: &mut state_cells, viscous: &mut state_viscous },

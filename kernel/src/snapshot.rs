@@ -17,7 +17,7 @@ const MAGIC: u64 = u64::from_le_bytes(*b"SOFTANVL");
 const VERSION: u64 = 2;
 const HEADER_WORDS: usize = 4;
 const CHECKSUM_WORDS: usize = 1;
-const SCALAR_WORDS: usize = 7 + 15 + LEDGER_WORDS;
+const SCALAR_WORDS: usize = 7 + 16 + LEDGER_WORDS;
 /// Lanes per triangle: stretch, elastic stress, slider stress, largest stretch, stored energy.
 const HISTORY_LANES: usize = 4 + 3 + 3 + 1 + 1;
 
@@ -137,7 +137,7 @@ fn visit_deviator(deviator: &mut Deviator, number: &mut impl FnMut(&mut f64)) {
 }
 
 fn visit_scalars(scalars: &mut Scalars, f: &mut dyn FnMut(&mut u64)) {
-    let Scalars { step_index, impactor, force, sampler, metrics, energy, failure: _ } = scalars;
+    let Scalars { step_index, impactor, force, contact_half_width, sampler, metrics, energy, failure: _ } = scalars;
     let mut steps = u64::from(sampler.steps);
     for word in [
         step_index,
@@ -157,6 +157,7 @@ fn visit_scalars(scalars: &mut Scalars, f: &mut dyn FnMut(&mut u64)) {
         &mut impactor.acceleration,
         &mut force.contact,
         &mut force.core_reaction,
+        contact_half_width,
         &mut sampler.last.contact_force,
         &mut sampler.last.core_reaction,
         &mut sampler.sum.contact,

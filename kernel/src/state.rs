@@ -19,6 +19,8 @@ pub struct Scalars {
     pub impactor: ImpactorState,
     /// Forces of the last step.
     pub force: Forces,
+    /// Half of the width over which the face touches the surface, m.
+    pub contact_half_width: f64,
     /// Force samples at [`crate::model::SAMPLING_INTERVAL`].
     pub sampler: Sampler,
     /// Numbers of the test so far.
@@ -196,6 +198,7 @@ impl Scalars {
             step_index: 0,
             impactor: ImpactorState::start(model),
             force: Forces { contact: 0.0, core_reaction: 0.0 },
+            contact_half_width: 0.0,
             sampler: Sampler::START,
             metrics: Metrics::START,
             energy: Ledger::start(model),

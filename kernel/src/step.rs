@@ -9,6 +9,7 @@ use crate::impactor::StepInput;
 use crate::lanes::subtract_at;
 use crate::model::Model;
 use crate::state::{Forces, State, corner_indices};
+use crate::surface;
 use crate::time_step;
 
 /// Advances `state` by one step of `model.constants.dt`: central difference, from the positions at n and the velocities
@@ -40,6 +41,7 @@ fn advance(model: &Model, state: &mut State, input: &StepInput) -> Result<(), St
     let prediction = state.scalars.impactor.predict(model, input);
     let before = state.scalars.impactor.velocity_half;
     let face = face::contact(model, state, &prediction);
+    state.scalars.contact_half_width = surface::contact_half_width(model, state);
     let layer_kinetic = move_nodes(model, state);
     let work = StepWork {
         element: &energy,

@@ -18,7 +18,7 @@ use crate::stretch::IsochoricStretch;
 
 /// Stretch through the thickness that the step is chosen for. It holds up to five times the energy of the study's
 /// highest drop, where the layer gets thinner than this but, being compressible, less stiff than assumed.
-pub const DESIGN_STRETCH: f64 = 0.65;
+pub const DESIGN_STRETCH: f64 = 0.6;
 
 /// The monitor visits every block once in this many steps, an equal share in each.
 pub const MONITOR_PERIOD: usize = 16;

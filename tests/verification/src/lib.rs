@@ -1,8 +1,16 @@
 //! What the verification problems share: the tolerances, a driver for one element, and scenarios.
+//!
+//! A problem is computed in [`problems`], judged in a file of `tests/`, and reported in the [`table`].
 
+pub mod body;
 pub mod deformation;
 pub mod element;
+pub mod order;
+pub mod problems;
+pub mod relaxation;
 pub mod scenes;
+pub mod statics;
+pub mod table;
 pub mod tolerance;
 
 /// Compiles and runs the Rust program of the README.

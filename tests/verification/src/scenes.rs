@@ -80,3 +80,22 @@ pub fn block(width: f64, height: f64, material: Material) -> Scenario {
     scenario.silicone = material;
     scenario
 }
+
+/// A block of `n_u` by `n_v` cells, held at its base and far below the face, for bodies whose nodes are placed by
+/// [`Simulation::with_positions`].
+pub fn grid(n_u: usize, n_v: usize, material: Material) -> Scenario {
+    let mut scenario = block(2.0 * n_u as f64 * GRID_CELL, n_v as f64 * GRID_CELL, material);
+    scenario.mesh.element_size = GRID_CELL;
+    scenario.core.interface = Interface::Bonded;
+    scenario.impactor.gap = 1.0;
+    scenario.geometry.length = 1.0;
+    scenario
+}
+
+/// Nominal cell of [`grid`], m, which only the count of cells depends on.
+const GRID_CELL: f64 = 1e-3;
+
+/// Neo-Hookean with a shear modulus, Pa, and a bulk modulus, Pa.
+pub fn neo_hookean(shear_modulus: f64, bulk_modulus: f64) -> Material {
+    elastic(0.5 * shear_modulus, 0.0, bulk_modulus)
+}

@@ -68,7 +68,81 @@ pub const MESH: f64 = 0.03;
 /// Penetration of the face over the element size: contact is a constraint, what is left is round-off.
 pub const PENETRATION: f64 = 1e-9;
 
+/// Mirror images and two halves against the whole: round-off, grown over some thousand steps of contact.
+pub const SYMMETRY: f64 = 1e-8;
+
 /// The value `measured` against `reference`, relative.
 pub fn relative_error(measured: f64, reference: f64) -> f64 {
     (measured - reference).abs() / reference.abs()
 }
+
+/// Least order of the contact force of the bonded layer: the requirement.
+pub const CONTACT_ORDER: f64 = 1.5;
+
+/// Contact force at the default element size against the finest mesh: the requirement.
+pub const CONTACT_DEFAULT: f64 = 0.02;
+
+/// The force at which the kernel's steps settle against the equilibrium of the same mesh: the square root of the kinetic
+/// energy that is left.
+pub const SETTLED: f64 = 1e-5;
+
+/// Patch test with free inner nodes: round-off, grown by the condition of the stiffness.
+pub const PATCH_DISTORTED: f64 = 1e-10;
+
+/// Least order where theory says 2, measured over four meshes of which the coarsest is not yet in the limit.
+pub const SECOND_ORDER: f64 = 1.9;
+
+/// Largest error of the swinging plate on 32 by 32 cells.
+pub const SWINGING_PLATE: f64 = 1e-3;
+
+/// Cook's membrane, linear, on 32 by 32 cells: linear triangles bend stiffly, the corner of the clamp is singular.
+pub const COOK_LINEAR: f64 = 0.012;
+
+/// Limit of Cook's linear deflection, extrapolated from the three finest regular meshes.
+pub const COOK_LIMIT: f64 = 3e-3;
+
+/// Limit of Cook's deflection at finite strain: its reference is known to two digits.
+pub const COOK_FINITE_LIMIT: f64 = 0.01;
+
+/// Period of free vibration on the finest bar; lateral inertia of the free bar adds (nu' k b)^2 / 6 = 2e-5.
+pub const BAR_PERIOD: f64 = 1e-4;
+
+/// Speed of a front on the finest bar: the width of a step's front is a few cells of 128, and its delay is known to 1e-3.
+pub const BAR_SPEED: f64 = 1e-3;
+
+/// Stress behind a front: ringing of the face's nodes, averaged.
+pub const BAR_STRESS: f64 = 1e-4;
+
+/// Gent and Lindley's moduli are sums of two mechanisms, good to this at shape factors from 1 to 5...
+pub const GENT_LINDLEY: f64 = 0.04;
+
+/// ...and to this at 0.5, where the shear near the bonded edges is not parabolic.
+pub const GENT_LINDLEY_SLENDER: f64 = 0.07;
+
+/// Force under a face that sticks by friction against a bonded one: nodes stick where they are caught.
+pub const STICKING: f64 = 1e-4;
+
+/// Hertz's peak pressure: the body is forty contact half widths wide and deep, not infinite.
+pub const HERTZ_PEAK: f64 = 0.015;
+
+/// Stopping distance of a rigid block: the elastic one vibrates in shear while it slides.
+pub const STOPPING_DISTANCE: f64 = 2e-3;
+
+/// Displacement of Lame's problems with 32 cells through the wall.
+pub const LAME_DISPLACEMENT: f64 = 2e-3;
+
+/// Stress of Lame's problems with 32 cells through the wall, over the pressure.
+pub const LAME_STRESS: f64 = 1e-3;
+
+/// Least order of the stress of the sphere: on the axis the hoop stretch of a linear triangle is of first order, in a
+/// part of the body that shrinks with the element size.
+pub const LAME_SPHERE_STRESS_ORDER: f64 = 1.4;
+
+/// Largest alternating part of the pressure with eight cells through the thickness.
+pub const CHECKERBOARD: f64 = 0.05;
+
+/// Zero eigenvalues over the largest: round-off of the difference quotients.
+pub const ZERO_ENERGY: f64 = 1e-9;
+
+/// Smallest eigenvalue of a real deformation of one cell over the largest: the ratio of the moduli, not less.
+pub const SMALLEST_STIFFNESS: f64 = 1e-3;

@@ -1,0 +1,12 @@
+//! The computations behind the verification problems, shared by the tests and the table.
+
+pub mod bar_wave;
+pub mod bonded_strip;
+pub mod checkerboard;
+pub mod contact_convergence;
+pub mod cook;
+pub mod coulomb_block;
+pub mod hertz;
+pub mod lame;
+pub mod patch_distorted;
+pub mod swinging_plate;

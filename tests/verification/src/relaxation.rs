@@ -1,0 +1,48 @@
+//! Quasi-static loading through the kernel's own steps: a slow face, and damping of all velocities in proportion to
+//! themselves (dynamic relaxation).
+
+use softanvil_kernel::{Model, Simulation, State, StepInput, step};
+
+/// Kinetic over elastic energy at which the layer counts as at rest: the force is then off by its square root.
+const AT_REST: f64 = 1e-12;
+
+/// Presses the face `depth` m into the anvil within `travel` s, then holds it until all motion is gone; velocities decay
+/// with the time constant `decay` s. Returns the contact force, N.
+///
+/// # Panics
+/// If a step fails, or the motion does not end within a hundred times the travel.
+pub fn press_slowly(simulation: &mut Simulation, depth: f64, travel: f64, decay: f64) -> f64 {
+    simulation
+        .with(|model, state| {
+            let dt = model.constants.dt;
+            let mut time = 0.0;
+            while time < travel || state.scalars.energy.layer_kinetic > AT_REST * state.scalars.energy.elastic {
+                assert!(time < 100.0 * travel, "the layer does not come to rest");
+                time += dt;
+                let part = (time / travel).min(1.0);
+                // No jump of velocity at either end.
+                let position = -depth * part * part * (3.0 - 2.0 * part);
+                damp(state, 1.0 - dt / decay);
+                step(model, state, &StepInput { driven_position: position, ..StepInput::default() }).expect("a step");
+            }
+            state.scalars.force.contact
+        })
+        .expect("memory of the right size")
+}
+
+/// Scales all velocities.
+pub fn damp(state: &mut State, factor: f64) {
+    for velocity in state.velocity_mut().into_iter().flatten() {
+        *velocity *= factor;
+    }
+}
+
+/// Adds an acceleration field to all nodes for one step, m/s2.
+pub fn accelerate(model: &Model, state: &mut State, acceleration: [f64; 2]) {
+    let grid = model.constants.grid;
+    for (velocity, acceleration) in state.velocity_mut().into_iter().zip(acceleration) {
+        for row in velocity.chunks_mut(grid.stride()) {
+            row.iter_mut().take(grid.n_u + 1).for_each(|value| *value += model.constants.dt * acceleration);
+        }
+    }
+}

@@ -1,0 +1,91 @@
+//! The table of the verification problems, `docs/verification.md`.
+
+use std::fmt::Write;
+
+use softanvil_kernel::scenario::Formulation;
+
+use crate::problems::{
+    bar_wave, bonded_strip, checkerboard, contact_convergence, cook, coulomb_block, hertz, lame, patch_distorted,
+    swinging_plate,
+};
+
+/// One row: the errors of a quantity over meshes.
+pub struct Row {
+    /// File of the problem.
+    pub problem: &'static str,
+    /// What is compared, and for which case.
+    pub quantity: String,
+    /// What it is compared with.
+    pub reference: String,
+    /// Mesh of each error, coarsest first.
+    pub meshes: Vec<String>,
+    /// Relative errors.
+    pub errors: Vec<f64>,
+    /// Order of convergence, where one is measured.
+    pub order: Option<f64>,
+}
+
+/// A formulation in words.
+pub fn name(formulation: Formulation) -> &'static str {
+    match formulation {
+        Formulation::PlaneStrain => "plane strain",
+        Formulation::Axisymmetric => "axisymmetric",
+    }
+}
+
+/// Rows of the problems on their regular meshes, which the tests judge.
+pub fn regular_rows() -> Vec<Row> {
+    [
+        contact_convergence::rows(),
+        patch_distorted::rows(),
+        swinging_plate::rows(&swinging_plate::CELLS),
+        cook::rows(&cook::CELLS),
+        bar_wave::rows(&bar_wave::CELLS),
+        bonded_strip::rows(),
+        hertz::rows(&hertz::CELLS),
+        coulomb_block::rows(),
+        lame::rows(&lame::CELLS),
+        checkerboard::rows(),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
+}
+
+/// Rows of the long convergence studies, on finer meshes.
+pub fn long_rows() -> Vec<Row> {
+    [swinging_plate::rows(&[8, 16, 32, 64]), cook::rows(&[8, 16, 32, 64]), lame::rows(&[8, 16, 32, 64])]
+        .into_iter()
+        .flatten()
+        .collect()
+}
+
+/// The rows as lines of a table in Markdown.
+///
+/// Errors have two digits and orders one, which is less than compilers and mathematics libraries can differ by; errors
+/// at the level of round-off, which they do change, are only said to be there.
+pub fn markdown(rows: &[Row]) -> String {
+    let mut text =
+        String::from("| problem | quantity | reference | coarsest mesh | error | finest mesh | error | order |\n");
+    text.push_str("|---|---|---|---|---|---|---|---|\n");
+    for row in rows {
+        let last = row.errors.len() - 1;
+        let order = row.order.map_or("-".into(), |order| format!("{order:.1}"));
+        let _ = writeln!(
+            text,
+            "| {} | {} | {} | {} | {} | {} | {} | {order} |",
+            row.problem,
+            row.quantity,
+            row.reference,
+            row.meshes[0],
+            percent(row.errors[0]),
+            row.meshes[last],
+            percent(row.errors[last]),
+        );
+    }
+    text
+}
+
+fn percent(error: f64) -> String {
+    if error.abs() < 1e-9 { "round-off".into() } else { format!("{:.1e}", error) }
+}

@@ -1,0 +1,12 @@
+//! The verification problems that the table lists, one file each, in one program because they share their solvers.
+
+mod bar_wave;
+mod bonded_strip;
+mod checkerboard;
+mod contact_convergence;
+mod cook;
+mod coulomb_block;
+mod hertz;
+mod lame;
+mod patch_distorted;
+mod swinging_plate;
