@@ -10,3 +10,4 @@ mod hertz;
 mod lame;
 mod patch_distorted;
 mod swinging_plate;
+mod table;

@@ -1,0 +1,11 @@
+//! The committed table is current: `docs/verification.md` holds the regular rows as they come out now.
+
+use softanvil_verification::table::{markdown, regular_rows};
+
+#[test]
+fn the_committed_table_is_current() {
+    let page = include_str!("../../../../docs/verification.md");
+    for line in markdown(&regular_rows()).lines() {
+        assert!(page.lines().any(|committed| committed == line), "docs/verification.md lacks\n{line}");
+    }
+}
