@@ -248,7 +248,7 @@ impl fmt::Display for StepError {
             Self::Unstable { element, time, limit, step } => write!(
                 f,
                 "the time step of {step} s is above the stability limit {limit} s of element {element} at {time} s \
-                 (lower time.safety_factor)"
+                 (lower time.safety_factor or the given time.step)"
             ),
             Self::Input { value, time } => {
                 write!(f, "input {value} at {time} s is refused: legal is a finite number")

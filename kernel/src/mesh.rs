@@ -2,7 +2,7 @@
 //! line (u = 0) outwards, or from left to right in a full section.
 //!
 //! The topology is implicit: cell (u, v) has the corners (u, v), (u + 1, v), (u + 1, v + 1), (u, v + 1), numbered 0 to
-//! 3 in this order, and is split into two triangles by a diagonal whose direction alternates from cell to cell. Blocks
+//! 3 in this order, and is split into two triangles by a diagonal ([`triangles`] tells which). Blocks
 //! of [`LANES`] cells lie along a row, so that the data of neighbouring cells are neighbours in memory and the element
 //! loop needs no index table. A row is padded to whole blocks with cells of no volume and nodes of no mobility.
 
@@ -25,6 +25,8 @@ pub struct Grid {
     pub n_v: usize,
     /// Rows of the silicone; the skin has the others.
     pub n_v_silicone: usize,
+    /// Whether the cells are rings.
+    pub axisymmetric: bool,
 }
 
 impl Grid {
@@ -52,9 +54,10 @@ impl Grid {
         let half = count(width) as usize;
         let n_v_silicone = silicone as usize;
         let n_v = n_v_silicone + skin as usize;
+        let axisymmetric = geometry.formulation == Formulation::Axisymmetric;
         Ok(match geometry.section {
-            Section::Half => Self { n_u: half, centre: 0, n_v, n_v_silicone },
-            Section::Full => Self { n_u: 2 * half, centre: half, n_v, n_v_silicone },
+            Section::Half => Self { n_u: half, centre: 0, n_v, n_v_silicone, axisymmetric },
+            Section::Full => Self { n_u: 2 * half, centre: half, n_v, n_v_silicone, axisymmetric },
         })
     }
 
@@ -141,9 +144,15 @@ pub fn out_of_plane(scenario: &Scenario, x: f64) -> f64 {
     }
 }
 
-/// Corners of the two triangles of cell (u, v). The left half of a full section mirrors the right.
+/// Corners of the two triangles of cell (u, v).
+///
+/// Diagonals alternate in plane strain, and the left half of a full section mirrors the right. In an axisymmetric cell the
+/// hoop strain of the mean dilatation depends on the diagonal, so that alternating diagonals would excite a checkerboard
+/// of the pressure near incompressibility: there all diagonals fall.
 pub fn triangles(grid: &Grid, u: usize, v: usize) -> [[usize; 3]; 2] {
-    let rising = if u >= grid.centre {
+    let rising = if grid.axisymmetric {
+        false
+    } else if u >= grid.centre {
         (u - grid.centre + v).is_multiple_of(2)
     } else {
         !(grid.centre - 1 - u + v).is_multiple_of(2)

@@ -68,18 +68,18 @@ fn smallest_limit(
     for (layer, cells) in scenario.layers().iter().zip([silicone, skin]) {
         // A layer without rows has the eigenvalue 0 and no limit.
         let laws = Laws::new(layer.material, SAMPLING_INTERVAL);
-        let limit = limit(&laws, stretch, 1.0, growth * largest_eigenvalue(cells));
-        smallest = if limit < smallest { limit } else { smallest };
+        let squared = limit_squared(&laws, stretch, 1.0, growth * largest_eigenvalue(cells));
+        smallest = if squared < smallest { squared } else { smallest };
     }
-    smallest
+    math::sqrt(smallest)
 }
 
-/// Largest stable step, s, at an isochoric stretch, a Jacobian and the eigenvalue `lambda`, 1/m2.
-fn limit(laws: &Laws, stretch: &IsochoricStretch, jacobian: f64, lambda: f64) -> f64 {
+/// Square of the largest stable step, s2, at an isochoric stretch, a Jacobian and the eigenvalue `lambda`, 1/m2.
+fn limit_squared(laws: &Laws, stretch: &IsochoricStretch, jacobian: f64, lambda: f64) -> f64 {
     let shear = laws.shear_tangent(stretch);
     let bulk = laws.volumetric.tangent(jacobian);
     let modulus = math::larger(2.0 * shear, 2.0 * bulk + (2.0 / 3.0) * shear);
-    2.0 / math::sqrt(3.0 * modulus * lambda / laws.density)
+    4.0 * laws.density / (3.0 * modulus * lambda)
 }
 
 /// Largest eigenvalue of sum_a dN_a/dX (x) dN_a/dX over all triangles at rest, 1/m2.
@@ -115,7 +115,8 @@ fn gradient_products(triangle: &TriangleConstants, l: usize) -> [f64; 3] {
 /// Larger eigenvalue of a symmetric 2 x 2 matrix.
 fn eigenvalue(xx: f64, yy: f64, xy: f64) -> f64 {
     let half = 0.5 * (xx - yy);
-    0.5 * (xx + yy) + math::sqrt(half * half + xy * xy)
+    let squared = half * half + xy * xy;
+    0.5 * (xx + yy) + squared * math::inverse_sqrt(squared)
 }
 
 /// Compares the step with the current limit of this step's share of the blocks.
@@ -160,12 +161,12 @@ fn check_triangle(
         let (a11, a12) = (v11 * xx + v12 * xy, v11 * xy + v12 * yy);
         let (a21, a22) = (v12 * xx + v22 * xy, v12 * xy + v22 * yy);
         let lambda = eigenvalue(a11 * v11 + a12 * v12, a21 * v12 + a22 * v22, a11 * v12 + a12 * v22);
-        let limit = limit(laws, &k.isochoric_stretch(l), k.jacobian[l], lambda);
-        if limit < constants.dt {
+        let squared = limit_squared(laws, &k.isochoric_stretch(l), k.jacobian[l], lambda);
+        if squared < constants.dt * constants.dt {
             return Err(StepError::Unstable {
                 element: constants.grid.element_index(place.block, l, place.t),
                 time: constants.time(state.scalars.step_index),
-                limit,
+                limit: math::sqrt(squared),
                 step: constants.dt,
             });
         }
