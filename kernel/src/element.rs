@@ -352,10 +352,11 @@ impl Triangle {
     /// Triangle `t` of cell (u, v).
     pub fn new(scenario: &Scenario, grid: &Grid, u: usize, v: usize, t: usize) -> Self {
         let corner = |c: usize| {
-            let (du, dv) = [(0, 0), (1, 0), (1, 1), (0, 1)][c];
+            // Corners are numbered 0 to 3; the remainder changes nothing and leaves no bound to check.
+            let (du, dv) = [(0, 0), (1, 0), (1, 1), (0, 1)][c % 4];
             reference_position(scenario, grid, u + du, v + dv)
         };
-        let nodes = triangles(u, v)[t];
+        let nodes = triangles(u, v)[t % 2];
         let [a, b, c] = nodes.map(corner);
         // The corners run counter-clockwise, so this is positive.
         let double_area = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
@@ -366,8 +367,8 @@ impl Triangle {
             hoop: [0.0; 4],
         };
         for (node, (p, q)) in nodes.into_iter().zip([(b, c), (c, a), (a, b)]) {
-            triangle.gradient[node] = [(p[1] - q[1]) / double_area, (q[0] - p[0]) / double_area];
-            triangle.hoop[node] = 1.0 / (3.0 * radius);
+            triangle.gradient[node % 4] = [(p[1] - q[1]) / double_area, (q[0] - p[0]) / double_area];
+            triangle.hoop[node % 4] = 1.0 / (3.0 * radius);
         }
         triangle
     }

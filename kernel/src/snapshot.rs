@@ -5,10 +5,12 @@
 //! everything before it. Equal states give equal bytes.
 
 use crate::digest::Digest;
+use crate::element::TriangleHistory;
 use crate::error::SnapshotError;
 use crate::lanes::{Deviator, LANES};
 use crate::model::{Constants, Model};
 use crate::state::{Scalars, State};
+use crate::state_view::StateView;
 
 /// "SOFTANVL" in ASCII, least significant byte first.
 const MAGIC: u64 = u64::from_le_bytes(*b"SOFTANVL");
@@ -34,17 +36,26 @@ fn payload_words(constants: &Constants) -> usize {
 ///
 /// # Errors
 /// A wrong length, or a state that has failed. Nothing is written then.
-pub fn save(model: &Model, state: &mut State, bytes: &mut [u8]) -> Result<(), SnapshotError> {
+pub fn save(model: &Model, state: &State, bytes: &mut [u8]) -> Result<(), SnapshotError> {
+    save_view(model, &state.as_view(), bytes)
+}
+
+/// As [`save`], of a state that others may read at the same time.
+///
+/// # Errors
+/// As [`save`].
+pub fn save_view(model: &Model, state: &StateView, bytes: &mut [u8]) -> Result<(), SnapshotError> {
     check_length(model, bytes.len())?;
     if state.scalars.failure.is_some() {
         return Err(SnapshotError::Failed);
     }
     let payload = payload_words(&model.constants) as u64;
     let mut digest = Digest::new();
-    let mut words = bytes.chunks_exact_mut(8);
+    let (words, _) = bytes.as_chunks_mut::<8>();
+    let mut words = words.iter_mut();
     let mut put = |word: u64| {
         if let Some(chunk) = words.next() {
-            chunk.copy_from_slice(&word.to_le_bytes());
+            *chunk = word.to_le_bytes();
         }
     };
     let mut put_and_digest = |word: u64| {
@@ -52,7 +63,7 @@ pub fn save(model: &Model, state: &mut State, bytes: &mut [u8]) -> Result<(), Sn
         put(word);
     };
     [MAGIC, VERSION, model.constants.fingerprint, payload].into_iter().for_each(&mut put_and_digest);
-    visit(state, &mut |word| put_and_digest(*word));
+    read(state, &mut put_and_digest);
     put(digest.value());
     Ok(())
 }
@@ -100,10 +111,27 @@ fn word_of(chunk: &[u8]) -> u64 {
 }
 
 /// Digest of everything that a snapshot holds.
-pub fn state_digest(state: &mut State) -> u64 {
+pub fn state_digest(state: &State) -> u64 {
     let mut digest = Digest::new();
-    visit(state, &mut |word| digest.word(*word));
+    read(&state.as_view(), &mut |word| digest.word(word));
     digest.value()
+}
+
+/// Shows every word of the state to `f`, in the order of [`visit`], of which it changes only copies.
+fn read(state: &StateView, f: &mut dyn FnMut(u64)) {
+    let mut scalars = *state.scalars;
+    visit_scalars(&mut scalars, &mut |word| f(*word));
+    for number in state.arrays.into_iter().flatten() {
+        f(number.to_bits());
+    }
+    for triangle in state.cells.iter().flat_map(|cell| &cell.triangle) {
+        let mut triangle = *triangle;
+        visit_triangle(&mut triangle, &mut |number| f(number.to_bits()));
+    }
+    for stress in state.prony {
+        let mut stress = *stress;
+        visit_deviator(&mut stress, &mut |number| f(number.to_bits()));
+    }
 }
 
 /// Shows every word of the state to `f`, always in the same order, and takes back what `f` makes of it.
@@ -118,13 +146,17 @@ fn visit(state: &mut State, f: &mut dyn FnMut(&mut u64)) {
         array.iter_mut().for_each(&mut number);
     }
     for triangle in state.cells.iter_mut().flat_map(|cell| &mut cell.triangle) {
-        triangle.stretch_prev.iter_mut().flatten().for_each(&mut number);
-        visit_deviator(&mut triangle.elastic_prev, &mut number);
-        visit_deviator(&mut triangle.slider_stress, &mut number);
+        visit_triangle(triangle, &mut number);
     }
     for stress in state.prony.iter_mut() {
         visit_deviator(stress, &mut number);
     }
+}
+
+fn visit_triangle(triangle: &mut TriangleHistory, number: &mut impl FnMut(&mut f64)) {
+    triangle.stretch_prev.iter_mut().flatten().for_each(&mut *number);
+    visit_deviator(&mut triangle.elastic_prev, number);
+    visit_deviator(&mut triangle.slider_stress, number);
 }
 
 fn visit_deviator(deviator: &mut Deviator, number: &mut impl FnMut(&mut f64)) {

@@ -52,6 +52,12 @@ for dialect in c++11 c++17 c++20; do
     check "header as $dialect" g++ -std=$dialect -Wall -Wextra -Wpedantic -Werror -fsyntax-only -x c++ \
         "$tests/../include/softanvil.h"
 done
+for dialect in c++17 c++20; do
+    check "C++ header as $dialect" g++ -std=$dialect -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror \
+        -fsyntax-only -x c++ "$tests/../include/softanvil.hpp"
+    check "C++ header as $dialect without exceptions" g++ -std=$dialect -fno-exceptions -Wall -Wextra -Wpedantic \
+        -Werror -fsyntax-only -x c++ "$tests/../include/softanvil.hpp"
+done
 check "layout frozen" "${c[@]}" "${include[@]}" -fsyntax-only "$tests/c/abi.c"
 
 for linkage in static shared; do
