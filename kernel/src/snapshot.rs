@@ -18,7 +18,11 @@ const MAGIC: u64 = u64::from_le_bytes(*b"SOFTANVL");
 const VERSION: u64 = 1;
 const HEADER_WORDS: usize = 4;
 const CHECKSUM_WORDS: usize = 1;
-const SCALAR_WORDS: usize = 7 + 15 + 12;
+/// Words of the scalars that are whole numbers.
+const COUNTERS: usize = 7;
+/// Most steps that a state may have behind it: up to here every count is exact as a float.
+const MOST_STEPS: u64 = 1 << 53;
+const SCALAR_WORDS: usize = COUNTERS + 15 + 12;
 /// Lanes per triangle: stretch, elastic stress, slider stress.
 const HISTORY_LANES: usize = 4 + 3 + 3;
 
@@ -100,10 +104,26 @@ fn check_content(model: &Model, bytes: &[u8]) -> Result<(), SnapshotError> {
     if header[2] != model.constants.fingerprint {
         return Err(SnapshotError::Foreign);
     }
+    let counters: [u64; COUNTERS] = core::array::from_fn(|_| words.next().unwrap_or_default());
     let mut digest = Digest::new();
-    header.into_iter().for_each(|word| digest.word(word));
-    (&mut words).take(payload).for_each(|word| digest.word(word));
-    if words.next() == Some(digest.value()) { Ok(()) } else { Err(SnapshotError::Corrupt) }
+    header.into_iter().chain(counters).for_each(|word| digest.word(word));
+    (&mut words).take(payload - COUNTERS).for_each(|word| digest.word(word));
+    let whole = words.next() == Some(digest.value());
+    if whole && counters_fit(&model.constants, counters) { Ok(()) } else { Err(SnapshotError::Corrupt) }
+}
+
+/// Whether the counters at the front of the scalars can belong to one state. A checksum that fits is no proof: counters
+/// that contradict each other would overflow in later steps.
+fn counters_fit(constants: &Constants, counters: [u64; COUNTERS]) -> bool {
+    let [step_index, sample, _, steps, first_sample, last_sample, first_step] = counters;
+    let period = u64::from(constants.steps_per_sample);
+    let whole = sample.checked_mul(period).and_then(|made| made.checked_add(steps)) == Some(step_index);
+    whole
+        && step_index <= MOST_STEPS
+        && steps < period
+        && first_sample <= last_sample
+        && last_sample <= sample
+        && first_step <= step_index
 }
 
 fn word_of(chunk: &[u8]) -> u64 {
