@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <initializer_list>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -140,6 +141,39 @@ void fields()
     check(mean.at(mean.size() - 2 * (y.columns() - 1)) > 1e4, "the middle is under pressure");
 }
 
+// A block pressed slowly without friction: the stress under the face is the contact pressure, and none is across it.
+void uniform_compression()
+{
+    auto block = Scenario::preset(SOFTANVIL_PRESET_STUDY).value();
+    for (const auto &[parameter, value] : std::initializer_list<std::pair<const char *, double>>{
+             {"geometry.shape", SOFTANVIL_GEOMETRY_SHAPE_BLOCK},
+             {"geometry.block_width", 0.03},
+             {"core.interface", SOFTANVIL_CORE_INTERFACE_FRICTIONAL},
+             {"core.friction_coefficient", 0.0},
+             {"face.friction_coefficient", 0.0},
+             {"impactor.motion", SOFTANVIL_IMPACTOR_MOTION_DRIVEN},
+             {"impactor.gap", 0.0},
+             {"mesh.element_size", 3e-3},
+         }) {
+        block.set(parameter, value).value();
+    }
+    auto press = Simulation::make(block).value();
+    auto input = press.input().value();
+    for (int i = 1; i <= 4000; i++) {
+        const double part = i < 2000 ? i / 2000.0 : 1.0;
+        input.driven_position = -1.5e-3 * part * part * (3.0 - 2.0 * part);
+        press.step(20, &input).value();
+    }
+    const auto pressure = press.read().read(SOFTANVIL_FIELD_SURFACE_CONTACT_PRESSURE).value();
+    const auto across = press.read().read(SOFTANVIL_FIELD_ELEMENT_PRINCIPAL_STRESS, 0).value();
+    const auto along = press.read().read(SOFTANVIL_FIELD_ELEMENT_PRINCIPAL_STRESS, 1).value();
+    for (std::size_t i = 0; i < along.size(); i++) {
+        // What is left of the waves is below 3 %.
+        check(std::fabs(along[i] + pressure.front()) < 0.03 * pressure.front(), "stress along the pressure");
+        check(std::fabs(across[i]) < 0.03 * pressure.front(), "no stress across it");
+    }
+}
+
 // Failures without exceptions.
 void refusals()
 {
@@ -167,6 +201,7 @@ int main()
         }
         traced();
         fields();
+        uniform_compression();
         refusals();
     } catch (const std::exception &failure) {
         std::fprintf(stderr, "failed: %s\n", failure.what());
