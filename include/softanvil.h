@@ -606,6 +606,30 @@ enum SoftanvilOutput {
     SOFTANVIL_OUTPUT_ENERGY_TEAR = 27
 };
 
+/** Fields of a simulation: name, unit, components, meaning. */
+enum SoftanvilField {
+    /** node.reference_position, m, 2 components: position at rest, x outwards from the centre line and y upwards from the centre of the core. */
+    SOFTANVIL_FIELD_NODE_REFERENCE_POSITION = 0,
+    /** node.position, m, 2 components: current position, x and y. */
+    SOFTANVIL_FIELD_NODE_POSITION = 1,
+    /** node.displacement, m, 2 components: displacement from rest, x and y. */
+    SOFTANVIL_FIELD_NODE_DISPLACEMENT = 2,
+    /** node.velocity, m/s, 2 components: velocity half a step back, x and y. */
+    SOFTANVIL_FIELD_NODE_VELOCITY = 3,
+    /** node.force, N, 2 components: force in the last step on the meshed section, contact and friction included, x and y. */
+    SOFTANVIL_FIELD_NODE_FORCE = 4,
+    /** surface.contact_force, N, 2 components: force of the face in the last step on the meshed section, pressing and, outwards, by friction. */
+    SOFTANVIL_FIELD_SURFACE_CONTACT_FORCE = 5,
+    /** surface.contact_pressure, Pa: contact pressure in the last step, over the area halfway to the neighbouring nodes. */
+    SOFTANVIL_FIELD_SURFACE_CONTACT_PRESSURE = 6,
+    /** element.pressure, Pa: hydrostatic pressure of the last step, positive in compression. */
+    SOFTANVIL_FIELD_ELEMENT_PRESSURE = 7,
+    /** element.von_mises_stress, Pa: von Mises stress of the last step, viscous and damping parts included. */
+    SOFTANVIL_FIELD_ELEMENT_VON_MISES_STRESS = 8,
+    /** element.principal_stress, Pa, 3 components: principal Cauchy stresses of the last step: larger and smaller in the section, then out of its plane. */
+    SOFTANVIL_FIELD_ELEMENT_PRINCIPAL_STRESS = 9
+};
+
 /* ================================================================================================================ */
 /* Tables of parameters and outputs                                                                                 */
 /* ================================================================================================================ */
@@ -991,6 +1015,138 @@ SoftanvilStatus softanvil_trace_hash(const SoftanvilSimulation *simulation,
                                      uint64_t *trace_hash);
 
 /* ================================================================================================================ */
+/* Trace                                                                                                            */
+/* ================================================================================================================ */
+
+/**
+ * What `softanvil_run_traced` calls after every sample. It may call every function that takes a `const` simulation; it
+ * must not change the simulation, throw, or jump out.
+ *
+ * @param simulation The simulation, at the time of the sample.
+ * @param context What was given to `softanvil_run_traced`.
+ * @return 0 to go on, anything else to end the run here.
+ */
+typedef int32_t (*SoftanvilTrace)(const SoftanvilSimulation *simulation, void *context);
+
+/**
+ * As `softanvil_run`, and calls `trace` after every sampling interval of 50 us. A run that `trace` ends early has
+ * succeeded; the simulation stands at that sample.
+ *
+ * @param simulation The simulation.
+ * @param duration Time, s, in the legal range of `time.duration`.
+ * @param input What acts on the impactor, or NULL for the input of `softanvil_input_default` at the call.
+ * @param trace What to call.
+ * @param context Handed to `trace` untouched; may be NULL.
+ * @param error Details of a failure, or NULL.
+ * @return As `softanvil_run`.
+ */
+SoftanvilStatus softanvil_run_traced(SoftanvilSimulation *simulation,
+                                     double duration,
+                                     const SoftanvilInput *input,
+                                     SoftanvilTrace trace,
+                                     void *context,
+                                     SoftanvilError *error);
+
+/* ================================================================================================================ */
+/* Fields                                                                                                           */
+/* ================================================================================================================ */
+
+/** One row of the table of fields. */
+typedef struct SoftanvilFieldInfo {
+    /** Its number, a `SoftanvilField`. */
+    uint32_t id;
+    /** Numbers per value: 1, 2 (x and y) or 3. */
+    uint32_t components;
+    /** Always 0. */
+    double reserved[4];
+    /** Name, such as "node.displacement". */
+    char name[SOFTANVIL_NAME_SIZE];
+    /** SI unit. */
+    char unit[SOFTANVIL_UNIT_SIZE];
+    /** Meaning, one line. */
+    char description[SOFTANVIL_DESCRIPTION_SIZE];
+} SoftanvilFieldInfo;
+
+/**
+ * One component of a field: the number at (row, column) is `data[row * row_stride + column * column_stride]`.
+ *
+ * Nodes lie in rows from the core to the surface and in columns from one edge of the section to the other; the surface
+ * is one row; triangles lie in the rows of their cells, two columns per cell, so that triangle `element` of a
+ * `SoftanvilError` is in row `element / columns`, column `element % columns`.
+ */
+typedef struct SoftanvilView {
+    /** First number, inside the memory of the simulation; NULL if the field is computed when it is read. */
+    const double *data;
+    /** Rows. */
+    size_t rows;
+    /** Columns. */
+    size_t columns;
+    /** Numbers from one row to the next; 0 if the field is computed. */
+    size_t row_stride;
+    /** Numbers from one column to the next; 0 if the field is computed. */
+    size_t column_stride;
+    /** Always 0. */
+    size_t reserved[3];
+} SoftanvilView;
+
+/** Number of fields of the library that is running; their numbers are 0 to this less one. */
+uint32_t softanvil_field_count(void);
+
+/**
+ * Finds a field by its name.
+ *
+ * @param name Name, such as "node.displacement".
+ * @param field Its number.
+ * @return NULL_POINTER, MISALIGNED, UNKNOWN_NAME.
+ */
+SoftanvilStatus softanvil_field_find(const char *name, uint32_t *field);
+
+/**
+ * Describes a field.
+ *
+ * @param field A `SoftanvilField`.
+ * @param info Its row.
+ * @return NULL_POINTER, MISALIGNED, UNKNOWN_ID.
+ */
+SoftanvilStatus softanvil_field_info(uint32_t field, SoftanvilFieldInfo *info);
+
+/**
+ * Shows one component of a field: its shape and, unless the field is computed, its numbers where they lie. The view
+ * shows the present of the simulation for as long as its memory is neither moved nor used otherwise.
+ *
+ * @param simulation The simulation.
+ * @param field A `SoftanvilField`.
+ * @param component Component, from 0.
+ * @param view The view.
+ * @return NULL_POINTER, MISALIGNED, UNINITIALISED, UNKNOWN_ID.
+ */
+SoftanvilStatus softanvil_field_view(const SoftanvilSimulation *simulation,
+                                     uint32_t field,
+                                     uint32_t component,
+                                     SoftanvilView *view);
+
+/**
+ * Copies one component of a field, stored or computed, to where the caller wants it: the number at (row, column) goes
+ * to `values[(row * columns + column) * stride]`, and nothing in between is touched.
+ *
+ * @param simulation The simulation.
+ * @param field A `SoftanvilField`.
+ * @param component Component, from 0.
+ * @param values Room for the numbers.
+ * @param count Numbers of room there, at least `(rows * columns - 1) * stride + 1`.
+ * @param stride Numbers from one value to the next; the number of components interleaves them, 0 counts as 1.
+ * @param error Details of a failure, or NULL.
+ * @return NULL_POINTER, MISALIGNED, UNINITIALISED, UNKNOWN_ID, SHORT_BUFFER.
+ */
+SoftanvilStatus softanvil_field_read(const SoftanvilSimulation *simulation,
+                                     uint32_t field,
+                                     uint32_t component,
+                                     double *values,
+                                     size_t count,
+                                     size_t stride,
+                                     SoftanvilError *error);
+
+/* ================================================================================================================ */
 /* Snapshot                                                                                                         */
 /* ================================================================================================================ */
 
@@ -1006,13 +1162,13 @@ SoftanvilStatus softanvil_snapshot_size(const SoftanvilSimulation *simulation, s
 /**
  * Saves the state of a simulation. The bytes mean the same on every machine; equal states give equal bytes.
  *
- * @param simulation The simulation; its numbers stay the same.
+ * @param simulation The simulation.
  * @param bytes Where the snapshot goes.
  * @param size Bytes there, at least those of `softanvil_snapshot_size`; the rest stays untouched.
  * @param error Details of a failure, or NULL.
  * @return NULL_POINTER, MISALIGNED, UNINITIALISED, SHORT_BUFFER, SNAPSHOT_FAILED.
  */
-SoftanvilStatus softanvil_snapshot_save(SoftanvilSimulation *simulation,
+SoftanvilStatus softanvil_snapshot_save(const SoftanvilSimulation *simulation,
                                         uint8_t *bytes,
                                         size_t size,
                                         SoftanvilError *error);

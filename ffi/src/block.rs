@@ -4,10 +4,12 @@
 
 use softanvil_kernel::element::{CellConstants, CellHistory, HoopConstants};
 use softanvil_kernel::lanes::Deviator;
-use softanvil_kernel::{Constants, Model, ModelMemory, Scalars, Scenario, Size, State, StateMemory};
+use softanvil_kernel::{
+    Constants, Model, ModelMemory, Scalars, Scenario, Size, State, StateContent, StateMemory, StateView,
+};
 
 use crate::failure::Failure;
-use crate::ptr::{Region, padded};
+use crate::ptr::{Region, SharedRegion, padded};
 
 /// Alignment of a block, bytes: what its numbers need, and what any allocator gives.
 pub(crate) const ALIGNMENT: usize = align_of::<SoftanvilSimulation>();
@@ -97,4 +99,24 @@ pub(crate) fn with<R>(
     let result = work(&model, &mut state);
     header.scalars = state.scalars;
     result
+}
+
+/// Reads model and state of a simulation, which others may read at the same time.
+pub(crate) fn look<'a, R>(
+    (header, mut region): (&'a SoftanvilSimulation, SharedRegion<'a>),
+    work: impl FnOnce(&Model<'a>, &StateView<'a>) -> Result<R, Failure>,
+) -> Result<R, Failure> {
+    let damaged = Failure::Uninitialised { argument: "simulation" };
+    let (model, content) = parts(header, &mut region).ok_or(damaged)?;
+    let state = StateView::new(&model, &header.scalars, content).map_err(|_| damaged)?;
+    work(&model, &state)
+}
+
+/// Model and state behind the header, in the order of [`Arrays::cut`].
+fn parts<'a>(header: &SoftanvilSimulation, region: &mut SharedRegion<'a>) -> Option<(Model<'a>, StateContent<'a>)> {
+    let size = &header.constants.size;
+    let (nodes, cells) = (region.take(size.model_nodes)?, region.take(size.model_cells)?);
+    let model = Model::view(header.constants, nodes, cells, region.take(size.model_hoops)?);
+    let (nodes, cells) = (region.take(size.state_nodes)?, region.take(size.state_cells)?);
+    Some((model, StateContent { nodes, cells, viscous: region.take(size.state_viscous)? }))
 }

@@ -3,6 +3,7 @@
 use core::ffi::c_char;
 use core::fmt::{self, Write};
 
+use softanvil_kernel::decimal::Decimal;
 use softanvil_kernel::{ModelError, ParameterError, ScenarioError, SnapshotError, StepError};
 
 use crate::ids::PARAMETER_BY_ID;
@@ -110,6 +111,7 @@ impl fmt::Display for Failure {
             }
             Self::UnknownName { argument } => write!(f, "{argument} is not in the table"),
             Self::ReservedSlot { array, slot, value } => {
+                let value = Decimal(*value);
                 write!(f, "{array}[{slot}] = {value} is refused: it has no meaning in this version, legal is 0")
             }
             Self::Scenario(error) => error.fmt(f),

@@ -4,7 +4,7 @@
 //! its table, wherever the kernel has put it, and no row ever leaves.
 
 use softanvil_kernel::preset::{PRESETS, Preset};
-use softanvil_kernel::{OUTPUTS, Output, PARAMETERS, Parameter};
+use softanvil_kernel::{FIELDS, Field, OUTPUTS, Output, PARAMETERS, Parameter};
 
 /// Presets by number.
 pub static PRESET_BY_ID: [&Preset; 1] = [preset_row("study")];
@@ -161,6 +161,20 @@ pub static OUTPUT_BY_ID: [&Output; 28] = [
     output_row("energy.tear"),
 ];
 
+/// Fields by number.
+pub static FIELD_BY_ID: [&Field; 10] = [
+    field_row("node.reference_position"),
+    field_row("node.position"),
+    field_row("node.displacement"),
+    field_row("node.velocity"),
+    field_row("node.force"),
+    field_row("surface.contact_force"),
+    field_row("surface.contact_pressure"),
+    field_row("element.pressure"),
+    field_row("element.von_mises_stress"),
+    field_row("element.principal_stress"),
+];
+
 /// The kernel's row called `name`; a name that the kernel does not have stops the compiler.
 const fn parameter_row(name: &str) -> &'static Parameter {
     let mut i = 0;
@@ -197,6 +211,18 @@ const fn preset_row(name: &str) -> &'static Preset {
     panic!("the kernel has no such preset")
 }
 
+/// As [`parameter_row`], for fields.
+const fn field_row(name: &str) -> &'static Field {
+    let mut i = 0;
+    while i < FIELDS.len() {
+        if same(FIELDS[i].name, name) {
+            return &FIELDS[i];
+        }
+        i += 1;
+    }
+    panic!("the kernel has no such field")
+}
+
 const fn same(a: &str, b: &str) -> bool {
     let (a, b) = (a.as_bytes(), b.as_bytes());
     let mut i = 0;
@@ -217,6 +243,15 @@ mod tests {
             assert_eq!(numbers, 1, "{}", parameter.name);
         }
         assert_eq!(PARAMETER_BY_ID.len(), PARAMETERS.len());
+    }
+
+    #[test]
+    fn every_field_has_exactly_one_number() {
+        for field in &FIELDS {
+            let numbers = FIELD_BY_ID.iter().filter(|row| row.name == field.name).count();
+            assert_eq!(numbers, 1, "{}", field.name);
+        }
+        assert_eq!(FIELD_BY_ID.len(), FIELDS.len());
     }
 
     #[test]

@@ -123,6 +123,21 @@ pub(crate) unsafe fn bytes_mut<'a>(
     Ok(unsafe { core::slice::from_raw_parts_mut(pointer.as_ptr(), length) })
 }
 
+/// Numbers to write.
+///
+/// # Safety
+/// If `pointer` is neither null nor misaligned, it points to `count` numbers that nobody else uses for `'a`.
+pub(crate) unsafe fn numbers_mut<'a>(
+    pointer: *mut f64,
+    count: usize,
+    argument: &'static str,
+) -> Result<&'a mut [f64], Failure> {
+    let pointer = checked(pointer, argument)?;
+    check_addressable(count.saturating_mul(size_of::<f64>()), argument)?;
+    // SAFETY: not null, aligned, the length is addressable, and the caller guarantees the rest.
+    Ok(unsafe { core::slice::from_raw_parts_mut(pointer.as_ptr(), count) })
+}
+
 /// No object is longer than half the address space, whatever the caller says.
 fn check_addressable(length: usize, argument: &'static str) -> Result<(), Failure> {
     if length <= isize::MAX as usize { Ok(()) } else { Err(Failure::Long { argument, given: length }) }
@@ -199,15 +214,20 @@ impl<'a> Region<'a> {
 
     /// Cuts off `count` items and the padding up to a whole [`GRANULE`]. None if the region is too short or does not
     /// begin at an aligned address.
-    pub(crate) fn take<T: Plain>(&mut self, count: usize) -> Option<&'a mut [T]> {
+    fn piece<T: Plain>(&mut self, count: usize) -> Option<NonNull<T>> {
         let bytes = padded::<T>(count)?;
         if !self.start.cast::<T>().is_aligned() {
             return None;
         }
-        let piece = self.cut(bytes)?;
+        self.cut(bytes).map(NonNull::cast)
+    }
+
+    /// Cuts off `count` items, padded.
+    pub(crate) fn take<T: Plain>(&mut self, count: usize) -> Option<&'a mut [T]> {
+        let piece = self.piece::<T>(count)?;
         // SAFETY: aligned; `count` items fit into the piece; it is initialised and `T` is plain; it was cut off, so no
         // other piece overlaps it; and it lives as long as the region's memory.
-        Some(unsafe { core::slice::from_raw_parts_mut(piece.cast::<T>().as_ptr(), count) })
+        Some(unsafe { core::slice::from_raw_parts_mut(piece.as_ptr(), count) })
     }
 
     /// Cuts off the place of one `T`, padded as in [`Region::take`].
@@ -217,6 +237,18 @@ impl<'a> Region<'a> {
             return None;
         }
         Some(Out { pointer: self.cut(bytes)?.cast(), memory: PhantomData })
+    }
+}
+
+/// A [`Region`] that is only read.
+pub(crate) struct SharedRegion<'a>(Region<'a>);
+
+impl<'a> SharedRegion<'a> {
+    /// Cuts off `count` items, padded.
+    pub(crate) fn take<T: Plain>(&mut self, count: usize) -> Option<&'a [T]> {
+        let piece = self.0.piece::<T>(count)?;
+        // SAFETY: as `Region::take`; nobody writes the memory while the region lives.
+        Some(unsafe { core::slice::from_raw_parts(piece.as_ptr(), count) })
     }
 }
 
@@ -278,4 +310,19 @@ pub(crate) unsafe fn block<'a>(
     region.slot::<SoftanvilSimulation>().ok_or(Failure::Uninitialised { argument: "simulation" })?;
     // SAFETY: `header` has accepted it; the region no longer covers it; and nobody else uses it.
     Ok((unsafe { start.as_mut() }, region))
+}
+
+/// The header of an initialised simulation, and the rest of its block, to be read.
+///
+/// # Safety
+/// As [`fn@header`], but for the whole block.
+pub(crate) unsafe fn shared_block<'a>(
+    pointer: *const SoftanvilSimulation,
+) -> Result<(&'a SoftanvilSimulation, SharedRegion<'a>), Failure> {
+    // SAFETY: the caller guarantees more.
+    let header = unsafe { header(pointer) }?;
+    let start = checked(pointer, "simulation")?.cast();
+    let mut region = Region { start, length: header.bytes, memory: PhantomData };
+    region.slot::<SoftanvilSimulation>().ok_or(Failure::Uninitialised { argument: "simulation" })?;
+    Ok((header, SharedRegion(region)))
 }

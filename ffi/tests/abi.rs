@@ -3,6 +3,7 @@
 
 use std::mem::{align_of, offset_of, size_of};
 
+use softanvil::c_api::fields::{SoftanvilFieldInfo, SoftanvilView};
 use softanvil::c_api::scenario::{SOFTANVIL_PARAMETER_SLOTS, SoftanvilScenario};
 use softanvil::c_api::simulation::SoftanvilInput;
 use softanvil::c_api::tables::{SoftanvilOutputInfo, SoftanvilParameterInfo};
@@ -35,6 +36,8 @@ fn the_layout_is_the_frozen_one() {
     structure!(lines, SoftanvilInput: marker struct_size external_force driven_position reserved);
     structure!(lines, SoftanvilParameterInfo: id choices min max reserved name unit description);
     structure!(lines, SoftanvilOutputInfo: id reserved_word reserved name unit description);
+    structure!(lines, SoftanvilFieldInfo: id components reserved name unit description);
+    structure!(lines, SoftanvilView: data rows columns row_stride column_stride reserved);
     let frozen = include_str!("../../tests/c/abi.inc").lines().skip(1).collect::<Vec<_>>();
     assert_eq!(lines, frozen);
 }

@@ -5,7 +5,7 @@
 
 use std::path::{Path, PathBuf};
 
-use softanvil::ids::{OUTPUT_BY_ID, PARAMETER_BY_ID, PRESET_BY_ID};
+use softanvil::ids::{FIELD_BY_ID, OUTPUT_BY_ID, PARAMETER_BY_ID, PRESET_BY_ID};
 use softanvil_kernel::Parameter;
 use softanvil_kernel::parameter::Kind;
 
@@ -50,6 +50,10 @@ fn header() -> String {
         title("Simulation"),
         SIMULATION.to_owned(),
         bindings("c_api/simulation.rs", &[]),
+        title("Trace"),
+        bindings("c_api/trace.rs", &["SoftanvilTrace"]),
+        title("Fields"),
+        bindings("c_api/fields.rs", &[]),
         title("Snapshot"),
         bindings("c_api/snapshot.rs", &[]),
         "\n#ifdef __cplusplus\n}\n#endif\n\n#endif /* SOFTANVIL_H */\n".to_owned(),
@@ -117,7 +121,12 @@ fn numbers() -> String {
         }
     }
     let outputs = OUTPUT_BY_ID.map(|row| (row.name, format!("{}{}: {}.", row.name, unit(row.unit), row.description)));
-    text + &enumeration("SoftanvilOutput", "Outputs of a simulation: name, unit, meaning.", &outputs)
+    text += &enumeration("SoftanvilOutput", "Outputs of a simulation: name, unit, meaning.", &outputs);
+    let fields = FIELD_BY_ID.map(|row| {
+        let components = if row.components == 1 { String::new() } else { format!(", {} components", row.components) };
+        (row.name, format!("{}{}{components}: {}.", row.name, unit(row.unit), row.description))
+    });
+    text + &enumeration("SoftanvilField", "Fields of a simulation: name, unit, components, meaning.", &fields)
 }
 
 fn parameter_text(row: &Parameter) -> String {

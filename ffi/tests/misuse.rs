@@ -7,15 +7,22 @@ use std::mem::MaybeUninit;
 use std::ptr::{null, null_mut};
 
 use softanvil::block::SoftanvilSimulation;
+use softanvil::c_api::fields::*;
 use softanvil::c_api::library::{softanvil_status_text, softanvil_version, softanvil_version_text};
 use softanvil::c_api::scenario::*;
 use softanvil::c_api::simulation::*;
 use softanvil::c_api::snapshot::*;
 use softanvil::c_api::tables::*;
+use softanvil::c_api::trace::softanvil_run_traced;
 use softanvil::failure::SoftanvilError;
 use softanvil::ids::{OUTPUT_BY_ID, PARAMETER_BY_ID};
 use softanvil::status::SoftanvilStatus as Status;
 use softanvil_kernel::{Simulation, StepInput, preset};
+
+/// Samples that a run takes: few where an interpreter checks every access.
+const SAMPLES: usize = if cfg!(miri) { 1 } else { 20 };
+/// And the time that they cover, s.
+const DURATION: f64 = 50e-6 * SAMPLES as f64;
 
 /// A block of exactly the size and alignment that was asked for, uninitialised as malloc gives it.
 struct Block {
@@ -78,13 +85,13 @@ fn the_smallest_legal_block_gives_the_kernels_trace() {
     let mut hash = 0;
     // SAFETY: the simulation lives in the block.
     unsafe {
-        assert_eq!(softanvil_run(simulation, 1e-3, null(), null_mut()), Status::Ok);
+        assert_eq!(softanvil_run(simulation, DURATION, null(), null_mut()), Status::Ok);
         assert_eq!(softanvil_trace_hash(simulation, &mut hash), Status::Ok);
     }
     let mut kernel = preset::study();
     kernel.mesh.element_size = 7e-3;
     let mut kernel = Simulation::new(&kernel).unwrap();
-    let steps = kernel.constants().steps_in(1e-3);
+    let steps = kernel.constants().steps_in(DURATION);
     kernel.step(steps, &StepInput::default()).unwrap();
     assert_eq!(hash, kernel.scalars().sampler.trace_hash);
 }
@@ -98,12 +105,12 @@ fn the_slices_of_time_do_not_matter() {
     let (mut hashes, mut steps) = ([0; 2], 0);
     // SAFETY: the simulations live in their blocks.
     unsafe {
-        assert_eq!(softanvil_run(first, 1e-3, null(), null_mut()), Status::Ok);
+        assert_eq!(softanvil_run(first, DURATION, null(), null_mut()), Status::Ok);
         assert_eq!(softanvil_step_index(first, &mut steps), Status::Ok);
         for _ in 0..3 {
             assert_eq!(softanvil_step(second, 1, null(), null_mut()), Status::Ok);
         }
-        for _ in 0..20 {
+        for _ in 0..SAMPLES {
             assert_eq!(softanvil_step_to_sample(second, null(), null_mut()), Status::Ok);
         }
         assert_eq!(softanvil_trace_hash(first, &mut hashes[0]), Status::Ok);
@@ -226,4 +233,45 @@ fn versions_and_texts_are_those_of_the_package() {
         assert_eq!(CStr::from_ptr(softanvil_status_text(0)), c"done");
         assert_eq!(CStr::from_ptr(softanvil_status_text(-1)), c"unknown status");
     }
+}
+
+/// What a trace has seen: calls, and displacement of the top of the centre line from the view and from a copy, m.
+#[derive(Default)]
+struct Seen {
+    calls: usize,
+    top: Vec<[f64; 2]>,
+}
+
+unsafe extern "C" fn watch(simulation: *const SoftanvilSimulation, context: *mut c_void) -> i32 {
+    let mut view = MaybeUninit::<SoftanvilView>::uninit();
+    // SAFETY: the context is what the test handed over; the view is read after success and shows live memory.
+    unsafe {
+        let seen = &mut *context.cast::<Seen>();
+        assert_eq!(softanvil_field_view(simulation, 2, 1, view.as_mut_ptr()), Status::Ok);
+        let view = view.assume_init();
+        let (top, count) = ((view.rows - 1) * view.columns, view.rows * view.columns);
+        let mut copy = vec![f64::NAN; 3 * count];
+        let status = softanvil_field_read(simulation, 2, 1, copy.as_mut_ptr().add(1), copy.len() - 1, 3, null_mut());
+        assert_eq!(status, Status::Ok);
+        assert!((0..count).all(|i| copy[3 * i].is_nan() && copy[3 * i + 2].is_nan() && !copy[3 * i + 1].is_nan()));
+        seen.top.push([*view.data.add((view.rows - 1) * view.row_stride), copy[3 * top + 1]]);
+        seen.calls += 1;
+    }
+    i32::from(context.is_null())
+}
+
+#[test]
+fn a_trace_sees_every_sample_and_reads_the_fields() {
+    let mut scenario = coarse();
+    // Without the gap, so that the very first samples show contact.
+    scenario.value[10] = 0.0;
+    let (size, alignment) = size(&scenario);
+    let block = Block::new(size, alignment);
+    let simulation = build(&block, &scenario);
+    let mut seen = Seen::default();
+    // SAFETY: the simulation lives in the block; the context outlives the call.
+    let status =
+        unsafe { softanvil_run_traced(simulation, DURATION, null(), Some(watch), (&raw mut seen).cast(), null_mut()) };
+    assert_eq!((status, seen.calls), (Status::Ok, SAMPLES));
+    assert!(seen.top.iter().all(|[view, copy]| view == copy && *view < 0.0), "{:?}", seen.top);
 }

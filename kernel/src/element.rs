@@ -445,7 +445,8 @@ pub(crate) struct Triangle {
 impl Triangle {
     /// The triangle of three of a cell's four `corners`, m.
     pub fn new(scenario: &Scenario, corners: &[[f64; 2]; 4], nodes: [usize; 3]) -> Self {
-        let [a, b, c] = nodes.map(|node| corners[node]);
+        // Corners are numbered 0 to 3; the remainder changes nothing and leaves no bound to check.
+        let [a, b, c] = nodes.map(|node| corners[node % 4]);
         // The corners run counter-clockwise, so this is positive.
         let double_area = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
         let radius = (a[0] + b[0] + c[0]) / 3.0;
@@ -455,8 +456,8 @@ impl Triangle {
             hoop: [0.0; 4],
         };
         for (node, (p, q)) in nodes.into_iter().zip([(b, c), (c, a), (a, b)]) {
-            triangle.gradient[node] = [(p[1] - q[1]) / double_area, (q[0] - p[0]) / double_area];
-            triangle.hoop[node] = 1.0 / (3.0 * radius);
+            triangle.gradient[node % 4] = [(p[1] - q[1]) / double_area, (q[0] - p[0]) / double_area];
+            triangle.hoop[node % 4] = 1.0 / (3.0 * radius);
         }
         triangle
     }

@@ -2,6 +2,7 @@
 
 use core::fmt;
 
+use crate::decimal::Decimal;
 use crate::scenario::ElasticLaw;
 
 /// A parameter value that is not legal.
@@ -25,8 +26,8 @@ struct Quantity(f64, &'static str);
 impl fmt::Display for Quantity {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.1 {
-            "1" => write!(f, "{}", self.0),
-            unit => write!(f, "{} {unit}", self.0),
+            "1" => write!(f, "{}", Decimal(self.0)),
+            unit => write!(f, "{} {unit}", Decimal(self.0)),
         }
     }
 }
@@ -34,7 +35,8 @@ impl fmt::Display for Quantity {
 impl fmt::Display for ParameterError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let legal = Quantity(self.max, self.unit);
-        write!(f, "{} = {} is refused: legal is {} to {legal}", self.name, Quantity(self.value, self.unit), self.min)
+        let (value, min) = (Quantity(self.value, self.unit), Decimal(self.min));
+        write!(f, "{} = {value} is refused: legal is {min} to {legal}", self.name)
     }
 }
 
@@ -102,9 +104,11 @@ impl fmt::Display for ScenarioError {
         match self {
             Self::Parameter(error) => error.fmt(f),
             Self::PronySum { layer, sum } => {
+                let sum = Decimal(*sum);
                 write!(f, "{layer}.prony_g_1 to _5 sum to {sum}: legal is a sum of at least 0 and below 1")
             }
             Self::ShearModulus { layer, law, modulus } => {
+                let modulus = Decimal(*modulus);
                 let coefficients = match law {
                     ElasticLaw::NeoHookean | ElasticLaw::Yeoh => "c10 gives",
                     ElasticLaw::MooneyRivlin => "c10 and c01 give",
@@ -113,22 +117,30 @@ impl fmt::Display for ScenarioError {
                 write!(f, "{layer}.{coefficients} a shear modulus of {modulus} Pa: legal is above 0 Pa")
             }
             Self::TearStretch { layer, stretch } => {
+                let stretch = Decimal(*stretch);
                 write!(f, "{layer}.tear_stretch = {stretch} is refused: legal is 0 (off) or at least 1")
             }
-            Self::SkinTooThin { thickness, minimum } => write!(
-                f,
-                "geometry.skin_thickness = {thickness} m is refused: with two layers legal is at least {minimum} m"
-            ),
+            Self::SkinTooThin { thickness, minimum } => {
+                let (thickness, minimum) = (Decimal(*thickness), Decimal(*minimum));
+                write!(
+                    f,
+                    "geometry.skin_thickness = {thickness} m is refused: with two layers legal is at least {minimum} m"
+                )
+            }
             Self::FullAxisymmetric => {
                 f.write_str("geometry.section = full is refused: legal with an axisymmetric formulation is half")
             }
             Self::OffsetOfHalf { offset } => {
+                let offset = Decimal(*offset);
                 write!(f, "impactor.offset = {offset} m is refused: legal with geometry.section = half is 0 m")
             }
-            Self::FaceTooSmall { diameter, minimum } => write!(
-                f,
-                "impactor.face_diameter = {diameter} m is refused: over this anvil legal is at least {minimum} m"
-            ),
+            Self::FaceTooSmall { diameter, minimum } => {
+                let (diameter, minimum) = (Decimal(*diameter), Decimal(*minimum));
+                write!(
+                    f,
+                    "impactor.face_diameter = {diameter} m is refused: over this anvil legal is at least {minimum} m"
+                )
+            }
         }
     }
 }
@@ -187,13 +199,16 @@ impl fmt::Display for ModelError {
             Self::Scenario(error) => error.fmt(f),
             Self::TooManyCells { cells } => write!(
                 f,
-                "mesh.element_size asks for {cells} cells: legal is 1 to {} (choose a larger size, in m)",
+                "mesh.element_size asks for {} cells: legal is 1 to {} (choose a larger size, in m)",
+                Decimal(*cells),
                 crate::mesh::MAX_CELLS
             ),
             Self::StepTooSmall { step, smallest } => {
+                let (step, smallest) = (Decimal(*step), Decimal(*smallest));
                 write!(f, "the stable time step is {step} s: legal is at least {smallest} s (softer or coarser)")
             }
             Self::StepTooLarge { step, limit } => {
+                let (step, limit) = (Decimal(*step), Decimal(*limit));
                 write!(f, "time.step = {step} s is refused: legal is above 0 s and up to {limit} s at rest")
             }
             Self::NoArea { element } => {
@@ -243,14 +258,18 @@ impl fmt::Display for StepError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Inverted { element, time } => {
-                write!(f, "element {element} is inverted or not finite at {time} s")
+                write!(f, "element {element} is inverted or not finite at {} s", Decimal(*time))
             }
-            Self::Unstable { element, time, limit, step } => write!(
-                f,
-                "the time step of {step} s is above the stability limit {limit} s of element {element} at {time} s \
-                 (lower time.safety_factor or the given time.step)"
-            ),
+            Self::Unstable { element, time, limit, step } => {
+                let [time, limit, step] = [*time, *limit, *step].map(Decimal);
+                write!(
+                    f,
+                    "the time step of {step} s is above the stability limit {limit} s of element {element} at {time} s \
+                     (lower time.safety_factor or the given time.step)"
+                )
+            }
             Self::Input { value, time } => {
+                let (value, time) = (Decimal(*value), Decimal(*time));
                 write!(f, "input {value} at {time} s is refused: legal is a finite number")
             }
         }

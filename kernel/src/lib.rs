@@ -8,7 +8,8 @@
 //!    everything that does; both live in memory that the caller lends ([`storage`]).
 //! 3. [`step()`] is the algorithm: internal forces ([`element`], [`material`]), the core ([`core_contact`]), the
 //!    face ([`face`]), motion ([`impactor`]), the books ([`energy`], [`measurement`]).
-//! 4. [`snapshot`] saves and restores a state, [`digest`] fingerprints it.
+//! 4. [`output`] and [`field`] are the tables of what can be read ([`stress`], [`surface`]); [`snapshot`] saves and
+//!    restores a state, [`digest`] fingerprints it.
 //! 5. [`lanes`], [`stretch`] and [`math`] are the ground: data in lanes, and mathematics with a fixed sequence of
 //!    operations.
 //!
@@ -22,11 +23,13 @@
 extern crate alloc;
 
 pub mod core_contact;
+pub mod decimal;
 pub mod digest;
 pub mod element;
 pub mod energy;
 pub mod error;
 pub mod face;
+pub mod field;
 pub mod impactor;
 pub mod lanes;
 pub mod material;
@@ -42,13 +45,16 @@ pub mod scenario;
 pub mod simulation;
 pub mod snapshot;
 pub mod state;
+pub mod state_view;
 mod step;
 pub mod storage;
+pub mod stress;
 pub mod stretch;
 pub mod surface;
 pub mod time_step;
 
 pub use error::{ModelError, ParameterError, ScenarioError, SnapshotError, StepError};
+pub use field::{FIELDS, Field};
 pub use impactor::StepInput;
 pub use model::{Constants, Model, SAMPLING_INTERVAL};
 pub use output::{OUTPUTS, Output};
@@ -57,5 +63,6 @@ pub use scenario::Scenario;
 #[cfg(feature = "alloc")]
 pub use simulation::Simulation;
 pub use state::{Scalars, State};
+pub use state_view::{StateContent, StateView};
 pub use step::step;
 pub use storage::{ModelMemory, Size, StateMemory};

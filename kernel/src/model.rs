@@ -247,11 +247,19 @@ fn build_nodes(
             let node = v * grid.stride() + u;
             let fixed = fixed_directions(scenario, u, v);
             let [px, py] = position(u, v);
-            x[node] = px;
-            y[node] = py;
-            inverse_x[node] = if fixed[0] { 0.0 } else { 1.0 / mass[node] };
-            inverse_y[node] = if fixed[1] { 0.0 } else { 1.0 / mass[node] };
+            put(x, node, px);
+            put(y, node, py);
+            let inverse_mass = 1.0 / mass.get(node).copied().unwrap_or_default();
+            put(inverse_x, node, if fixed[0] { 0.0 } else { inverse_mass });
+            put(inverse_y, node, if fixed[1] { 0.0 } else { inverse_mass });
         }
+    }
+}
+
+/// Sets one number; nothing past the end, which the sizes exclude.
+fn put(row: &mut [f64], node: usize, value: f64) {
+    if let Some(place) = row.get_mut(node) {
+        *place = value;
     }
 }
 
@@ -273,7 +281,9 @@ fn lump_mass(scenario: &Scenario, grid: &Grid, cells: &[CellConstants], mass: &m
             for (t, nodes) in triangles(grid, u, v).into_iter().enumerate() {
                 let third = cell.triangle[t].reference_volume[u % LANES] * density / 3.0;
                 for a in nodes {
-                    mass[corner[a]] += third;
+                    if let Some(mass) = corner.get(a).and_then(|node| mass.get_mut(*node)) {
+                        *mass += third;
+                    }
                 }
             }
         }

@@ -5,11 +5,13 @@
 //! everything before it. Equal states give equal bytes.
 
 use crate::digest::Digest;
+use crate::element::TriangleHistory;
 use crate::energy::LEDGER_WORDS;
 use crate::error::SnapshotError;
 use crate::lanes::{Deviator, LANES};
 use crate::model::{Constants, Model};
 use crate::state::{Scalars, State};
+use crate::state_view::StateView;
 
 /// "SOFTANVL" in ASCII, least significant byte first.
 const MAGIC: u64 = u64::from_le_bytes(*b"SOFTANVL");
@@ -17,7 +19,11 @@ const MAGIC: u64 = u64::from_le_bytes(*b"SOFTANVL");
 const VERSION: u64 = 2;
 const HEADER_WORDS: usize = 4;
 const CHECKSUM_WORDS: usize = 1;
-const SCALAR_WORDS: usize = 7 + 16 + LEDGER_WORDS;
+/// Words of the scalars that are whole numbers.
+const COUNTERS: usize = 7;
+/// Most steps that a state may have behind it: up to here every count is exact as a float.
+const MOST_STEPS: u64 = 1 << 53;
+const SCALAR_WORDS: usize = COUNTERS + 16 + LEDGER_WORDS;
 /// Lanes per triangle: stretch, elastic stress, slider stress, largest stretch, stored energy.
 const HISTORY_LANES: usize = 4 + 3 + 3 + 1 + 1;
 
@@ -35,17 +41,26 @@ fn payload_words(constants: &Constants) -> usize {
 ///
 /// # Errors
 /// A wrong length, or a state that has failed. Nothing is written then.
-pub fn save(model: &Model, state: &mut State, bytes: &mut [u8]) -> Result<(), SnapshotError> {
+pub fn save(model: &Model, state: &State, bytes: &mut [u8]) -> Result<(), SnapshotError> {
+    save_view(model, &state.as_view(), bytes)
+}
+
+/// As [`save`], of a state that others may read at the same time.
+///
+/// # Errors
+/// As [`save`].
+pub fn save_view(model: &Model, state: &StateView, bytes: &mut [u8]) -> Result<(), SnapshotError> {
     check_length(model, bytes.len())?;
     if state.scalars.failure.is_some() {
         return Err(SnapshotError::Failed);
     }
     let payload = payload_words(&model.constants) as u64;
     let mut digest = Digest::new();
-    let mut words = bytes.chunks_exact_mut(8);
+    let (words, _) = bytes.as_chunks_mut::<8>();
+    let mut words = words.iter_mut();
     let mut put = |word: u64| {
         if let Some(chunk) = words.next() {
-            chunk.copy_from_slice(&word.to_le_bytes());
+            *chunk = word.to_le_bytes();
         }
     };
     let mut put_and_digest = |word: u64| {
@@ -53,7 +68,7 @@ pub fn save(model: &Model, state: &mut State, bytes: &mut [u8]) -> Result<(), Sn
         put(word);
     };
     [MAGIC, VERSION, model.constants.fingerprint, payload].into_iter().for_each(&mut put_and_digest);
-    visit(state, &mut |word| put_and_digest(*word));
+    read(state, &mut put_and_digest);
     put(digest.value());
     Ok(())
 }
@@ -90,10 +105,26 @@ fn check_content(model: &Model, bytes: &[u8]) -> Result<(), SnapshotError> {
     if header[2] != model.constants.fingerprint {
         return Err(SnapshotError::Foreign);
     }
+    let counters: [u64; COUNTERS] = core::array::from_fn(|_| words.next().unwrap_or_default());
     let mut digest = Digest::new();
-    header.into_iter().for_each(|word| digest.word(word));
-    (&mut words).take(payload).for_each(|word| digest.word(word));
-    if words.next() == Some(digest.value()) { Ok(()) } else { Err(SnapshotError::Corrupt) }
+    header.into_iter().chain(counters).for_each(|word| digest.word(word));
+    (&mut words).take(payload - COUNTERS).for_each(|word| digest.word(word));
+    let whole = words.next() == Some(digest.value());
+    if whole && counters_fit(&model.constants, counters) { Ok(()) } else { Err(SnapshotError::Corrupt) }
+}
+
+/// Whether the counters at the front of the scalars can belong to one state. A checksum that fits is no proof: counters
+/// that contradict each other would overflow in later steps.
+fn counters_fit(constants: &Constants, counters: [u64; COUNTERS]) -> bool {
+    let [step_index, sample, _, steps, first_sample, last_sample, first_step] = counters;
+    let period = u64::from(constants.steps_per_sample);
+    let whole = sample.checked_mul(period).and_then(|made| made.checked_add(steps)) == Some(step_index);
+    whole
+        && step_index <= MOST_STEPS
+        && steps < period
+        && first_sample <= last_sample
+        && last_sample <= sample
+        && first_step <= step_index
 }
 
 fn word_of(chunk: &[u8]) -> u64 {
@@ -101,10 +132,27 @@ fn word_of(chunk: &[u8]) -> u64 {
 }
 
 /// Digest of everything that a snapshot holds.
-pub fn state_digest(state: &mut State) -> u64 {
+pub fn state_digest(state: &State) -> u64 {
     let mut digest = Digest::new();
-    visit(state, &mut |word| digest.word(*word));
+    read(&state.as_view(), &mut |word| digest.word(word));
     digest.value()
+}
+
+/// Shows every word of the state to `f`, in the order of [`visit`], of which it changes only copies.
+fn read(state: &StateView, f: &mut dyn FnMut(u64)) {
+    let mut scalars = *state.scalars;
+    visit_scalars(&mut scalars, &mut |word| f(*word));
+    for number in state.arrays.into_iter().flatten() {
+        f(number.to_bits());
+    }
+    for triangle in state.cells.iter().flat_map(|cell| &cell.triangle) {
+        let mut triangle = *triangle;
+        visit_triangle(&mut triangle, &mut |number| f(number.to_bits()));
+    }
+    for stress in state.viscous {
+        let mut stress = *stress;
+        visit_deviator(&mut stress, &mut |number| f(number.to_bits()));
+    }
 }
 
 /// Shows every word of the state to `f`, always in the same order, and takes back what `f` makes of it.
@@ -119,15 +167,19 @@ fn visit(state: &mut State, f: &mut dyn FnMut(&mut u64)) {
         array.iter_mut().for_each(&mut number);
     }
     for triangle in state.cells.iter_mut().flat_map(|cell| &mut cell.triangle) {
-        triangle.stretch_prev.iter_mut().flatten().for_each(&mut number);
-        visit_deviator(&mut triangle.elastic_prev, &mut number);
-        visit_deviator(&mut triangle.slider_stress, &mut number);
-        triangle.largest_stretch.iter_mut().for_each(&mut number);
-        triangle.stored_prev.iter_mut().for_each(&mut number);
+        visit_triangle(triangle, &mut number);
     }
     for stress in state.viscous.iter_mut() {
         visit_deviator(stress, &mut number);
     }
+}
+
+fn visit_triangle(triangle: &mut TriangleHistory, number: &mut impl FnMut(&mut f64)) {
+    triangle.stretch_prev.iter_mut().flatten().for_each(&mut *number);
+    visit_deviator(&mut triangle.elastic_prev, number);
+    visit_deviator(&mut triangle.slider_stress, number);
+    triangle.largest_stretch.iter_mut().for_each(&mut *number);
+    triangle.stored_prev.iter_mut().for_each(&mut *number);
 }
 
 fn visit_deviator(deviator: &mut Deviator, number: &mut impl FnMut(&mut f64)) {

@@ -41,7 +41,7 @@ fn advance(model: &Model, state: &mut State, input: &StepInput) -> Result<(), St
     let prediction = state.scalars.impactor.predict(model, input);
     let before = state.scalars.impactor.velocity_half;
     let face = face::contact(model, state, &prediction);
-    state.scalars.contact_half_width = surface::contact_half_width(model, state);
+    state.scalars.contact_half_width = surface::contact_half_width(model, &state.as_view());
     let layer_kinetic = move_nodes(model, state);
     let work = StepWork {
         element: &energy,

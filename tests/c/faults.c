@@ -16,6 +16,9 @@ struct outputs {
     SoftanvilInput input;
     SoftanvilParameterInfo parameter_info;
     SoftanvilOutputInfo output_info;
+    SoftanvilFieldInfo field_info;
+    SoftanvilView view;
+    double values[2];
     SoftanvilSimulation *simulation;
     double number;
     uint64_t count;
@@ -103,6 +106,15 @@ static SoftanvilSimulation *build(unsigned char *where, const SoftanvilScenario 
     return simulation;
 }
 
+/* A trace that no refused call reaches. */
+static int32_t unreachable(const SoftanvilSimulation *simulation, void *context)
+{
+    (void)simulation;
+    (void)context;
+    fail("softanvil_run_traced", "a refused call has called back");
+    return 1;
+}
+
 static void tables(void)
 {
     char endless[4 * SOFTANVIL_NAME_SIZE];
@@ -125,6 +137,13 @@ static void tables(void)
     REFUSE(NULL_POINTER, softanvil_output_info(0, NULL));
     REFUSE(MISALIGNED, softanvil_output_info(0, odd(&out.output_info)));
     REFUSE(UNKNOWN_ID, softanvil_output_info(SOFTANVIL_NONE, &out.output_info));
+    REFUSE(NULL_POINTER, softanvil_field_find(NULL, &out.id));
+    REFUSE(NULL_POINTER, softanvil_field_find("node.position", NULL));
+    REFUSE(MISALIGNED, softanvil_field_find("node.position", odd(&out.id)));
+    REFUSE(UNKNOWN_NAME, softanvil_field_find(endless, &out.id));
+    REFUSE(NULL_POINTER, softanvil_field_info(0, NULL));
+    REFUSE(MISALIGNED, softanvil_field_info(0, odd(&out.field_info)));
+    REFUSE(UNKNOWN_ID, softanvil_field_info(softanvil_field_count(), &out.field_info));
     REFUSE(NULL_POINTER, softanvil_parameter_choice(SOFTANVIL_PARAMETER_IMPACTOR_MOTION, 0, NULL, 8));
     REFUSE(UNKNOWN_ID, softanvil_parameter_choice(SOFTANVIL_NONE, 0, out.text, sizeof out.text));
     REFUSE(UNKNOWN_ID, softanvil_parameter_choice(SOFTANVIL_PARAMETER_IMPACTOR_MOTION, 2, out.text, sizeof out.text));
@@ -265,6 +284,9 @@ static void illegal_scenarios(void)
         REFUSE(STATUS, softanvil_trace_hash((s), &out.count));                     \
         REFUSE(STATUS, softanvil_snapshot_size((s), &out.size));                   \
         REFUSE(STATUS, softanvil_input_default((s), &out.input));                  \
+        REFUSE(STATUS, softanvil_field_view((s), 0, 0, &out.view));                \
+        EXPLAIN(STATUS, softanvil_field_read((s), 0, 0, out.values, 2, 1, &error)); \
+        EXPLAIN(STATUS, softanvil_snapshot_save((s), out.bytes, sizeof out.bytes, &error)); \
     } while (0)
 
 /* Changing `s`, which gives `STATUS`. */
@@ -275,7 +297,7 @@ static void illegal_scenarios(void)
         EXPLAIN(STATUS, softanvil_step((s), 1, NULL, &error));                            \
         EXPLAIN(STATUS, softanvil_step_to_sample((s), NULL, &error));                     \
         EXPLAIN(STATUS, softanvil_run((s), 1e-3, NULL, &error));                          \
-        EXPLAIN(STATUS, softanvil_snapshot_save((s), out.bytes, sizeof out.bytes, &error)); \
+        EXPLAIN(STATUS, softanvil_run_traced((s), 1e-3, NULL, unreachable, NULL, &error)); \
         EXPLAIN(STATUS, softanvil_snapshot_restore((s), snapshot, sizeof snapshot, &error)); \
     } while (0)
 
@@ -315,6 +337,17 @@ static void reading(const SoftanvilSimulation *good)
     REFUSE(NULL_POINTER, softanvil_snapshot_size(good, NULL));
     REFUSE(NULL_POINTER, softanvil_input_default(good, NULL));
     REFUSE(MISALIGNED, softanvil_input_default(good, odd(&out.input)));
+    REFUSE(NULL_POINTER, softanvil_field_view(good, 0, 0, NULL));
+    REFUSE(MISALIGNED, softanvil_field_view(good, 0, 0, odd(&out.view)));
+    REFUSE(UNKNOWN_ID, softanvil_field_view(good, softanvil_field_count(), 0, &out.view));
+    REFUSE(UNKNOWN_ID, softanvil_field_view(good, 0, 2, &out.view));
+    EXPLAIN(NULL_POINTER, softanvil_field_read(good, 0, 0, NULL, 2, 1, &error));
+    EXPLAIN(MISALIGNED, softanvil_field_read(good, 0, 0, odd(out.values), 1, 1, &error));
+    EXPLAIN(SHORT_BUFFER, softanvil_field_read(good, 0, 0, out.values, 2, 1, &error));
+    EXPLAIN(SHORT_BUFFER, softanvil_field_read(good, 0, 0, out.values, 2, SIZE_MAX, &error));
+    EXPLAIN(SHORT_BUFFER, softanvil_field_read(good, 0, 0, out.values, SIZE_MAX, 1, &error));
+    EXPLAIN(UNKNOWN_ID, softanvil_field_read(good, SOFTANVIL_NONE, 0, out.values, 2, 1, &error));
+    EXPLAIN(UNKNOWN_ID, softanvil_field_read(good, 0, SOFTANVIL_NONE, out.values, 2, 1, &error));
 }
 
 static void stepping(SoftanvilSimulation *good)
@@ -336,6 +369,9 @@ static void stepping(SoftanvilSimulation *good)
     EXPLAIN(ILLEGAL_VALUE, softanvil_run(good, (double)NAN, NULL, &error));
     EXPLAIN(ILLEGAL_VALUE, softanvil_run(good, -1.0, NULL, &error));
     EXPLAIN(ILLEGAL_VALUE, softanvil_run(good, 1e300, NULL, &error));
+    EXPLAIN(NULL_POINTER, softanvil_run_traced(good, 1e-3, NULL, NULL, NULL, &error));
+    EXPLAIN(UNINITIALISED, softanvil_run_traced(good, 1e-3, &out.input, unreachable, NULL, &error));
+    EXPLAIN(ILLEGAL_VALUE, softanvil_run_traced(good, (double)NAN, NULL, unreachable, NULL, &error));
     MUST(softanvil_step(good, 0, NULL, NULL));
 }
 

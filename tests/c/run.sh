@@ -1,7 +1,9 @@
 #!/usr/bin/env bash
 # Builds the rigs in C and C++ against the library in LIBDIR, static and shared, and runs them: their traces agree with
 # each other and, if SOFTANVIL_CLI names the command line program, with its own. The rig of faults also runs under
-# valgrind and under the address and undefined-behaviour sanitizers.
+# valgrind and under the address and undefined-behaviour sanitizers, the sweep over threads under helgrind and the thread
+# sanitizer. For a release library it also compares the ABI with the last release, looks for paths to a panic, and
+# installs the package and builds from it (package.sh; needs cmake and pkg-config, see install.sh).
 #
 #     tests/c/run.sh LIBDIR
 set -euo pipefail
@@ -40,6 +42,9 @@ check() {
     fi
 }
 
+# Succeeds if the command fails.
+fails() { ! "$@"; }
+
 # Runs a rig and keeps what it prints.
 trace() { "$work/$1" >"$work/$1.txt"; }
 
@@ -51,6 +56,12 @@ done
 for dialect in c++11 c++17 c++20; do
     check "header as $dialect" g++ -std=$dialect -Wall -Wextra -Wpedantic -Werror -fsyntax-only -x c++ \
         "$tests/../include/softanvil.h"
+done
+for dialect in c++17 c++20; do
+    check "C++ header as $dialect" g++ -std=$dialect -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror \
+        -fsyntax-only -x c++ "$tests/../include/softanvil.hpp"
+    check "C++ header as $dialect without exceptions" g++ -std=$dialect -fno-exceptions -Wall -Wextra -Wpedantic \
+        -Werror -fsyntax-only -x c++ "$tests/../include/softanvil.hpp"
 done
 check "layout frozen" "${c[@]}" "${include[@]}" -fsyntax-only "$tests/c/abi.c"
 
@@ -77,6 +88,14 @@ check "build sanitized C++ rig" "${cpp[@]}" "${include[@]}" "${sanitize[@]}" "$t
 check "run sanitized C++ rig" "$work/cpp-sanitized"
 check "rig of faults under valgrind" valgrind -q --error-exitcode=9 --leak-check=full "$work/faults-static"
 
+# Threads share nothing: helgrind sees the library too, the sanitizer only the caller.
+check "build sweep" "${cpp[@]}" "${include[@]}" "$tests/cpp/sweep.cpp" -o "$work/sweep" "${static[@]}"
+check "sweep over threads" "$work/sweep" 4
+check "sweep under helgrind" valgrind -q --tool=helgrind --error-exitcode=9 "$work/sweep" 3 100e-6
+check "build sanitized sweep" "${cpp[@]}" "${include[@]}" -fsanitize=thread "$tests/cpp/sweep.cpp" \
+    -o "$work/sweep-sanitized" "${static[@]}"
+check "run sanitized sweep" setarch -R "$work/sweep-sanitized" 3 5e-3
+
 # Only the ABI leaves the shared library.
 only_abi() {
     nm -D --defined-only "$libdir/libsoftanvil.so" | awk '{print $3}' >"$work/symbols"
@@ -95,6 +114,18 @@ if [ -n "${SOFTANVIL_CLI:-}" ]; then
     for energy in 14.7 9.8 4.9; do
         check "C rig and command line agree at $energy J" same_as_cli "$energy"
     done
+fi
+
+if [ "$(basename "$libdir")" = release ]; then
+    check "ABI of the last release" "$tests/c/abi/compare.sh" "$libdir"
+    sed 's/softanvil_dt(const SoftanvilSimulation/softanvil_dt(SoftanvilSimulation/' "$tests/../include/softanvil.h" \
+        >"$work/changed.h"
+    check "a changed function is noticed" fails "$tests/c/abi/compare.sh" "$libdir" "$work/changed.h"
+    sed 's/SOFTANVIL_STATUS_INVERTED = 300/SOFTANVIL_STATUS_INVERTED = 304/' "$tests/../include/softanvil.h" \
+        >"$work/changed.h"
+    check "a changed number is noticed" fails "$tests/c/abi/compare.sh" "$libdir" "$work/changed.h"
+    check "no path to a panic" "$tests/c/panic.sh" "$libdir"
+    check "installed package" "$tests/c/package.sh"
 fi
 
 cat "$work/c-static.txt"

@@ -2,7 +2,7 @@
 
 use core::ffi::{c_char, c_void};
 
-use softanvil_kernel::{Model, Parameter, Size, State, StepInput, step};
+use softanvil_kernel::{Constants, Model, Parameter, Scalars, Size, State, StepInput, step};
 
 use crate::block::{self, ALIGNMENT, SoftanvilSimulation};
 use crate::c_api::scenario::SoftanvilScenario;
@@ -39,6 +39,12 @@ impl SoftanvilInput {
             return Err(Failure::ReservedSlot { array: "reserved", slot, value });
         }
         Ok(StepInput { external_force: self.external_force, driven_position: self.driven_position })
+    }
+
+    /// What `input` says; if nothing, that nothing acts and a driven impactor stays.
+    pub(crate) fn or_hold(input: Option<&Self>, scalars: &Scalars) -> Result<StepInput, Failure> {
+        let hold = StepInput { external_force: 0.0, driven_position: scalars.impactor.position };
+        input.map_or(Ok(hold), |input| input.to_kernel())
     }
 }
 
@@ -238,12 +244,14 @@ pub unsafe extern "C" fn softanvil_run(
     input: *const SoftanvilInput,
     error: *mut SoftanvilError,
 ) -> SoftanvilStatus {
-    let steps = |model: &Model, _: &State| {
-        Parameter::find("time.duration").map_or(Ok(()), |row| row.check(duration))?;
-        Ok(model.constants.steps_in(duration))
-    };
     // SAFETY: C keeps the conventions of the header.
-    unsafe { advance(simulation, input, error, steps) }
+    unsafe { advance(simulation, input, error, |model, _| steps_in(&model.constants, duration)) }
+}
+
+/// Steps that cover `duration`, if it is legal.
+pub(crate) fn steps_in(constants: &Constants, duration: f64) -> Result<u64, Failure> {
+    Parameter::find("time.duration").map_or(Ok(()), |row| row.check(duration))?;
+    Ok(constants.steps_in(duration))
 }
 
 /// Makes as many steps as `steps` says.
@@ -261,17 +269,17 @@ unsafe fn advance(
     // SAFETY: the caller's guarantee.
     let input = unsafe { ptr::optional_shared(input, "input") };
     report(error, || {
-        let input = input?.copied().map(SoftanvilInput::to_kernel).transpose()?;
+        let input = input?;
         block::with(block?, |model, state| {
-            let hold = StepInput { external_force: 0.0, driven_position: state.scalars.impactor.position };
-            let input = input.unwrap_or(hold);
+            let input = SoftanvilInput::or_hold(input, &state.scalars)?;
             let steps = steps(model, state)?;
             (0..steps).try_for_each(|_| step(model, state, &input)).map_err(Failure::from)
         })
     })
 }
 
-fn steps_to_sample(model: &Model, state: &State) -> u64 {
+/// Steps to the end of the running sampling interval.
+pub(crate) fn steps_to_sample(model: &Model, state: &State) -> u64 {
     let period = u64::from(model.constants.steps_per_sample);
     let into = state.scalars.step_index.checked_rem(period).unwrap_or_default();
     period.saturating_sub(into)

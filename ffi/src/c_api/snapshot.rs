@@ -31,7 +31,7 @@ pub unsafe extern "C" fn softanvil_snapshot_size(
 
 /// Saves the state of a simulation. The bytes mean the same on every machine; equal states give equal bytes.
 ///
-/// @param simulation The simulation; its numbers stay the same.
+/// @param simulation The simulation.
 /// @param bytes Where the snapshot goes.
 /// @param size Bytes there, at least those of `softanvil_snapshot_size`; the rest stays untouched.
 /// @param error Details of a failure, or NULL.
@@ -41,20 +41,20 @@ pub unsafe extern "C" fn softanvil_snapshot_size(
 /// The conventions of the header.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn softanvil_snapshot_save(
-    simulation: *mut SoftanvilSimulation,
+    simulation: *const SoftanvilSimulation,
     bytes: *mut u8,
     size: usize,
     error: *mut SoftanvilError,
 ) -> SoftanvilStatus {
     // SAFETY: C keeps the conventions of the header.
-    let (block, error) = unsafe { (ptr::block(simulation), ptr::optional_out(error, "error")) };
+    let (block, error) = unsafe { (ptr::shared_block(simulation), ptr::optional_out(error, "error")) };
     // SAFETY: as above.
     let bytes = unsafe { ptr::bytes_mut(bytes, size, "bytes") };
     report(error, || {
         let (block, bytes) = (block?, bytes?);
         let (given, needed) = (bytes.len(), snapshot::snapshot_size(&block.0.constants));
         let bytes = bytes.get_mut(..needed).ok_or(Failure::Short { argument: "bytes", given, needed })?;
-        block::with(block, |model, state| snapshot::save(model, state, bytes).map_err(Failure::from))
+        block::look(block, |model, state| snapshot::save_view(model, state, bytes).map_err(Failure::from))
     })
 }
 

@@ -3,10 +3,10 @@
 use core::ffi::c_char;
 
 use softanvil_kernel::parameter::Kind;
-use softanvil_kernel::{Output, Parameter};
+use softanvil_kernel::{Field, Output, Parameter};
 
 use crate::failure::{Failure, characters, status};
-use crate::ids::{OUTPUT_BY_ID, PARAMETER_BY_ID};
+use crate::ids::{FIELD_BY_ID, OUTPUT_BY_ID, PARAMETER_BY_ID};
 use crate::ptr::{self, Name};
 use crate::status::SoftanvilStatus;
 
@@ -205,6 +205,12 @@ pub(crate) fn output_row(id: u32) -> Result<&'static Output, Failure> {
     OUTPUT_BY_ID.get(id as usize).copied().ok_or(Failure::UnknownId { argument: "output", id, count })
 }
 
+/// Row of a field.
+pub(crate) fn field_row(id: u32) -> Result<&'static Field, Failure> {
+    let count = FIELD_BY_ID.len();
+    FIELD_BY_ID.get(id as usize).copied().ok_or(Failure::UnknownId { argument: "field", id, count })
+}
+
 /// Number and row of a parameter.
 pub(crate) fn find_parameter(name: &Name) -> Result<(u32, &'static Parameter), Failure> {
     let found = (0..).zip(PARAMETER_BY_ID).find(|(_, row)| name.is(row.name));
@@ -217,6 +223,12 @@ pub(crate) fn find_output(name: &Name) -> Result<(u32, &'static Output), Failure
     found.ok_or(Failure::UnknownName { argument: "name" })
 }
 
+/// Number and row of a field.
+pub(crate) fn find_field(name: &Name) -> Result<(u32, &'static Field), Failure> {
+    let found = (0..).zip(FIELD_BY_ID).find(|(_, row)| name.is(row.name));
+    found.ok_or(Failure::UnknownName { argument: "name" })
+}
+
 fn labels(row: &Parameter) -> &'static [&'static str] {
     match row.kind {
         Kind::Choice { labels, .. } => labels,
@@ -224,10 +236,11 @@ fn labels(row: &Parameter) -> &'static [&'static str] {
     }
 }
 
-type Texts = ([c_char; SOFTANVIL_NAME_SIZE], [c_char; SOFTANVIL_UNIT_SIZE], [c_char; SOFTANVIL_DESCRIPTION_SIZE]);
+pub(crate) type Texts =
+    ([c_char; SOFTANVIL_NAME_SIZE], [c_char; SOFTANVIL_UNIT_SIZE], [c_char; SOFTANVIL_DESCRIPTION_SIZE]);
 
 /// The texts of a row; that all of them fit is tested.
-fn texts(name: &str, unit: &str, description: &str) -> Result<Texts, Failure> {
+pub(crate) fn texts(name: &str, unit: &str, description: &str) -> Result<Texts, Failure> {
     characters(name)
         .zip(characters(unit))
         .zip(characters(description))

@@ -58,8 +58,9 @@ pub fn contact(n: usize) -> Contact {
         let load = state.scalars.force.contact / model.constants.scenario.geometry.length;
         let half_width = (4.0 * load * RADIUS / (std::f64::consts::PI * modulus)).sqrt();
         let peak = 2.0 * load / (std::f64::consts::PI * half_width);
-        let pressure = |u: usize| surface::contact_pressure(model, state, u).expect("a column");
-        let x = |u: usize| surface::surface_position(model, state, u).expect("a column")[0];
+        let view = state.as_view();
+        let pressure = |u: usize| surface::contact_pressure(model, &view, u).expect("a column");
+        let x = |u: usize| surface::surface_position(model, &view, u).expect("a column")[0];
         let (mut sum, mut nodes) = (0.0, 0);
         while pressure(nodes) > 0.0 {
             let ellipse = (1.0 - (x(nodes) / half_width).powi(2)).max(0.0).sqrt();
@@ -67,7 +68,7 @@ pub fn contact(n: usize) -> Contact {
             nodes += 1;
         }
         Contact {
-            half_width: surface::contact_half_width(model, state) / half_width,
+            half_width: surface::contact_half_width(model, &view) / half_width,
             peak_pressure: pressure(0) / peak,
             profile: (sum / nodes as f64).sqrt(),
             nodes: nodes - 1,

@@ -1,0 +1,20 @@
+# An equal major number (while it is 0: an equal minor number too) and at least the version asked for fit.
+set(PACKAGE_VERSION "0.1.0")
+
+string(REGEX MATCH "^[0-9]+\\.[0-9]+" _softanvil_installed "${PACKAGE_VERSION}")
+set(_softanvil_wanted "${PACKAGE_FIND_VERSION_MAJOR}.${PACKAGE_FIND_VERSION_MINOR}")
+if(NOT PACKAGE_VERSION MATCHES "^0\\.")
+    string(REGEX REPLACE "\\..*" "" _softanvil_installed "${_softanvil_installed}")
+    set(_softanvil_wanted "${PACKAGE_FIND_VERSION_MAJOR}")
+endif()
+
+set(PACKAGE_VERSION_COMPATIBLE FALSE)
+if(PACKAGE_FIND_VERSION_COUNT LESS 2 AND PACKAGE_VERSION MATCHES "^0\\.")
+    set(_softanvil_wanted "${_softanvil_installed}")
+endif()
+if(_softanvil_wanted STREQUAL _softanvil_installed AND NOT PACKAGE_VERSION VERSION_LESS PACKAGE_FIND_VERSION)
+    set(PACKAGE_VERSION_COMPATIBLE TRUE)
+endif()
+if(PACKAGE_VERSION VERSION_EQUAL PACKAGE_FIND_VERSION)
+    set(PACKAGE_VERSION_EXACT TRUE)
+endif()

@@ -1,0 +1,990 @@
+/*
+ * Softanvil: deterministic explicit finite element simulation of drop-weight impact on a soft anvil.
+ *
+ * Generated from the Rust sources of the library; do not edit.
+ *
+ * A drop in seven calls:
+ *
+ *     SoftanvilScenario scenario;
+ *     SoftanvilSimulation *simulation;
+ *     size_t size, alignment;
+ *     double peak;
+ *
+ *     softanvil_scenario_default(SOFTANVIL_PRESET_STUDY, &scenario);
+ *     softanvil_scenario_set(&scenario, SOFTANVIL_PARAMETER_IMPACTOR_DROP_ENERGY, 14.7, NULL);
+ *     softanvil_memory_size(&scenario, &size, &alignment, NULL);
+ *     void *memory = malloc(size);                          // or static memory of that size
+ *     softanvil_init(memory, size, &scenario, &simulation, NULL);
+ *     softanvil_run(simulation, 15e-3, NULL, NULL);
+ *     softanvil_output(simulation, SOFTANVIL_OUTPUT_RESULT_PEAK_FORCE, &peak);
+ *
+ * Conventions of every function:
+ *
+ * - Results. A function returns a `SoftanvilStatus`, SOFTANVIL_STATUS_OK or a failure; its documentation lists the
+ *   failures without the prefix SOFTANVIL_STATUS_. Results go to out-parameters, which are written only on success. A
+ *   `SoftanvilError` takes the details of a failure: what was refused, its value, its unit, its legal range. It is
+ *   written only on failure, and may be NULL.
+ * - Units are SI throughout. Upwards is positive; the impactor's height is 0 where it touches the undeformed anvil.
+ * - Memory. The library owns none and allocates none. Simulations live in memory that the caller lends; structures are
+ *   the caller's; strings that are returned are static. Pointers passed in are used during the call and not kept, except
+ *   for the memory of a simulation. Arguments of one call must not overlap.
+ * - Checks. Null and misaligned pointers, short buffers, uninitialised structures and values that are not legal are
+ *   refused with a status. A pointer must otherwise point to what its type says; that no library can check.
+ * - Threads. There is no global state. One simulation is used by one thread at a time; any number of simulations run in
+ *   parallel. Functions that take only `const` pointers may run at the same time on the same object.
+ * - Surroundings. No function uses the heap, files, clocks, locale, errno or signals, and none ends the process. The
+ *   floating-point environment must be the default one of C: rounding to nearest, denormals kept.
+ * - Stability. Numbers and structures keep their meaning and size; later versions add numbers, functions and parameters.
+ *   `const` on a pointer means that the object is not changed.
+ */
+
+#ifndef SOFTANVIL_H
+#define SOFTANVIL_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Version of this header. */
+#define SOFTANVIL_VERSION_MAJOR 0
+/** Version of this header. */
+#define SOFTANVIL_VERSION_MINOR 1
+/** Version of this header. */
+#define SOFTANVIL_VERSION_PATCH 0
+/** Version of this header as one number, to be compared with softanvil_version(). */
+#define SOFTANVIL_VERSION \
+    (SOFTANVIL_VERSION_MAJOR * 1000000 + SOFTANVIL_VERSION_MINOR * 1000 + SOFTANVIL_VERSION_PATCH)
+/** Version of this header as text. */
+#define SOFTANVIL_VERSION_TEXT "0.1.0"
+
+/* ================================================================================================================ */
+/* Status and errors                                                                                                */
+/* ================================================================================================================ */
+
+/**
+ * Result of a call. Numbers are stable: a retired one stays reserved, new ones are added. Treat an unknown number as
+ * a failure.
+ *
+ * 100 to 199: the call itself; 200 to 299: the scenario; 300 to 399: a step; 400 to 499: a snapshot.
+ */
+enum SoftanvilStatus
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : int32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /** Done. */
+    SOFTANVIL_STATUS_OK = 0,
+    /** A pointer that must point to something is null. */
+    SOFTANVIL_STATUS_NULL_POINTER = 100,
+    /** A pointer is not aligned as its type or the simulation's memory needs it. */
+    SOFTANVIL_STATUS_MISALIGNED = 101,
+    /** A buffer is too short. */
+    SOFTANVIL_STATUS_SHORT_BUFFER = 102,
+    /** A structure was never initialised by this library, was closed, or was overwritten. */
+    SOFTANVIL_STATUS_UNINITIALISED = 103,
+    /** No such parameter, output, choice or preset. */
+    SOFTANVIL_STATUS_UNKNOWN_ID = 104,
+    /** No such name. */
+    SOFTANVIL_STATUS_UNKNOWN_NAME = 105,
+    /** A parameter's value is not a number, is outside its legal range, or is not one of its choices. */
+    SOFTANVIL_STATUS_ILLEGAL_VALUE = 200,
+    /** The Prony coefficients leave no long-term stiffness. */
+    SOFTANVIL_STATUS_PRONY_SUM = 201,
+    /** The elastic coefficients give no positive shear modulus at rest. */
+    SOFTANVIL_STATUS_SHEAR_MODULUS = 202,
+    /** The impactor's face does not reach past the sides of the anvil. */
+    SOFTANVIL_STATUS_FACE_TOO_SMALL = 203,
+    /** The element size asks for more cells than a mesh may have. */
+    SOFTANVIL_STATUS_TOO_MANY_CELLS = 204,
+    /** The stable time step is smaller than any that is offered. */
+    SOFTANVIL_STATUS_STEP_TOO_SMALL = 205,
+    /** The given time step is above the stability limit at rest. */
+    SOFTANVIL_STATUS_STEP_TOO_LARGE = 206,
+    /** A slot of a scenario or an input that has no meaning in this version is not zero. */
+    SOFTANVIL_STATUS_RESERVED_SLOT = 207,
+    /** An element turned inside out or is no longer finite. */
+    SOFTANVIL_STATUS_INVERTED = 300,
+    /** The time step is above the current stability limit of an element. */
+    SOFTANVIL_STATUS_UNSTABLE = 301,
+    /** The input of a step is not a finite number. */
+    SOFTANVIL_STATUS_ILLEGAL_INPUT = 302,
+    /** The bytes are not a snapshot of this format version. */
+    SOFTANVIL_STATUS_SNAPSHOT_FORMAT = 400,
+    /** The snapshot belongs to a different scenario. */
+    SOFTANVIL_STATUS_SNAPSHOT_FOREIGN = 401,
+    /** The snapshot's checksum does not match its content. */
+    SOFTANVIL_STATUS_SNAPSHOT_CORRUPT = 402,
+    /** The simulation has failed in a step and is not worth saving. */
+    SOFTANVIL_STATUS_SNAPSHOT_FAILED = 403,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum SoftanvilStatus SoftanvilStatus;
+#else
+typedef int32_t SoftanvilStatus;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/** No parameter, no element. */
+#define SOFTANVIL_NONE UINT32_MAX
+
+/** Bytes of the text of a `SoftanvilError`, its NUL included. */
+#define SOFTANVIL_ERROR_TEXT_SIZE 256
+
+/**
+ * Why a call failed. The caller owns it; a function writes the whole of it when it fails and leaves it alone when it
+ * succeeds. Numbers that do not apply are NaN.
+ */
+typedef struct SoftanvilError {
+    /** The status that the function returned, a `SoftanvilStatus`. */
+    int32_t status;
+    /** Number of the refused parameter, a `SoftanvilParameter`; otherwise SOFTANVIL_NONE. */
+    uint32_t parameter;
+    /** Index of the element that failed; otherwise SOFTANVIL_NONE. */
+    uint32_t element;
+    /** Always 0. */
+    uint32_t reserved_word;
+    /** The refused value, in the unit of what was refused: a parameter, a length in bytes, a time step in s. */
+    double value;
+    /** Smallest legal value. */
+    double min;
+    /** Largest legal value. */
+    double max;
+    /** Simulated time of a failed step, s. */
+    double time;
+    /** Always 0. */
+    double reserved[4];
+    /** One line for people, with the value, its unit and what is legal; ends with a NUL. */
+    char text[SOFTANVIL_ERROR_TEXT_SIZE];
+} SoftanvilError;
+
+/* ================================================================================================================ */
+/* Library                                                                                                          */
+/* ================================================================================================================ */
+
+/**
+ * Version of the library that is running, to be compared with `SOFTANVIL_VERSION` of the header: an equal major number
+ * (while it is 0: an equal minor number too) promises that the two fit together.
+ *
+ * @return `SOFTANVIL_VERSION` of the library: major * 1000000 + minor * 1000 + patch.
+ */
+uint32_t softanvil_version(void);
+
+/**
+ * Version of the library that is running, as text.
+ *
+ * @return A static string such as "1.2.3".
+ */
+const char *softanvil_version_text(void);
+
+/**
+ * What a status means, in general. `SoftanvilError` says more about one failure.
+ *
+ * @param status A `SoftanvilStatus`, or any other number.
+ * @return A static string; "unknown status" for an unknown number.
+ */
+const char *softanvil_status_text(int32_t status);
+
+/* ================================================================================================================ */
+/* Numbers of presets, parameters, choices and outputs                                                              */
+/* ================================================================================================================ */
+
+/** Ready-made scenarios. */
+enum SoftanvilPreset {
+    /** The soft anvil of doi 10.1007/s12283-023-00407-7, dropped on with 14.7 J. */
+    SOFTANVIL_PRESET_STUDY = 0
+};
+
+/** Parameters of a scenario: name, unit, legal range, meaning. */
+enum SoftanvilParameter {
+    /** geometry.shape, a SoftanvilGeometryShape: layer on a round core, or a flat block on a flat core. */
+    SOFTANVIL_PARAMETER_GEOMETRY_SHAPE = 0,
+    /** geometry.formulation, a SoftanvilGeometryFormulation: kinematics of the section. */
+    SOFTANVIL_PARAMETER_GEOMETRY_FORMULATION = 1,
+    /** geometry.core_radius, m, from 0.001 to 1: radius of the rigid core (round shape). */
+    SOFTANVIL_PARAMETER_GEOMETRY_CORE_RADIUS = 2,
+    /** geometry.silicone_thickness, m, from 1e-4 to 0.5: thickness of the silicone. */
+    SOFTANVIL_PARAMETER_GEOMETRY_SILICONE_THICKNESS = 3,
+    /** geometry.skin_thickness, m, from 0 to 0.1: thickness of the skin, which has the silicone's material. */
+    SOFTANVIL_PARAMETER_GEOMETRY_SKIN_THICKNESS = 4,
+    /** geometry.length, m, from 0.001 to 10: largest out-of-plane thickness in plane strain (effective length of the layer). */
+    SOFTANVIL_PARAMETER_GEOMETRY_LENGTH = 5,
+    /** geometry.block_width, m, from 1e-4 to 10: full width, or diameter if axisymmetric (block shape). */
+    SOFTANVIL_PARAMETER_GEOMETRY_BLOCK_WIDTH = 6,
+    /** impactor.motion, a SoftanvilImpactorMotion: a falling mass, or a position given from outside at every step. */
+    SOFTANVIL_PARAMETER_IMPACTOR_MOTION = 7,
+    /** impactor.mass, kg, from 0.001 to 10000: mass of the impactor. */
+    SOFTANVIL_PARAMETER_IMPACTOR_MASS = 8,
+    /** impactor.face_diameter, m, from 0.001 to 10: diameter of the flat face; its chord is the thickness of a round section in plane strain. */
+    SOFTANVIL_PARAMETER_IMPACTOR_FACE_DIAMETER = 9,
+    /** impactor.gap, m, from 0 to 1: height of the face above the anvil at the start. */
+    SOFTANVIL_PARAMETER_IMPACTOR_GAP = 10,
+    /** impactor.gravity, m/s2, from 0 to 100: acceleration of gravity. */
+    SOFTANVIL_PARAMETER_IMPACTOR_GRAVITY = 11,
+    /** impactor.drop_by, a SoftanvilImpactorDropBy: which of the next three states the drop. */
+    SOFTANVIL_PARAMETER_IMPACTOR_DROP_BY = 12,
+    /** impactor.drop_height, m, from 0 to 100: free fall before the start. */
+    SOFTANVIL_PARAMETER_IMPACTOR_DROP_HEIGHT = 13,
+    /** impactor.drop_energy, J, from 0 to 1e5: kinetic energy at the start. */
+    SOFTANVIL_PARAMETER_IMPACTOR_DROP_ENERGY = 14,
+    /** impactor.drop_speed, m/s, from 0 to 100: downward speed at the start. */
+    SOFTANVIL_PARAMETER_IMPACTOR_DROP_SPEED = 15,
+    /** silicone.density, kg/m3, from 10 to 20000: density of the layer. */
+    SOFTANVIL_PARAMETER_SILICONE_DENSITY = 16,
+    /** silicone.moduli, a SoftanvilSiliconeModuli: what the elastic coefficients are: after full relaxation, or before any. */
+    SOFTANVIL_PARAMETER_SILICONE_MODULI = 17,
+    /** silicone.c10, Pa, from -1e9 to 1e9: Mooney-Rivlin coefficient of (I1 - 3). */
+    SOFTANVIL_PARAMETER_SILICONE_C10 = 18,
+    /** silicone.c01, Pa, from -1e9 to 1e9: Mooney-Rivlin coefficient of (I2 - 3). */
+    SOFTANVIL_PARAMETER_SILICONE_C01 = 19,
+    /** silicone.c11, Pa, from -1e9 to 1e9: Mooney-Rivlin coefficient of (I1 - 3)(I2 - 3). */
+    SOFTANVIL_PARAMETER_SILICONE_C11 = 20,
+    /** silicone.c20, Pa, from -1e9 to 1e9: Mooney-Rivlin coefficient of (I1 - 3)^2. */
+    SOFTANVIL_PARAMETER_SILICONE_C20 = 21,
+    /** silicone.c02, Pa, from -1e9 to 1e9: Mooney-Rivlin coefficient of (I2 - 3)^2. */
+    SOFTANVIL_PARAMETER_SILICONE_C02 = 22,
+    /** silicone.volumetric_by, a SoftanvilSiliconeVolumetricBy: which of the next two states the compressibility. */
+    SOFTANVIL_PARAMETER_SILICONE_VOLUMETRIC_BY = 23,
+    /** silicone.bulk_modulus, Pa, from 100 to 1e12: bulk modulus. */
+    SOFTANVIL_PARAMETER_SILICONE_BULK_MODULUS = 24,
+    /** silicone.poissons_ratio, from 0 to 0.4999: Poisson's ratio of the long-term law. */
+    SOFTANVIL_PARAMETER_SILICONE_POISSONS_RATIO = 25,
+    /** silicone.prony_g_1, from 0 to 0.9999: Prony coefficient, normalised on the instantaneous modulus; 0 switches the term off. */
+    SOFTANVIL_PARAMETER_SILICONE_PRONY_G_1 = 26,
+    /** silicone.prony_tau_1, s, from 1e-7 to 1e6: relaxation time of the Prony term. */
+    SOFTANVIL_PARAMETER_SILICONE_PRONY_TAU_1 = 27,
+    /** silicone.prony_g_2, from 0 to 0.9999: Prony coefficient, normalised on the instantaneous modulus; 0 switches the term off. */
+    SOFTANVIL_PARAMETER_SILICONE_PRONY_G_2 = 28,
+    /** silicone.prony_tau_2, s, from 1e-7 to 1e6: relaxation time of the Prony term. */
+    SOFTANVIL_PARAMETER_SILICONE_PRONY_TAU_2 = 29,
+    /** silicone.prony_g_3, from 0 to 0.9999: Prony coefficient, normalised on the instantaneous modulus; 0 switches the term off. */
+    SOFTANVIL_PARAMETER_SILICONE_PRONY_G_3 = 30,
+    /** silicone.prony_tau_3, s, from 1e-7 to 1e6: relaxation time of the Prony term. */
+    SOFTANVIL_PARAMETER_SILICONE_PRONY_TAU_3 = 31,
+    /** silicone.prony_g_4, from 0 to 0.9999: Prony coefficient, normalised on the instantaneous modulus; 0 switches the term off. */
+    SOFTANVIL_PARAMETER_SILICONE_PRONY_G_4 = 32,
+    /** silicone.prony_tau_4, s, from 1e-7 to 1e6: relaxation time of the Prony term. */
+    SOFTANVIL_PARAMETER_SILICONE_PRONY_TAU_4 = 33,
+    /** silicone.prony_g_5, from 0 to 0.9999: Prony coefficient, normalised on the instantaneous modulus; 0 switches the term off. */
+    SOFTANVIL_PARAMETER_SILICONE_PRONY_G_5 = 34,
+    /** silicone.prony_tau_5, s, from 1e-7 to 1e6: relaxation time of the Prony term. */
+    SOFTANVIL_PARAMETER_SILICONE_PRONY_TAU_5 = 35,
+    /** silicone.slider_stiffness, Pa, from 0 to 1e11: shear modulus G of the damping spring; 0 switches the spring-slider off. */
+    SOFTANVIL_PARAMETER_SILICONE_SLIDER_STIFFNESS = 36,
+    /** silicone.slider_yield_stress, Pa, from 0 to 1e10: von Mises stress SIGF at which the slider slips. */
+    SOFTANVIL_PARAMETER_SILICONE_SLIDER_YIELD_STRESS = 37,
+    /** core.interface, a SoftanvilCoreInterface: how the layer sits on the core. */
+    SOFTANVIL_PARAMETER_CORE_INTERFACE = 38,
+    /** core.friction_coefficient, from 0 to 10: Coulomb coefficient of a frictional core. */
+    SOFTANVIL_PARAMETER_CORE_FRICTION_COEFFICIENT = 39,
+    /** face.friction_coefficient, from 0 to 10: Coulomb coefficient under the impactor. */
+    SOFTANVIL_PARAMETER_FACE_FRICTION_COEFFICIENT = 40,
+    /** mesh.element_size, m, from 1e-5 to 0.1: edge length that the structured mesh aims at. */
+    SOFTANVIL_PARAMETER_MESH_ELEMENT_SIZE = 41,
+    /** time.step_by, a SoftanvilTimeStepBy: which of the next two states the time step. */
+    SOFTANVIL_PARAMETER_TIME_STEP_BY = 42,
+    /** time.safety_factor, from 0.01 to 1: fraction of the stability limit of the stiffest expected state. */
+    SOFTANVIL_PARAMETER_TIME_SAFETY_FACTOR = 43,
+    /** time.step, s, from 1e-8 to 5e-5: requested step; the largest whole divisor of 50 us not above it is used. */
+    SOFTANVIL_PARAMETER_TIME_STEP = 44,
+    /** time.duration, s, from 5e-5 to 100: simulated time of a run. */
+    SOFTANVIL_PARAMETER_TIME_DURATION = 45,
+    /** measurement.force_threshold, N, from 0 to 1e5: force that begins and ends the impact duration (the default is just above the 5 kg mass's weight). */
+    SOFTANVIL_PARAMETER_MEASUREMENT_FORCE_THRESHOLD = 46
+};
+
+/** geometry.shape: layer on a round core, or a flat block on a flat core. */
+enum SoftanvilGeometryShape {
+    SOFTANVIL_GEOMETRY_SHAPE_ROUND = 0,
+    SOFTANVIL_GEOMETRY_SHAPE_BLOCK = 1
+};
+
+/** geometry.formulation: kinematics of the section. */
+enum SoftanvilGeometryFormulation {
+    SOFTANVIL_GEOMETRY_FORMULATION_PLANE_STRAIN = 0,
+    SOFTANVIL_GEOMETRY_FORMULATION_AXISYMMETRIC = 1
+};
+
+/** impactor.motion: a falling mass, or a position given from outside at every step. */
+enum SoftanvilImpactorMotion {
+    SOFTANVIL_IMPACTOR_MOTION_DROP = 0,
+    SOFTANVIL_IMPACTOR_MOTION_DRIVEN = 1
+};
+
+/** impactor.drop_by: which of the next three states the drop. */
+enum SoftanvilImpactorDropBy {
+    SOFTANVIL_IMPACTOR_DROP_BY_HEIGHT = 0,
+    SOFTANVIL_IMPACTOR_DROP_BY_ENERGY = 1,
+    SOFTANVIL_IMPACTOR_DROP_BY_SPEED = 2
+};
+
+/** silicone.moduli: what the elastic coefficients are: after full relaxation, or before any. */
+enum SoftanvilSiliconeModuli {
+    SOFTANVIL_SILICONE_MODULI_LONG_TERM = 0,
+    SOFTANVIL_SILICONE_MODULI_INSTANTANEOUS = 1
+};
+
+/** silicone.volumetric_by: which of the next two states the compressibility. */
+enum SoftanvilSiliconeVolumetricBy {
+    SOFTANVIL_SILICONE_VOLUMETRIC_BY_BULK_MODULUS = 0,
+    SOFTANVIL_SILICONE_VOLUMETRIC_BY_POISSONS_RATIO = 1
+};
+
+/** core.interface: how the layer sits on the core. */
+enum SoftanvilCoreInterface {
+    SOFTANVIL_CORE_INTERFACE_BONDED = 0,
+    SOFTANVIL_CORE_INTERFACE_FRICTIONAL = 1
+};
+
+/** time.step_by: which of the next two states the time step. */
+enum SoftanvilTimeStepBy {
+    SOFTANVIL_TIME_STEP_BY_SAFETY_FACTOR = 0,
+    SOFTANVIL_TIME_STEP_BY_GIVEN = 1
+};
+
+/** Outputs of a simulation: name, unit, meaning. */
+enum SoftanvilOutput {
+    /** contact.force, N: contact force on the impactor, mean over the last complete sampling interval of 50 us. */
+    SOFTANVIL_OUTPUT_CONTACT_FORCE = 0,
+    /** contact.force_step, N: contact force on the impactor in the last step alone, with the impulses of single nodes in it. */
+    SOFTANVIL_OUTPUT_CONTACT_FORCE_STEP = 1,
+    /** core.reaction, N: force of the layer on the core (what load cells under it see), mean over the last sampling interval. */
+    SOFTANVIL_OUTPUT_CORE_REACTION = 2,
+    /** impactor.position, m: height of the face above the undeformed anvil; negative while it presses. */
+    SOFTANVIL_OUTPUT_IMPACTOR_POSITION = 3,
+    /** impactor.velocity, m/s: velocity of the impactor, upwards. */
+    SOFTANVIL_OUTPUT_IMPACTOR_VELOCITY = 4,
+    /** impactor.acceleration, m/s2: acceleration of the impactor, upwards. */
+    SOFTANVIL_OUTPUT_IMPACTOR_ACCELERATION = 5,
+    /** impactor.deformation, m: depth of the face below the undeformed anvil. */
+    SOFTANVIL_OUTPUT_IMPACTOR_DEFORMATION = 6,
+    /** result.peak_force, N: largest contact force so far (of contact.force). */
+    SOFTANVIL_OUTPUT_RESULT_PEAK_FORCE = 7,
+    /** result.max_deformation, m: largest deformation so far. */
+    SOFTANVIL_OUTPUT_RESULT_MAX_DEFORMATION = 8,
+    /** result.impact_duration, s: time covered by contact.force at or above measurement.force_threshold. */
+    SOFTANVIL_OUTPUT_RESULT_IMPACT_DURATION = 9,
+    /** result.impulse, N.s: impulse of the contact force so far. */
+    SOFTANVIL_OUTPUT_RESULT_IMPULSE = 10,
+    /** result.impact_speed, m/s: downward speed before the first contact. */
+    SOFTANVIL_OUTPUT_RESULT_IMPACT_SPEED = 11,
+    /** result.rebound_speed, m/s: upward speed after the last contact so far; negative while the impactor still falls. */
+    SOFTANVIL_OUTPUT_RESULT_REBOUND_SPEED = 12,
+    /** result.restitution: rebound speed over impact speed. */
+    SOFTANVIL_OUTPUT_RESULT_RESTITUTION = 13,
+    /** result.contact_time, s: time from the first to the last contact so far. */
+    SOFTANVIL_OUTPUT_RESULT_CONTACT_TIME = 14,
+    /** energy.impactor_kinetic, J: kinetic energy of the impactor. */
+    SOFTANVIL_OUTPUT_ENERGY_IMPACTOR_KINETIC = 15,
+    /** energy.layer_kinetic, J: kinetic energy of the layer. */
+    SOFTANVIL_OUTPUT_ENERGY_LAYER_KINETIC = 16,
+    /** energy.elastic, J: long-term elastic energy of the layer. */
+    SOFTANVIL_OUTPUT_ENERGY_ELASTIC = 17,
+    /** energy.viscous, J: work done on the viscous overstress, dissipated or still in its springs. */
+    SOFTANVIL_OUTPUT_ENERGY_VISCOUS = 18,
+    /** energy.slider_stored, J: energy in the damping springs. */
+    SOFTANVIL_OUTPUT_ENERGY_SLIDER_STORED = 19,
+    /** energy.slider_dissipation, J: energy dissipated by the sliders. */
+    SOFTANVIL_OUTPUT_ENERGY_SLIDER_DISSIPATION = 20,
+    /** energy.friction, J: energy dissipated by friction. */
+    SOFTANVIL_OUTPUT_ENERGY_FRICTION = 21,
+    /** energy.contact, J: energy lost in catching nodes of finite mass. */
+    SOFTANVIL_OUTPUT_ENERGY_CONTACT = 22,
+    /** energy.external, J: energy at the start and work from outside. */
+    SOFTANVIL_OUTPUT_ENERGY_EXTERNAL = 23,
+    /** energy.residual, J: external energy that the other terms leave unexplained. */
+    SOFTANVIL_OUTPUT_ENERGY_RESIDUAL = 24
+};
+
+/** Fields of a simulation: name, unit, components, meaning. */
+enum SoftanvilField {
+    /** node.reference_position, m, 2 components: position at rest, x outwards from the centre line and y upwards from the centre of the core. */
+    SOFTANVIL_FIELD_NODE_REFERENCE_POSITION = 0,
+    /** node.position, m, 2 components: current position, x and y. */
+    SOFTANVIL_FIELD_NODE_POSITION = 1,
+    /** node.displacement, m, 2 components: displacement from rest, x and y. */
+    SOFTANVIL_FIELD_NODE_DISPLACEMENT = 2,
+    /** node.velocity, m/s, 2 components: velocity half a step back, x and y. */
+    SOFTANVIL_FIELD_NODE_VELOCITY = 3,
+    /** node.force, N, 2 components: force in the last step on the meshed section, contact and friction included, x and y. */
+    SOFTANVIL_FIELD_NODE_FORCE = 4,
+    /** surface.contact_force, N, 2 components: force of the face in the last step on the meshed section, pressing and, outwards, by friction. */
+    SOFTANVIL_FIELD_SURFACE_CONTACT_FORCE = 5,
+    /** surface.contact_pressure, Pa: contact pressure in the last step, over the area halfway to the neighbouring nodes. */
+    SOFTANVIL_FIELD_SURFACE_CONTACT_PRESSURE = 6,
+    /** element.pressure, Pa: hydrostatic pressure of the last step, positive in compression. */
+    SOFTANVIL_FIELD_ELEMENT_PRESSURE = 7,
+    /** element.von_mises_stress, Pa: von Mises stress of the last step, viscous and damping parts included. */
+    SOFTANVIL_FIELD_ELEMENT_VON_MISES_STRESS = 8,
+    /** element.principal_stress, Pa, 3 components: principal Cauchy stresses of the last step: larger and smaller in the section, then out of its plane. */
+    SOFTANVIL_FIELD_ELEMENT_PRINCIPAL_STRESS = 9
+};
+
+/* ================================================================================================================ */
+/* Tables of parameters and outputs                                                                                 */
+/* ================================================================================================================ */
+
+/** Bytes of a name, its NUL included. */
+#define SOFTANVIL_NAME_SIZE 64
+
+/** Bytes of a unit, its NUL included. */
+#define SOFTANVIL_UNIT_SIZE 16
+
+/** Bytes of a description, its NUL included. */
+#define SOFTANVIL_DESCRIPTION_SIZE 256
+
+/** One row of the table of parameters. */
+typedef struct SoftanvilParameterInfo {
+    /** Its number, a `SoftanvilParameter`. */
+    uint32_t id;
+    /** Number of choices, numbered from 0; 0 for a physical quantity. */
+    uint32_t choices;
+    /** Smallest legal value. */
+    double min;
+    /** Largest legal value. */
+    double max;
+    /** Always 0. */
+    double reserved[4];
+    /** Name, such as "impactor.mass". */
+    char name[SOFTANVIL_NAME_SIZE];
+    /** SI unit; "1" for ratios and choices. */
+    char unit[SOFTANVIL_UNIT_SIZE];
+    /** Meaning, one line. */
+    char description[SOFTANVIL_DESCRIPTION_SIZE];
+} SoftanvilParameterInfo;
+
+/** One row of the table of outputs. */
+typedef struct SoftanvilOutputInfo {
+    /** Its number, a `SoftanvilOutput`. */
+    uint32_t id;
+    /** Always 0. */
+    uint32_t reserved_word;
+    /** Always 0. */
+    double reserved[4];
+    /** Name, such as "contact.force". */
+    char name[SOFTANVIL_NAME_SIZE];
+    /** SI unit; "1" for ratios. */
+    char unit[SOFTANVIL_UNIT_SIZE];
+    /** Meaning, one line. */
+    char description[SOFTANVIL_DESCRIPTION_SIZE];
+} SoftanvilOutputInfo;
+
+/** Number of parameters of the library that is running; their numbers are 0 to this less one. */
+uint32_t softanvil_parameter_count(void);
+
+/** Number of outputs of the library that is running; their numbers are 0 to this less one. */
+uint32_t softanvil_output_count(void);
+
+/**
+ * Finds a parameter by its name.
+ *
+ * @param name Name, such as "impactor.mass".
+ * @param parameter Its number.
+ * @return NULL_POINTER, MISALIGNED, UNKNOWN_NAME.
+ */
+SoftanvilStatus softanvil_parameter_find(const char *name, uint32_t *parameter);
+
+/**
+ * Finds an output by its name.
+ *
+ * @param name Name, such as "contact.force".
+ * @param output Its number.
+ * @return NULL_POINTER, MISALIGNED, UNKNOWN_NAME.
+ */
+SoftanvilStatus softanvil_output_find(const char *name, uint32_t *output);
+
+/**
+ * Describes a parameter.
+ *
+ * @param parameter A `SoftanvilParameter`.
+ * @param info Its row.
+ * @return NULL_POINTER, MISALIGNED, UNKNOWN_ID.
+ */
+SoftanvilStatus softanvil_parameter_info(uint32_t parameter, SoftanvilParameterInfo *info);
+
+/**
+ * Names a choice of a parameter.
+ *
+ * @param parameter A `SoftanvilParameter`.
+ * @param choice Number of the choice.
+ * @param name Room for the name.
+ * @param size Bytes of room; `SOFTANVIL_NAME_SIZE` is always enough.
+ * @return NULL_POINTER, UNKNOWN_ID, SHORT_BUFFER.
+ */
+SoftanvilStatus softanvil_parameter_choice(uint32_t parameter, uint32_t choice, char *name, size_t size);
+
+/**
+ * Describes an output.
+ *
+ * @param output A `SoftanvilOutput`.
+ * @param info Its row.
+ * @return NULL_POINTER, MISALIGNED, UNKNOWN_ID.
+ */
+SoftanvilStatus softanvil_output_info(uint32_t output, SoftanvilOutputInfo *info);
+
+/* ================================================================================================================ */
+/* Scenario                                                                                                         */
+/* ================================================================================================================ */
+
+/** Room for parameters in a `SoftanvilScenario`, those of future versions included. */
+#define SOFTANVIL_PARAMETER_SLOTS 256
+
+/**
+ * Description of a drop test. It always comes from `softanvil_scenario_default`; its values may then be changed by
+ * `softanvil_scenario_set`, which checks them at once, or directly in `value`, which is checked when it is used.
+ */
+typedef struct SoftanvilScenario {
+    /** Tells an initialised scenario; do not change. */
+    uint32_t marker;
+    /** Bytes of this structure; do not change. */
+    uint32_t struct_size;
+    /** The `SoftanvilPreset` that it came from; do not change. */
+    uint32_t preset;
+    /** Slots of `value` in use; do not change. A library with more parameters takes the preset's values for the rest. */
+    uint32_t count;
+    /** Value of every parameter, SI, at the place of its `SoftanvilParameter`; a choice as its number. The rest is 0. */
+    double value[SOFTANVIL_PARAMETER_SLOTS];
+} SoftanvilScenario;
+
+/**
+ * Fills a scenario with a preset.
+ *
+ * @param preset A `SoftanvilPreset`.
+ * @param scenario The scenario to fill.
+ * @return NULL_POINTER, MISALIGNED, UNKNOWN_ID.
+ */
+SoftanvilStatus softanvil_scenario_default(uint32_t preset, SoftanvilScenario *scenario);
+
+/**
+ * Sets a parameter. A value that is refused changes nothing. What several parameters say together is checked by
+ * `softanvil_memory_size` and `softanvil_init`.
+ *
+ * @param scenario The scenario to change.
+ * @param parameter A `SoftanvilParameter`.
+ * @param value Value in the parameter's SI unit; a choice as its number.
+ * @param error Details of a failure, or NULL.
+ * @return NULL_POINTER, MISALIGNED, UNINITIALISED, UNKNOWN_ID, ILLEGAL_VALUE.
+ */
+SoftanvilStatus softanvil_scenario_set(SoftanvilScenario *scenario,
+                                       uint32_t parameter,
+                                       double value,
+                                       SoftanvilError *error);
+
+/**
+ * As `softanvil_scenario_set`, by the parameter's name.
+ *
+ * @param scenario The scenario to change.
+ * @param name Name, such as "impactor.mass".
+ * @param value Value in the parameter's SI unit; a choice as its number.
+ * @param error Details of a failure, or NULL.
+ * @return NULL_POINTER, MISALIGNED, UNINITIALISED, UNKNOWN_NAME, ILLEGAL_VALUE.
+ */
+SoftanvilStatus softanvil_scenario_set_by_name(SoftanvilScenario *scenario,
+                                               const char *name,
+                                               double value,
+                                               SoftanvilError *error);
+
+/**
+ * Reads a parameter.
+ *
+ * @param scenario The scenario.
+ * @param parameter A `SoftanvilParameter`.
+ * @param value Value in the parameter's SI unit; a choice as its number.
+ * @return NULL_POINTER, MISALIGNED, UNINITIALISED, UNKNOWN_ID.
+ */
+SoftanvilStatus softanvil_scenario_get(const SoftanvilScenario *scenario,
+                                       uint32_t parameter,
+                                       double *value);
+
+/**
+ * As `softanvil_scenario_get`, by the parameter's name.
+ *
+ * @param scenario The scenario.
+ * @param name Name, such as "impactor.mass".
+ * @param value Value in the parameter's SI unit; a choice as its number.
+ * @return NULL_POINTER, MISALIGNED, UNINITIALISED, UNKNOWN_NAME.
+ */
+SoftanvilStatus softanvil_scenario_get_by_name(const SoftanvilScenario *scenario,
+                                               const char *name,
+                                               double *value);
+
+/* ================================================================================================================ */
+/* Simulation                                                                                                       */
+/* ================================================================================================================ */
+
+/** A simulation. Its content is private; it lives at the front of the memory given to `softanvil_init`. */
+typedef struct SoftanvilSimulation SoftanvilSimulation;
+
+/** What acts on the impactor from outside during steps. It always comes from `softanvil_input_default`. */
+typedef struct SoftanvilInput {
+    /** Tells an initialised input; do not change. */
+    uint32_t marker;
+    /** Bytes of this structure; do not change. */
+    uint32_t struct_size;
+    /** Upward force on a falling impactor besides gravity and contact, N. */
+    double external_force;
+    /** Height of the face of a driven impactor above the undeformed anvil at the end of the step, m; negative presses. */
+    double driven_position;
+    /** Always 0. */
+    double reserved[5];
+} SoftanvilInput;
+
+/**
+ * Tells how much memory a simulation of a scenario needs; checks the scenario.
+ *
+ * @param scenario The scenario.
+ * @param size Bytes.
+ * @param alignment Bytes that the address must be a multiple of; any malloc gives at least as much.
+ * @param error Details of a failure, or NULL.
+ * @return NULL_POINTER, MISALIGNED, UNINITIALISED, or a status of the scenario (200 to 299).
+ */
+SoftanvilStatus softanvil_memory_size(const SoftanvilScenario *scenario,
+                                      size_t *size,
+                                      size_t *alignment,
+                                      SoftanvilError *error);
+
+/**
+ * Builds a simulation, at the start of its drop, in memory that the caller lends. The scenario is copied.
+ *
+ * The simulation holds no address: between calls the memory may be copied or moved to any address of the same
+ * alignment in the same process, and the copy is a simulation of its own at its address. If the function fails because
+ * of the time step (STEP_TOO_SMALL, STEP_TOO_LARGE), the content of the memory is lost; if for anything else, untouched.
+ *
+ * @param memory The memory; it stays the caller's, who keeps it until the simulation is no longer used.
+ * @param size Bytes of it, at least those of `softanvil_memory_size`.
+ * @param scenario The scenario.
+ * @param simulation The simulation, which is the address of the memory.
+ * @param error Details of a failure, or NULL.
+ * @return NULL_POINTER, MISALIGNED, UNINITIALISED, SHORT_BUFFER, or a status of the scenario (200 to 299).
+ */
+SoftanvilStatus softanvil_init(void *memory,
+                               size_t size,
+                               const SoftanvilScenario *scenario,
+                               SoftanvilSimulation **simulation,
+                               SoftanvilError *error);
+
+/**
+ * Ends a simulation: from now on its address is refused as UNINITIALISED, as long as the memory is not used otherwise.
+ * There is nothing to free; forgetting this call leaks nothing.
+ *
+ * @param simulation The simulation.
+ * @return NULL_POINTER, MISALIGNED, UNINITIALISED.
+ */
+SoftanvilStatus softanvil_close(SoftanvilSimulation *simulation);
+
+/**
+ * Takes a simulation back to the start of its drop.
+ *
+ * @param simulation The simulation.
+ * @return NULL_POINTER, MISALIGNED, UNINITIALISED.
+ */
+SoftanvilStatus softanvil_reset(SoftanvilSimulation *simulation);
+
+/**
+ * Fills an input that leaves things as they are: no external force, and a driven impactor stays where it is.
+ *
+ * @param simulation The simulation.
+ * @param input The input to fill.
+ * @return NULL_POINTER, MISALIGNED, UNINITIALISED.
+ */
+SoftanvilStatus softanvil_input_default(const SoftanvilSimulation *simulation, SoftanvilInput *input);
+
+/**
+ * Makes steps of the simulation's fixed time step, all with the same input. The work of a step is bounded and does not
+ * depend on the state.
+ *
+ * A step that fails leaves the steps before it done and stops the simulation: every further step fails alike until the
+ * simulation is reset or restored.
+ *
+ * @param simulation The simulation.
+ * @param steps Number of steps; 0 does nothing.
+ * @param input What acts on the impactor, or NULL for the input of `softanvil_input_default` at the call.
+ * @param error Details of a failure, or NULL.
+ * @return NULL_POINTER, MISALIGNED, UNINITIALISED, RESERVED_SLOT, or a status of a step (300 to 399).
+ */
+SoftanvilStatus softanvil_step(SoftanvilSimulation *simulation,
+                               uint64_t steps,
+                               const SoftanvilInput *input,
+                               SoftanvilError *error);
+
+/**
+ * Makes the steps up to the end of the running sampling interval of 50 us, where `contact.force` and `core.reaction`
+ * get a new value; all with the same input.
+ *
+ * @param simulation The simulation.
+ * @param input What acts on the impactor, or NULL for the input of `softanvil_input_default` at the call.
+ * @param error Details of a failure, or NULL.
+ * @return As `softanvil_step`.
+ */
+SoftanvilStatus softanvil_step_to_sample(SoftanvilSimulation *simulation,
+                                         const SoftanvilInput *input,
+                                         SoftanvilError *error);
+
+/**
+ * Makes the steps that cover a time, rounded up to whole sampling intervals of 50 us; all with the same input. A drop
+ * of the study is over after the 15 ms of `time.duration`.
+ *
+ * @param simulation The simulation.
+ * @param duration Time, s, in the legal range of `time.duration`.
+ * @param input What acts on the impactor, or NULL for the input of `softanvil_input_default` at the call.
+ * @param error Details of a failure, or NULL.
+ * @return As `softanvil_step`, and ILLEGAL_VALUE for the duration.
+ */
+SoftanvilStatus softanvil_run(SoftanvilSimulation *simulation,
+                              double duration,
+                              const SoftanvilInput *input,
+                              SoftanvilError *error);
+
+/**
+ * Reads an output at the current time.
+ *
+ * @param simulation The simulation.
+ * @param output A `SoftanvilOutput`.
+ * @param value Value in the output's SI unit.
+ * @return NULL_POINTER, MISALIGNED, UNINITIALISED, UNKNOWN_ID.
+ */
+SoftanvilStatus softanvil_output(const SoftanvilSimulation *simulation, uint32_t output, double *value);
+
+/**
+ * As `softanvil_output`, by the output's name.
+ *
+ * @param simulation The simulation.
+ * @param name Name, such as "contact.force".
+ * @param value Value in the output's SI unit.
+ * @return NULL_POINTER, MISALIGNED, UNINITIALISED, UNKNOWN_NAME.
+ */
+SoftanvilStatus softanvil_output_by_name(const SoftanvilSimulation *simulation,
+                                         const char *name,
+                                         double *value);
+
+/**
+ * Tells the simulated time: exactly the number of steps times the step, never an accumulated sum.
+ *
+ * @param simulation The simulation.
+ * @param time Time since the start of the drop, s.
+ * @return NULL_POINTER, MISALIGNED, UNINITIALISED.
+ */
+SoftanvilStatus softanvil_time(const SoftanvilSimulation *simulation, double *time);
+
+/**
+ * Tells the number of steps made since the start of the drop.
+ *
+ * @param simulation The simulation.
+ * @param step_index Number of steps.
+ * @return NULL_POINTER, MISALIGNED, UNINITIALISED.
+ */
+SoftanvilStatus softanvil_step_index(const SoftanvilSimulation *simulation, uint64_t *step_index);
+
+/**
+ * Tells the fixed time step, a whole divisor of 50 us.
+ *
+ * @param simulation The simulation.
+ * @param dt Time step, s.
+ * @return NULL_POINTER, MISALIGNED, UNINITIALISED.
+ */
+SoftanvilStatus softanvil_dt(const SoftanvilSimulation *simulation, double *dt);
+
+/**
+ * Tells the number of steps in a sampling interval of 50 us.
+ *
+ * @param simulation The simulation.
+ * @param steps Number of steps.
+ * @return NULL_POINTER, MISALIGNED, UNINITIALISED.
+ */
+SoftanvilStatus softanvil_steps_per_sample(const SoftanvilSimulation *simulation, uint64_t *steps);
+
+/**
+ * Tells the digest of all samples so far (FNV-1a, 64 bit, over the bits of contact force, core reaction and impactor
+ * position at every 50 us): equal digests mean equal traces to the last bit, on whatever machine.
+ *
+ * @param simulation The simulation.
+ * @param trace_hash The digest.
+ * @return NULL_POINTER, MISALIGNED, UNINITIALISED.
+ */
+SoftanvilStatus softanvil_trace_hash(const SoftanvilSimulation *simulation,
+                                     uint64_t *trace_hash);
+
+/* ================================================================================================================ */
+/* Trace                                                                                                            */
+/* ================================================================================================================ */
+
+/**
+ * What `softanvil_run_traced` calls after every sample. It may call every function that takes a `const` simulation; it
+ * must not change the simulation, throw, or jump out.
+ *
+ * @param simulation The simulation, at the time of the sample.
+ * @param context What was given to `softanvil_run_traced`.
+ * @return 0 to go on, anything else to end the run here.
+ */
+typedef int32_t (*SoftanvilTrace)(const SoftanvilSimulation *simulation, void *context);
+
+/**
+ * As `softanvil_run`, and calls `trace` after every sampling interval of 50 us. A run that `trace` ends early has
+ * succeeded; the simulation stands at that sample.
+ *
+ * @param simulation The simulation.
+ * @param duration Time, s, in the legal range of `time.duration`.
+ * @param input What acts on the impactor, or NULL for the input of `softanvil_input_default` at the call.
+ * @param trace What to call.
+ * @param context Handed to `trace` untouched; may be NULL.
+ * @param error Details of a failure, or NULL.
+ * @return As `softanvil_run`.
+ */
+SoftanvilStatus softanvil_run_traced(SoftanvilSimulation *simulation,
+                                     double duration,
+                                     const SoftanvilInput *input,
+                                     SoftanvilTrace trace,
+                                     void *context,
+                                     SoftanvilError *error);
+
+/* ================================================================================================================ */
+/* Fields                                                                                                           */
+/* ================================================================================================================ */
+
+/** One row of the table of fields. */
+typedef struct SoftanvilFieldInfo {
+    /** Its number, a `SoftanvilField`. */
+    uint32_t id;
+    /** Numbers per value: 1, 2 (x and y) or 3. */
+    uint32_t components;
+    /** Always 0. */
+    double reserved[4];
+    /** Name, such as "node.displacement". */
+    char name[SOFTANVIL_NAME_SIZE];
+    /** SI unit. */
+    char unit[SOFTANVIL_UNIT_SIZE];
+    /** Meaning, one line. */
+    char description[SOFTANVIL_DESCRIPTION_SIZE];
+} SoftanvilFieldInfo;
+
+/**
+ * One component of a field: the number at (row, column) is `data[row * row_stride + column * column_stride]`.
+ *
+ * Nodes lie in rows from the core to the surface and in columns from one edge of the section to the other; the surface
+ * is one row; triangles lie in the rows of their cells, two columns per cell, so that triangle `element` of a
+ * `SoftanvilError` is in row `element / columns`, column `element % columns`.
+ */
+typedef struct SoftanvilView {
+    /** First number, inside the memory of the simulation; NULL if the field is computed when it is read. */
+    const double *data;
+    /** Rows. */
+    size_t rows;
+    /** Columns. */
+    size_t columns;
+    /** Numbers from one row to the next; 0 if the field is computed. */
+    size_t row_stride;
+    /** Numbers from one column to the next; 0 if the field is computed. */
+    size_t column_stride;
+    /** Always 0. */
+    size_t reserved[3];
+} SoftanvilView;
+
+/** Number of fields of the library that is running; their numbers are 0 to this less one. */
+uint32_t softanvil_field_count(void);
+
+/**
+ * Finds a field by its name.
+ *
+ * @param name Name, such as "node.displacement".
+ * @param field Its number.
+ * @return NULL_POINTER, MISALIGNED, UNKNOWN_NAME.
+ */
+SoftanvilStatus softanvil_field_find(const char *name, uint32_t *field);
+
+/**
+ * Describes a field.
+ *
+ * @param field A `SoftanvilField`.
+ * @param info Its row.
+ * @return NULL_POINTER, MISALIGNED, UNKNOWN_ID.
+ */
+SoftanvilStatus softanvil_field_info(uint32_t field, SoftanvilFieldInfo *info);
+
+/**
+ * Shows one component of a field: its shape and, unless the field is computed, its numbers where they lie. The view
+ * shows the present of the simulation for as long as its memory is neither moved nor used otherwise.
+ *
+ * @param simulation The simulation.
+ * @param field A `SoftanvilField`.
+ * @param component Component, from 0.
+ * @param view The view.
+ * @return NULL_POINTER, MISALIGNED, UNINITIALISED, UNKNOWN_ID.
+ */
+SoftanvilStatus softanvil_field_view(const SoftanvilSimulation *simulation,
+                                     uint32_t field,
+                                     uint32_t component,
+                                     SoftanvilView *view);
+
+/**
+ * Copies one component of a field, stored or computed, to where the caller wants it: the number at (row, column) goes
+ * to `values[(row * columns + column) * stride]`, and nothing in between is touched.
+ *
+ * @param simulation The simulation.
+ * @param field A `SoftanvilField`.
+ * @param component Component, from 0.
+ * @param values Room for the numbers.
+ * @param count Numbers of room there, at least `(rows * columns - 1) * stride + 1`.
+ * @param stride Numbers from one value to the next; the number of components interleaves them, 0 counts as 1.
+ * @param error Details of a failure, or NULL.
+ * @return NULL_POINTER, MISALIGNED, UNINITIALISED, UNKNOWN_ID, SHORT_BUFFER.
+ */
+SoftanvilStatus softanvil_field_read(const SoftanvilSimulation *simulation,
+                                     uint32_t field,
+                                     uint32_t component,
+                                     double *values,
+                                     size_t count,
+                                     size_t stride,
+                                     SoftanvilError *error);
+
+/* ================================================================================================================ */
+/* Snapshot                                                                                                         */
+/* ================================================================================================================ */
+
+/**
+ * Tells how long a snapshot of a simulation is.
+ *
+ * @param simulation The simulation.
+ * @param size Bytes.
+ * @return NULL_POINTER, MISALIGNED, UNINITIALISED.
+ */
+SoftanvilStatus softanvil_snapshot_size(const SoftanvilSimulation *simulation, size_t *size);
+
+/**
+ * Saves the state of a simulation. The bytes mean the same on every machine; equal states give equal bytes.
+ *
+ * @param simulation The simulation.
+ * @param bytes Where the snapshot goes.
+ * @param size Bytes there, at least those of `softanvil_snapshot_size`; the rest stays untouched.
+ * @param error Details of a failure, or NULL.
+ * @return NULL_POINTER, MISALIGNED, UNINITIALISED, SHORT_BUFFER, SNAPSHOT_FAILED.
+ */
+SoftanvilStatus softanvil_snapshot_save(const SoftanvilSimulation *simulation,
+                                        uint8_t *bytes,
+                                        size_t size,
+                                        SoftanvilError *error);
+
+/**
+ * Restores the state of a simulation from a snapshot of the same scenario, whichever machine saved it. What follows
+ * has the same bits as if nothing had been saved. A snapshot that is refused changes nothing.
+ *
+ * The checksum finds damage, not malice: restore only what comes from a trusted place.
+ *
+ * @param simulation The simulation, which may have failed.
+ * @param bytes The snapshot.
+ * @param size Bytes of it, at least those of `softanvil_snapshot_size`; the rest is not read.
+ * @param error Details of a failure, or NULL.
+ * @return NULL_POINTER, MISALIGNED, UNINITIALISED, SHORT_BUFFER, or a status of a snapshot (400 to 499).
+ */
+SoftanvilStatus softanvil_snapshot_restore(SoftanvilSimulation *simulation,
+                                           const uint8_t *bytes,
+                                           size_t size,
+                                           SoftanvilError *error);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif /* SOFTANVIL_H */
