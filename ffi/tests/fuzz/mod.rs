@@ -57,10 +57,12 @@ impl Input<'_> {
 /// A piece of memory as C lends it.
 #[repr(align(64))]
 #[derive(Clone, Copy)]
-struct Line([u8; 64]);
+struct Line {
+    _bytes: [u8; 64],
+}
 
 fn memory() -> Vec<Line> {
-    vec![Line([0; 64]); MEMORY / 64]
+    vec![Line { _bytes: [0; 64] }; MEMORY / 64]
 }
 
 /// A call of a function that explains itself: the error says the status, in one line that ends.
