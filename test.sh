@@ -44,6 +44,15 @@ same_hashes() {
     [ -n "$release" ] && [ "$release" = "$debug" ]
 }
 
+# The README's first command, as a user gives it; the report goes to a folder that is removed.
+main_job() {
+    local out status
+    out=$(mktemp -d) && cargo run -q --release -- --out "$out/report" && [ -s "$out/report/force-time.svg" ]
+    status=$?
+    rm -rf "$out"
+    return $status
+}
+
 # The kernel alone, without the features that the rest of the workspace switches on.
 kernel_alone() { cargo build -q --release -p softanvil-kernel --no-default-features; }
 
@@ -54,6 +63,7 @@ run "build, debug" cargo build -q --workspace
 run "kernel alone, no_std" kernel_alone
 run "Rust tests" cargo test -q --release --workspace
 run "same trace in debug and release" same_hashes
+run "main job" main_job
 
 export SOFTANVIL_CLI=$PWD/target/release/softanvil
 if need gcc gcc libc6-dev && need g++ g++ && need valgrind valgrind libc6-dbg; then
