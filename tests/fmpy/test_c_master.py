@@ -2,22 +2,18 @@
 
 import os
 import pathlib
-import shutil
 import subprocess
 
 import fmpy
 import pytest
 
-COMPILER = shutil.which("cc") or shutil.which("gcc")
 
-
-@pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
 @pytest.mark.parametrize("sanitizers", ["", "-fsanitize=address,undefined -fno-sanitize-recover=all"])
 def test_a_c_master_with_the_official_headers(tmp_path, description, kernel, sanitizers):
     headers = pathlib.Path(fmpy.__file__).parent / "c-code"
     source, program = pathlib.Path(__file__).with_name("fmi2_check.c"), tmp_path / "master"
     flags = ["-std=c11", "-D_GNU_SOURCE", "-Wall", "-Wextra", "-Werror", "-g", *sanitizers.split()]
-    subprocess.run([COMPILER, *flags, f"-I{headers}", source, "-o", program, "-ldl", "-lm"], check=True)
+    subprocess.run(["gcc", *flags, f"-I{headers}", source, "-o", program, "-ldl", "-lm"], check=True)
     command = [program, os.environ["SOFTANVIL_LIBRARY"], description.guid]
     run = subprocess.run(command, capture_output=True, text=True)
     assert (run.returncode, run.stderr) == (0, "")

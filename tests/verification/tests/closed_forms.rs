@@ -1,6 +1,6 @@
 //! Nominal stress of every law against its closed forms for an incompressible body, through the element.
 //!
-//! Source: Rivlin's universal relations, e.g. Holzapfel, Nonlinear Solid Mechanics (2000), section 6.5, with
+//! Source: Rivlin's universal relations, e.g. Holzapfel, Nonlinear Solid Mechanics (2000), with
 //! W1 = C10 + 2 C20 (I1-3) + C11 (I2-3), W2 = C01 + 2 C02 (I2-3) + C11 (I1-3) in Mooney and Rivlin's law, W2 = 0 and
 //! W1 = C10 + 2 C20 (I1-3) + 3 C30 (I1-3)^2 in Yeoh's, of which neo-Hooke is the first term:
 //! uniaxial 2 (l - l^-2)(W1 + W2/l), planar 2 (l - l^-3)(W1 + W2), equibiaxial 2 (l - l^-5)(W1 + l^2 W2).

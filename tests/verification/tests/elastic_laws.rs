@@ -2,7 +2,7 @@
 //! body, vanishes at rest, and starts with the modulus that the material states.
 //!
 //! Source: the definition of a hyperelastic material, P = dW/dF, and of objectivity, P(Q F) = Q P(F), e.g. Holzapfel,
-//! Nonlinear Solid Mechanics (2000), section 6.1.
+//! Nonlinear Solid Mechanics (2000).
 
 use softanvil_kernel::preset;
 use softanvil_kernel::scenario::{Formulation, Material, VolumetricLaw};

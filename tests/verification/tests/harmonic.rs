@@ -1,7 +1,7 @@
 //! Storage and loss modulus from a sinusoidal shear test over three decades of frequency, through the element.
 //!
 //! Source: G' = G_inf + sum G_k w^2 t_k^2 / (1 + w^2 t_k^2), G'' = sum G_k w t_k / (1 + w^2 t_k^2), and the energy
-//! dissipated per cycle pi G'' a^2, e.g. Ferry, Viscoelastic Properties of Polymers (1980), chapter 3.
+//! dissipated per cycle pi G'' a^2, e.g. Ferry, Viscoelastic Properties of Polymers (1980).
 
 use softanvil_kernel::scenario::{Formulation, Material};
 use softanvil_verification::element::Cell;

@@ -1,7 +1,7 @@
 //! The spring-slider: area of a closed loop, independence of rate, and no stress from rotation.
 //!
 //! Source: elastic-perfectly plastic cycle of amplitude g in simple shear, area 4 tau_y (g - tau_y / G) with
-//! tau_y = SIGF / sqrt 3 (von Mises), e.g. Simo and Hughes, Computational Inelasticity (1998), section 1.2.
+//! tau_y = SIGF / sqrt 3 (von Mises), e.g. Simo and Hughes, Computational Inelasticity (1998).
 
 use softanvil_kernel::scenario::{Formulation, Material};
 use softanvil_verification::element::Cell;

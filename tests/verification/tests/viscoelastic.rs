@@ -1,8 +1,7 @@
 //! Prony series: relaxation after a step and response to a ramp, against closed forms, through the element.
 //!
 //! Source: the relaxation function G(t)/G_inf = 1 + sum (g_k/g_inf) e^(-t/tau_k) and its convolution with a ramp,
-//! sigma = 2 edot (G_inf t + sum G_k tau_k (1 - e^(-t/tau_k))), e.g. Simo and Hughes, Computational Inelasticity (1998),
-//! section 10.1.
+//! sigma = 2 edot (G_inf t + sum G_k tau_k (1 - e^(-t/tau_k))), e.g. Simo and Hughes, Computational Inelasticity (1998).
 
 use softanvil_kernel::scenario::{Formulation, Material};
 use softanvil_verification::element::Cell;

@@ -29,7 +29,7 @@ pub struct Errors {
 
 /// Radial displacement, radial stress and hoop stress at radius `r`.
 ///
-/// Source: Timoshenko and Goodier, Theory of Elasticity (1970), articles 28 (cylinder) and 136 (sphere).
+/// Source: Timoshenko and Goodier, Theory of Elasticity (1970).
 fn exact(formulation: Formulation, nu: f64, r: f64) -> [f64; 3] {
     let young = 2.0 * SHEAR_MODULUS * (1.0 + nu);
     match formulation {

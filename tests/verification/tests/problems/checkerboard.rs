@@ -2,7 +2,7 @@
 //! deformation is free of energy.
 //!
 //! Source: a cell has eight freedoms, of which two translations and a rotation are rigid (Hughes, The Finite Element
-//! Method (1987), section 4.6). When axisymmetric only the vertical translation is.
+//! Method (1987)). When axisymmetric only the vertical translation is.
 
 use softanvil_kernel::scenario::Formulation;
 use softanvil_verification::order::over_cells;

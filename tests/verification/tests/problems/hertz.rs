@@ -1,6 +1,6 @@
 //! Line contact: a^2 = 4 F' R / (pi E*), p0 = 2 F' / (pi a), p = p0 sqrt(1 - x^2/a^2), for the contact force found.
 //!
-//! Source: Johnson, Contact Mechanics (1985), section 4.2. The half width is known to a cell; the pressure at a node is a
+//! Source: Johnson, Contact Mechanics (1985). The half width is known to a cell; the pressure at a node is a
 //! mean over a cell.
 
 use softanvil_verification::problems::hertz::{CELLS, contact};

@@ -1,6 +1,6 @@
 //! Thick cylinder in plane strain and thick sphere, axisymmetric, under internal pressure.
 //!
-//! Source: Lame's solutions, Timoshenko and Goodier, Theory of Elasticity (1970), articles 28 and 136.
+//! Source: Lame's solutions, Timoshenko and Goodier, Theory of Elasticity (1970).
 
 use softanvil_kernel::scenario::Formulation;
 use softanvil_verification::order::over_cells;
