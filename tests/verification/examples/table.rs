@@ -8,7 +8,7 @@ use softanvil_verification::table::{long_rows, markdown, regular_rows};
 
 const HEAD: &str = "# Verification
 
-Every problem is a file in `tests/verification/tests/problems/`, which names the source of its reference. Errors are relative.
+Every problem is a file in `tests/verification/tests/suite/problems/`, which names the source of its reference. Errors are relative.
 `cargo run --release -p softanvil-verification --example table` writes this page.
 ";
 

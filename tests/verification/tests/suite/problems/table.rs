@@ -4,7 +4,7 @@ use softanvil_verification::table::{markdown, regular_rows};
 
 #[test]
 fn the_committed_table_is_current() {
-    let page = include_str!("../../../../docs/verification.md");
+    let page = include_str!("../../../../../docs/verification.md");
     for line in markdown(&regular_rows()).lines() {
         assert!(page.lines().any(|committed| committed == line), "docs/verification.md lacks\n{line}");
     }

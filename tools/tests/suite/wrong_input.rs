@@ -1,8 +1,6 @@
 //! Wrong input: one clear line, exit code 2, nothing written.
 
-mod common;
-
-use common::{entries, fail};
+use crate::common::{entries, fail};
 
 /// Arguments, and what the line must tell.
 const REFUSED: &[(&[&str], &[&str])] = &[

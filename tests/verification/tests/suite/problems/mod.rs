@@ -1,4 +1,4 @@
-//! The verification problems that the table lists, one file each, in one program because they share their solvers.
+//! The verification problems that the table lists, one file each.
 
 mod bar_wave;
 mod bonded_strip;

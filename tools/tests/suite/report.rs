@@ -1,10 +1,8 @@
 //! The main job: `softanvil` without a command, and `softanvil validate`.
 
-mod common;
-
 use std::fs;
 
-use common::{column, entries, fail, json, succeed, svg_texts};
+use crate::common::{column, entries, fail, json, succeed, svg_texts};
 use serde_json::Value;
 use softanvil_tools::paper::TABLE_1;
 use softanvil_tools::quantity::QUANTITIES;

@@ -1,8 +1,6 @@
 //! `softanvil run` and `softanvil scenario`, as a user calls them.
 
-mod common;
-
-use common::{column, entries, json, read_csv, softanvil, succeed, svg_texts};
+use crate::common::{column, entries, fail, json, read_csv, softanvil, succeed, svg_texts};
 use softanvil_kernel::{OUTPUTS, SAMPLING_INTERVAL, preset};
 
 #[test]
@@ -125,7 +123,7 @@ fn a_step_that_fails_is_exit_code_1_and_writes_nothing() {
     let arguments = ["run", "--speed", "100", "--csv", "trace.csv"];
     let output = softanvil(folder.path(), &arguments);
     assert_eq!(output.status.code(), Some(1));
-    let line = common::fail(folder.path(), &arguments, 1);
+    let line = fail(folder.path(), &arguments, 1);
     assert!(line.starts_with("the simulation failed: ") && line.contains(" s"), "{line}");
     assert!(entries(folder.path()).is_empty());
 }

@@ -1,0 +1,18 @@
+//! The verification suite, in one program because every part links the same solvers.
+
+mod closed_forms;
+mod drop;
+mod elastic_laws;
+mod harmonic;
+mod histories;
+mod impactor;
+mod layers;
+mod maxwell;
+mod ogden;
+mod patch;
+mod problems;
+mod sections;
+mod slider;
+mod tear;
+mod viscoelastic;
+mod volumetric;
