@@ -347,6 +347,13 @@ const NUMERICS: &[Parameter] = &[
         |s| &mut s.measurement.force_threshold,
         "force that begins and ends the impact duration",
     ),
+    real(
+        "measurement.channel_class",
+        "Hz",
+        (1.0, 2000.0),
+        |s| &mut s.measurement.channel_class,
+        "channel frequency class (SAE J211, ISO 6487) of contact.force_filtered, such as 60, 180, 600 or 1000",
+    ),
 ];
 
 #[cfg(test)]

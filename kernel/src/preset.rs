@@ -64,7 +64,7 @@ pub fn study() -> Scenario {
         face: FaceInterface { friction_coefficient: 0.3 },
         mesh: Mesh { element_size: 3e-3 },
         time: Time { step_by: StepBy::SafetyFactor, safety_factor: 0.9, step: 2e-6, duration: 15e-3 },
-        measurement: Measurement { force_threshold: 20.0 },
+        measurement: Measurement { force_threshold: 20.0, channel_class: 600.0 },
     }
 }
 

@@ -368,6 +368,8 @@ pub struct Time {
 pub struct Measurement {
     /// Force that begins and ends the impact duration, N.
     pub force_threshold: f64,
+    /// Channel frequency class of the filtered force (SAE J211, ISO 6487), Hz.
+    pub channel_class: f64,
 }
 
 impl Scenario {
