@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use softanvil_kernel::preset::Preset;
-use softanvil_kernel::scenario::DropBy;
+use softanvil_kernel::scenario::{DropBy, Motion};
 use softanvil_kernel::{Parameter, Scenario};
 
 use crate::failure::Failure;
@@ -63,13 +63,17 @@ impl DropOptions {
 
 impl StartOptions {
     fn apply(&self, scenario: &mut Scenario) -> Result<(), Failure> {
-        for (name, value, drop_by) in [
-            ("impactor.drop_energy", self.energy, DropBy::Energy),
-            ("impactor.drop_height", self.height, DropBy::Height),
-            ("impactor.drop_speed", self.speed, DropBy::Speed),
+        for (option, value, drop_by) in [
+            ("energy", self.energy, DropBy::Energy),
+            ("height", self.height, DropBy::Height),
+            ("speed", self.speed, DropBy::Speed),
         ] {
             if let Some(value) = value {
-                set(scenario, name, value)?;
+                if scenario.impactor.motion == Motion::Prescribed {
+                    let text = "is refused: impactor.motion = prescribed does not fall; legal is drop";
+                    return Err(Failure::Input(format!("--{option} {text}")));
+                }
+                set(scenario, &format!("impactor.drop_{option}"), value)?;
                 scenario.impactor.drop_by = drop_by;
             }
         }

@@ -6,6 +6,7 @@ pub mod checkerboard;
 pub mod contact_convergence;
 pub mod cook;
 pub mod coulomb_block;
+pub mod cylinder;
 pub mod hertz;
 pub mod lame;
 pub mod patch_distorted;
