@@ -3,6 +3,7 @@
 
 pub mod drop_options;
 pub mod fmu;
+pub mod golden;
 pub mod report;
 pub mod run;
 pub mod scenario;
