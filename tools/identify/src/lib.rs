@@ -6,3 +6,4 @@
 //! 2. [`law`] fits hyperelastic laws to uniaxial, planar and equibiaxial curves and ranks them.
 pub mod data;
 pub mod law;
+pub mod relaxation;
