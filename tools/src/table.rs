@@ -117,7 +117,8 @@ fn four_digits(value: f64) -> String {
     format!("{value:.*}", usize::try_from(3 - power).unwrap_or_default())
 }
 
-fn new_table(header: &[&str]) -> Table {
+/// A table with these titles and no more lines than it needs.
+pub(crate) fn new_table(header: &[&str]) -> Table {
     let mut table = Table::new();
     table.load_style(UTF8_HORIZONTAL_ONLY).set_header(header);
     // One space after each cell and one between the columns are enough.
@@ -128,7 +129,7 @@ fn new_table(header: &[&str]) -> Table {
 }
 
 /// Aligns columns of numbers to the right.
-fn align_right(table: &mut Table, columns: Range<usize>) {
+pub(crate) fn align_right(table: &mut Table, columns: Range<usize>) {
     for column in table.column_iter_mut().take(columns.end).skip(columns.start) {
         column.set_cell_alignment(CellAlignment::Right);
     }
