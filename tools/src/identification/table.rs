@@ -7,7 +7,7 @@ use softanvil_identify::relaxation::prony::Prony;
 use softanvil_identify::relaxation::read::Load;
 
 use super::{Identification, Relaxed};
-use crate::table::{align_right, new_table};
+use crate::table::{align_right, new_plain_table};
 
 /// The whole report.
 pub fn of_identification(identification: &Identification) -> String {
@@ -51,7 +51,7 @@ fn push(text: &mut String, indent: &str, note: &str) {
 
 fn ranking(identification: &Identification) -> String {
     let mut table =
-        new_table(&["law", "residual rms", "R2", "AIC", "shear modulus", "condition", "stable in all modes"]);
+        new_plain_table(&["law", "residual rms", "R2", "AIC", "shear modulus", "condition", "stable in all modes"]);
     for (index, fit) in identification.fits.iter().enumerate() {
         let mark = if index == identification.chosen { "> " } else { "  " };
         let statistics = &fit.statistics;
@@ -87,7 +87,7 @@ fn stable(fit: &Fit) -> String {
 }
 
 fn coefficients(fit: &Fit) -> String {
-    let mut table = new_table(&["parameter", "value", "standard error", "95 % interval", "unit"]);
+    let mut table = new_plain_table(&["parameter", "value", "standard error", "95 % interval", "unit"]);
     let factor = fit.statistics.interval();
     for (index, (name, value)) in fit.law.parameters.iter().zip(&fit.values).enumerate() {
         let error = fit.statistics.standard_errors[index];
@@ -105,7 +105,7 @@ fn relaxation(relaxed: &Relaxed) -> String {
     relaxed.test.notes.iter().for_each(|note| push(&mut text, "  ", note));
     text += "\n";
     let unit = if relaxed.test.load == Load::Force { "N" } else { "Pa" };
-    let mut table = new_table(&["terms", "residual rms", "R2", "AIC", "g and tau (s) of each term", "equilibrium"]);
+    let mut table = new_plain_table(&["terms", "residual rms", "R2", "AIC", "g and tau (s) of each term", "equilibrium"]);
     for (index, prony) in relaxed.choice.series.iter().enumerate() {
         let mark = if index == relaxed.choice.chosen { "> " } else { "  " };
         let terms = prony.normalised().iter().map(|(g, tau)| format!("{g:.4} at {tau:.3e}")).collect::<Vec<_>>();

@@ -174,8 +174,9 @@ fn draw_on(area: &Area, picture: &Picture) -> Result<(), PlotError> {
         .x_desc(picture.x.1.as_str())
         .y_desc(picture.y.1.as_str())
         .draw()?;
-    draw_measured(&mut chart, &picture.measured)?;
     picture.fitted.iter().try_for_each(|line| draw_line(&mut chart, line))?;
+    // On top, so that no curve hides them.
+    draw_measured(&mut chart, &picture.measured)?;
     chart
         .configure_series_labels()
         .position(picture.legend_at.clone())
@@ -192,7 +193,7 @@ fn text(size: u32) -> TextStyle<'static> {
 }
 
 fn draw_measured(chart: &mut Chart, points: &[(f64, f64)]) -> Result<(), PlotError> {
-    let style = INK.mix(0.55).stroke_width(UNITS);
+    let style = INK.stroke_width(3 * UNITS / 2);
     let every = points.len().div_ceil(MOST_POINTS).max(1);
     let shown = points.iter().step_by(every);
     chart

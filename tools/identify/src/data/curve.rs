@@ -89,7 +89,9 @@ pub fn read(name: &str, bytes: &[u8], options: &Options) -> Result<Curve, ReadEr
     if repeats.iter().all(|repeat| repeat.points.len() < 3) {
         return Err(ReadError::file("fewer than three points with strain and stress"));
     }
-    orient(name, &table.words, options.direction, &mut repeats, &mut notes)?;
+    let stretched = pairs.iter().any(|pair| pair.deformation.kind == Kind::Stretch);
+    let words = if stretched { None } else { Some(format!("{name}\n{}", table.words)) };
+    orient(words.as_deref(), options.direction, &mut repeats, &mut notes)?;
     to_stretch(&pairs, &mut repeats)?;
     Ok(Curve { repeats, notes })
 }
@@ -105,7 +107,11 @@ struct Pair {
 impl Pair {
     fn measures(&self) -> String {
         let name = |measure| if measure == Measure::True { "true" } else { "engineering" };
-        format!("read as {} strain and {} stress", name(self.strain_measure), name(self.stress_measure))
+        let stress = name(self.stress_measure);
+        match self.deformation.kind {
+            Kind::Stretch => format!("read as {stress} stress"),
+            _ => format!("read as {} strain and {stress} stress", name(self.strain_measure)),
+        }
     }
 }
 
@@ -221,10 +227,9 @@ fn strain_factor(table: &Table, series: &Series, column: &Column, options: &Opti
     Ok(1.0)
 }
 
-/// Gives compression negative signs.
+/// Gives compression negative signs. Without `words` (a column of stretches) the signs of the strains are sure.
 fn orient(
-    name: &str,
-    words: &str,
+    words: Option<&str>,
     given: Option<Direction>,
     repeats: &mut [Repeat],
     notes: &mut Vec<String>,
@@ -240,15 +245,18 @@ fn orient(
         }
     };
     let (strain, stress) = (sign(|point| point.stretch), sign(|point| point.stress));
-    let direction = match (given, strain < 0.0, hinted(name, words)) {
+    let direction = match (given, strain < 0.0, words.and_then(hinted)) {
         (Some(Direction::Tension), true, _) => {
             return Err(ReadError::file(
                 "the strains are negative, which is no tension: legal is --direction compression",
             ));
         }
+        (Some(Direction::Compression), false, _) if words.is_none() && strain > 0.0 => {
+            return Err(ReadError::file("the stretches are above 1, which is no compression: legal is --direction tension"));
+        }
         (Some(direction), ..) => direction,
         (None, true, _) => Direction::Compression,
-        (None, false, _) if strain == 0.0 => Direction::Tension,
+        (None, false, _) if strain == 0.0 || words.is_none() => Direction::Tension,
         (None, false, Some(direction)) => {
             if direction == Direction::Compression {
                 notes
@@ -286,8 +294,8 @@ fn orient(
 }
 
 /// The direction that words name; none if they name both or neither.
-fn hinted(name: &str, words: &str) -> Option<Direction> {
-    let text = format!("{name}\n{words}").to_lowercase();
+fn hinted(words: &str) -> Option<Direction> {
+    let text = words.to_lowercase();
     let has = |parts: &[&str]| parts.iter().any(|part| text.contains(part));
     match (has(&["compress", "stauch", "druckversuch"]), has(&["tension", "tensile", "zugversuch", "pull"])) {
         (true, false) => Some(Direction::Compression),
