@@ -49,7 +49,7 @@ pub fn material() -> Material {
 
 /// Where the study's numbers do not fit together, each with the figures.
 pub fn contradictions() -> Vec<String> {
-    let mpa = |pascal: f64| pascal * 1e-6;
+    let mpa = |pascal: f64| pascal / 1e6;
     let shear = YOUNGS_MODULUS / 3.0;
     vec![
         format!(

@@ -111,7 +111,7 @@ struct SpecimenOptions {
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Laws")]
 struct LawOptions {
-    /// Law for the material files instead of the first of the ranking
+    /// Law to choose instead of the first stable one of the ranking
     #[arg(long, value_name = "NAME", value_parser = law)]
     law: Option<&'static Law>,
     /// Residuals in Pa, or divided by the stress (of at least 1 % of the largest)

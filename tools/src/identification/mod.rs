@@ -9,7 +9,7 @@ pub mod material;
 pub mod table;
 
 use softanvil_identify::law::fit::{Fit, Settings};
-use softanvil_identify::law::{LAWS, Law, Mode, ranking, stress};
+use softanvil_identify::law::{LAWS, Law, Mode, ranking, stability, stress};
 use softanvil_identify::relaxation::choice::Choice;
 use softanvil_identify::relaxation::read::{self as relaxation, Test};
 
@@ -83,7 +83,7 @@ impl Identification {
         }
         let chosen = match request.law {
             Some(law) => position(&fits, law, &failed)?,
-            None => 0,
+            None => ranking::choose(&fits),
         };
         let caveats =
             fits.get(chosen).map_or_else(Vec::new, |fit| ranking::caveats(fit, &fits, &data, settings.stability_range));
@@ -121,7 +121,8 @@ impl Relaxed {
 /// The stretches of the data and of a drop.
 fn stability_range(curves: &[Curves]) -> (f64, f64) {
     let stretches = curves.iter().flat_map(|curves| curves.data.points.iter().map(|point| point.0));
-    stretches.fold(STABILITY_RANGE, |(low, high), stretch| (low.min(stretch), high.max(stretch)))
+    let (low, high) = stretches.fold(STABILITY_RANGE, |(low, high), stretch| (low.min(stretch), high.max(stretch)));
+    (low.max(stability::SCAN.0), high.min(stability::SCAN.1))
 }
 
 fn reason(law: &Law, data: &[softanvil_identify::law::DataSet], settings: &Settings) -> String {

@@ -74,7 +74,8 @@ fn ranking(identification: &Identification) -> String {
     let mut text = format!("{}\n", table.trim_fmt());
     let _ = writeln!(
         text,
-        "Order: lowest residual of each family first, then the others. {weighting}; stable asked for {low:.2} to {high:.2}."
+        "Order: lowest residual of each family, then the others; > marks the chosen one. Stability is asked from {low:.2} to {high:.2}.\n\
+         Fitted by {weighting}."
     );
     identification.failed.iter().for_each(|reason| push(&mut text, "", reason));
     text
@@ -105,7 +106,8 @@ fn relaxation(relaxed: &Relaxed) -> String {
     relaxed.test.notes.iter().for_each(|note| push(&mut text, "  ", note));
     text += "\n";
     let unit = if relaxed.test.load == Load::Force { "N" } else { "Pa" };
-    let mut table = new_plain_table(&["terms", "residual rms", "R2", "AIC", "g and tau (s) of each term", "equilibrium"]);
+    let mut table =
+        new_plain_table(&["terms", "residual rms", "R2", "AIC", "g and tau (s) of each term", "equilibrium"]);
     for (index, prony) in relaxed.choice.series.iter().enumerate() {
         let mark = if index == relaxed.choice.chosen { "> " } else { "  " };
         let terms = prony.normalised().iter().map(|(g, tau)| format!("{g:.4} at {tau:.3e}")).collect::<Vec<_>>();

@@ -203,8 +203,8 @@ fn needs(column: &Column, option: &str) -> ReadError {
     ReadError::file(format!("column \"{}\" needs {option}", column.title))
 }
 
-/// A strain above this without a unit may be meant in percent: silicones tear at about 10 (1000 %).
-const LARGEST_RATIO: f64 = 10.0;
+/// A strain above this without a unit may be meant in percent: the softest silicones tear at about 17 (1700 %).
+const LARGEST_RATIO: f64 = 20.0;
 
 fn strain_factor(table: &Table, series: &Series, column: &Column, options: &Options) -> Result<f64, ReadError> {
     if column.kind == Kind::Displacement {
@@ -252,7 +252,9 @@ fn orient(
             ));
         }
         (Some(Direction::Compression), false, _) if words.is_none() && strain > 0.0 => {
-            return Err(ReadError::file("the stretches are above 1, which is no compression: legal is --direction tension"));
+            return Err(ReadError::file(
+                "the stretches are above 1, which is no compression: legal is --direction tension",
+            ));
         }
         (Some(direction), ..) => direction,
         (None, true, _) => Direction::Compression,
@@ -392,7 +394,7 @@ mod tests {
         for (text, part) in [
             ("0.1 0.2\n0.2 0.3\n0.3 0.4\n", "--columns"),
             ("strain,stress\n0.1,0.2\n0.2,0.3\n0.3,0.4\n", "has no unit"),
-            ("strain,stress [kPa]\n10,1\n20,2\n30,3\n", "line 3: strain = 20 has no unit"),
+            ("strain,stress [kPa]\n10,1\n25,2\n50,3\n", "line 3: strain = 25 has no unit"),
             ("strain,stress [kPa]\n0.1,1\n0.2,x2\n0.3,3\n", "line 3: stress [kPa] = \"x2\""),
             ("strain [%],stress [kPa]\n-50,1\n-99,2\n-120,3\n", "line 4: strain -1.2"),
             ("strain,force [N]\n0.1,1\n0.2,2\n0.3,3\n", "--area"),

@@ -27,6 +27,12 @@ pub fn rank(mut fits: Vec<Fit>) -> Vec<Fit> {
     winners
 }
 
+/// Index of the law to use, unless the user says otherwise: the first of the ranking that is stable over the stretches
+/// asked for, or the first of all if none is.
+pub fn choose(ranked: &[Fit]) -> usize {
+    ranked.iter().position(|fit| fit.is_stable && fit.shear_modulus() > 0.0).unwrap_or_default()
+}
+
 /// Correlation of two parameters above which their values mean little apart.
 const CORRELATED: f64 = 0.99;
 /// Condition of the scaled problem above which a small error of the data is a large one of the coefficients.
@@ -97,14 +103,18 @@ fn determination(fit: &Fit) -> Vec<String> {
     if statistics.condition > ILL_CONDITIONED {
         caveats.push(format!("the data determine the coefficients badly: condition {:.1e}", statistics.condition));
     }
-    for i in 0..k {
-        for j in 0..i {
-            let correlation = statistics.correlation[(i, j)];
-            if correlation.abs() > CORRELATED {
-                let (a, b) = (law.parameters[j], law.parameters[i]);
-                caveats.push(format!("{a} and {b} cannot be told apart: correlation {correlation:.4}"));
-            }
-        }
+    let pairs = (0..k).flat_map(|i| (0..i).map(move |j| (j, i)));
+    let mut correlated: Vec<_> =
+        pairs.map(|(j, i)| (statistics.correlation[(i, j)], j, i)).filter(|pair| pair.0.abs() > CORRELATED).collect();
+    correlated.sort_by(|a, b| b.0.abs().total_cmp(&a.0.abs()));
+    if let Some(&(correlation, j, i)) = correlated.first() {
+        let (a, b) = (law.parameters[j], law.parameters[i]);
+        let others = match correlated.len() - 1 {
+            0 => String::new(),
+            1 => ", nor another pair".into(),
+            n => format!(", nor {n} other pairs"),
+        };
+        caveats.push(format!("{a} and {b} cannot be told apart (correlation {correlation:.4}){others}"));
     }
     if law.family == Family::Ogden {
         for alpha in fit.values.iter().skip(1).step_by(2).filter(|alpha| alpha.abs() > 0.95 * LARGEST_ALPHA) {
@@ -122,6 +132,14 @@ fn alternatives(chosen: &Fit, all: &[Fit]) -> Vec<String> {
         caveats.push(format!(
             "{} has the lower AIC ({:.1} against {:.1}): the parameters that it saves are worth more than the residual",
             better.law.label, better.statistics.aic, chosen.statistics.aic
+        ));
+    }
+    if let Some(first) = all.first().filter(|first| first.law != chosen.law) {
+        let ratio = (chosen.statistics.residual_sum / first.statistics.residual_sum).sqrt();
+        let why = if first.is_stable { "" } else { " and is unstable" };
+        caveats.push(format!(
+            "{} has the lowest residual{why}; the root of the residual sum of {} is {ratio:.2} times that",
+            first.law.label, chosen.law.label
         ));
     }
     if !chosen.is_stable {
