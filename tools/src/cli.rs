@@ -4,7 +4,7 @@ use std::ffi::OsString;
 
 use clap::{Parser, Subcommand};
 
-use crate::commands::{fmu, golden, report, run, scenario, validate};
+use crate::commands::{fit, fmu, golden, report, run, scenario, validate};
 use crate::failure::Failure;
 
 /// Drop-weight impact on a soft anvil, by explicit finite elements that give the same bits everywhere.
@@ -25,6 +25,7 @@ enum Command {
     Run(run::Options),
     Validate(validate::Options),
     Scenario(scenario::Options),
+    Fit(fit::Options),
     Fmu(fmu::Options),
     Golden(golden::Options),
 }
@@ -40,6 +41,7 @@ impl Cli {
             Some(Command::Run(options)) => run::carry_out(options),
             Some(Command::Validate(options)) => validate::carry_out(options),
             Some(Command::Scenario(options)) => scenario::carry_out(options),
+            Some(Command::Fit(options)) => fit::carry_out(options),
             Some(Command::Fmu(options)) => fmu::carry_out(options),
             Some(Command::Golden(options)) => golden::carry_out(options),
         }

@@ -67,8 +67,7 @@ fn case_row(case: &Comparison) -> [String; 7] {
 
 /// The results and the energies at the end of a run; fitted to the terminal, if there is one.
 pub fn of_run(run: &Run) -> String {
-    let mut table = new_table(&["result", "value", "unit", "meaning"]);
-    table.load_style(UTF8_HORIZONTAL_ONLY.row_separator(LineStyle::none()));
+    let mut table = new_plain_table(&["result", "value", "unit", "meaning"]);
     table.set_content_arrangement(ContentArrangement::Dynamic);
     for output in OUTPUTS {
         let name = match output.name.split_once('.') {
@@ -117,6 +116,13 @@ fn four_digits(value: f64) -> String {
     format!("{value:.*}", usize::try_from(3 - power).unwrap_or_default())
 }
 
+/// A table with these titles and no line between its rows.
+pub(crate) fn new_plain_table(header: &[&str]) -> Table {
+    let mut table = new_table(header);
+    table.load_style(UTF8_HORIZONTAL_ONLY.row_separator(LineStyle::none()));
+    table
+}
+
 fn new_table(header: &[&str]) -> Table {
     let mut table = Table::new();
     table.load_style(UTF8_HORIZONTAL_ONLY).set_header(header);
@@ -128,7 +134,7 @@ fn new_table(header: &[&str]) -> Table {
 }
 
 /// Aligns columns of numbers to the right.
-fn align_right(table: &mut Table, columns: Range<usize>) {
+pub(crate) fn align_right(table: &mut Table, columns: Range<usize>) {
     for column in table.column_iter_mut().take(columns.end).skip(columns.start) {
         column.set_cell_alignment(CellAlignment::Right);
     }

@@ -2,6 +2,7 @@
 //! output.
 
 pub mod drop_options;
+pub mod fit;
 pub mod fmu;
 pub mod golden;
 pub mod report;

@@ -4,8 +4,8 @@
 mod read;
 mod write;
 
-pub use read::{ScenarioFileError, parse, read};
-pub use write::to_toml;
+pub use read::{ScenarioFileError, parse, read, read_material};
+pub use write::{material_to_toml, to_toml};
 
 #[cfg(test)]
 mod tests;
