@@ -8,8 +8,10 @@
 //! 3. [`validation`] compares runs with the [`paper`], by the four [`quantity`]s of its table.
 //! 4. [`run`] simulates a drop; [`scenario_file`] and [`presets`] say which, [`progress`] how far it is.
 
+pub mod calibration;
 pub mod cli;
 pub mod commands;
+pub mod curve_score;
 pub mod failure;
 pub mod json;
 pub mod paper;
@@ -20,6 +22,7 @@ pub mod quantity;
 pub mod report;
 pub mod run;
 pub mod scenario_file;
+pub mod series;
 pub mod staging;
 pub mod table;
 pub mod trace;

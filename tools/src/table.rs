@@ -108,7 +108,7 @@ fn display_unit(output: &Output) -> (&'static str, f64) {
 }
 
 /// `value` with four significant digits, in powers of ten where it is small.
-fn four_digits(value: f64) -> String {
+pub fn four_digits(value: f64) -> String {
     let magnitude = value.abs();
     if magnitude > 0.0 && magnitude < 1e-2 {
         return format!("{value:.3e}");
@@ -117,7 +117,8 @@ fn four_digits(value: f64) -> String {
     format!("{value:.*}", usize::try_from(3 - power).unwrap_or_default())
 }
 
-fn new_table(header: &[&str]) -> Table {
+/// An empty table with this header.
+pub fn new_table(header: &[&str]) -> Table {
     let mut table = Table::new();
     table.load_style(UTF8_HORIZONTAL_ONLY).set_header(header);
     // One space after each cell and one between the columns are enough.
@@ -128,7 +129,7 @@ fn new_table(header: &[&str]) -> Table {
 }
 
 /// Aligns columns of numbers to the right.
-fn align_right(table: &mut Table, columns: Range<usize>) {
+pub fn align_right(table: &mut Table, columns: Range<usize>) {
     for column in table.column_iter_mut().take(columns.end).skip(columns.start) {
         column.set_cell_alignment(CellAlignment::Right);
     }

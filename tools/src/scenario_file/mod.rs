@@ -4,6 +4,7 @@
 mod read;
 mod write;
 
+pub(crate) use read::suggestion;
 pub use read::{ScenarioFileError, parse, read};
 pub use write::to_toml;
 
