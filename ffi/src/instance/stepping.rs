@@ -81,6 +81,7 @@ fn advance(simulation: &mut Simulation, inputs: &Inputs, count: u64) -> Result<(
             simulation.step(count, &StepInput { external_force: inputs.external_force, ..StepInput::default() })
         }
         Motion::Driven => drive(simulation, inputs, count),
+        Motion::Prescribed => simulation.step(count, &StepInput::default()),
     }
 }
 
