@@ -107,7 +107,7 @@ fn display_unit(output: &Output) -> (&'static str, f64) {
 }
 
 /// `value` with four significant digits, in powers of ten where it is small.
-fn four_digits(value: f64) -> String {
+pub fn four_digits(value: f64) -> String {
     let magnitude = value.abs();
     if magnitude > 0.0 && magnitude < 1e-2 {
         return format!("{value:.3e}");
@@ -123,7 +123,8 @@ pub(crate) fn new_plain_table(header: &[&str]) -> Table {
     table
 }
 
-fn new_table(header: &[&str]) -> Table {
+/// An empty table with this header.
+pub fn new_table(header: &[&str]) -> Table {
     let mut table = Table::new();
     table.load_style(UTF8_HORIZONTAL_ONLY).set_header(header);
     // One space after each cell and one between the columns are enough.
@@ -134,7 +135,7 @@ fn new_table(header: &[&str]) -> Table {
 }
 
 /// Aligns columns of numbers to the right.
-pub(crate) fn align_right(table: &mut Table, columns: Range<usize>) {
+pub fn align_right(table: &mut Table, columns: Range<usize>) {
     for column in table.column_iter_mut().take(columns.end).skip(columns.start) {
         column.set_cell_alignment(CellAlignment::Right);
     }

@@ -4,6 +4,7 @@
 mod read;
 mod write;
 
+pub(crate) use read::suggestion;
 pub use read::{ScenarioFileError, parse, read, read_material};
 pub use write::{material_to_toml, to_toml};
 

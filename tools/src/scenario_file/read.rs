@@ -171,7 +171,7 @@ fn quoted(labels: &[&str]) -> String {
 }
 
 /// The known name most like `name`, if one is like it.
-fn suggestion(name: &str) -> String {
+pub(crate) fn suggestion(name: &str) -> String {
     /// Below this similarity (0 to 1) a suggestion confuses more than it helps.
     const SIMILAR: f64 = 0.8;
     let groups = PARAMETERS.iter().map(|parameter| split(parameter.name).0);
