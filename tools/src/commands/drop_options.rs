@@ -20,6 +20,9 @@ pub struct DropOptions {
     /// Scenario file (TOML, as `softanvil scenario` prints it); keys left out keep the preset's value
     #[arg(long, value_name = "FILE")]
     scenario: Option<PathBuf>,
+    /// Material file (TOML, as `softanvil fit --out` writes it); its values stand over those of the scenario
+    #[arg(long, value_name = "FILE")]
+    material: Option<PathBuf>,
     #[command(flatten)]
     start: StartOptions,
     /// Simulated time in s, instead of the scenario's
@@ -53,6 +56,9 @@ impl DropOptions {
             Some(path) => scenario_file::read(path, &preset)?,
             None => preset,
         };
+        if let Some(path) = &self.material {
+            scenario = scenario_file::read_material(path, &scenario)?;
+        }
         self.start.apply(&mut scenario)?;
         if let Some(duration) = self.duration {
             set(&mut scenario, "time.duration", duration)?;

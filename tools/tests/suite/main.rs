@@ -1,6 +1,7 @@
 //! The program as its users meet it.
 
 mod common;
+mod golden;
 mod quasi_static;
 mod report;
 mod run;
