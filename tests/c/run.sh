@@ -77,6 +77,12 @@ for linkage in static shared; do
     check "run C++ rig, $linkage" trace "cpp-$linkage"
     check "run rig of faults, $linkage" "$work/faults-$linkage"
 done
+# A host that has changed its floating-point environment; only the processors that the rig knows.
+case $(uname -m) in x86_64 | aarch64)
+    check "build rig of environments" "${c[@]}" "${include[@]}" "$tests/c/environment.c" -o "$work/environment" \
+        "${static[@]}"
+    check "run rig of environments" "$work/environment" ;;
+esac
 for other in c-shared cpp-static cpp-shared; do
     check "c-static and $other agree" cmp "$work/c-static.txt" "$work/$other.txt"
 done

@@ -4,6 +4,7 @@ use core::ffi::CStr;
 
 use super::log::Log;
 use super::types::{self, Status};
+use crate::environment::neutral;
 use crate::instance::{Error, Function, HASH_DIGITS, Instance};
 
 /// What `fmi2Component` points to.
@@ -29,14 +30,14 @@ impl Component {
     }
 }
 
-/// Runs the body of `function` on a component; logs why it was refused.
+/// Runs the body of `function` on a component, in the default floating-point environment; logs why it was refused.
 pub fn enter(
     component: &mut types::Component,
     function: &Function,
     body: impl FnOnce(&mut Component) -> Result<(), Error>,
 ) -> Status {
     let Some(component) = component.get() else { return Status::ERROR };
-    match component.instance.check_call(function).and_then(|()| body(component)) {
+    match neutral(|| component.instance.check_call(function).and_then(|()| body(component))) {
         Ok(()) => Status::OK,
         Err(error) => {
             component.log.error(function.name, &error);

@@ -6,6 +6,7 @@ use super::calls;
 use super::component::{Component, enter};
 use super::log::{Log, category};
 use super::types::{self, Boolean, CO_SIMULATION, CallbackFunctions, FmuType, Real, Status};
+use crate::environment::neutral;
 use crate::foreign::{Array, Given, Handle, Text};
 use crate::instance::Error;
 use crate::variables::token;
@@ -71,7 +72,7 @@ pub extern "C" fn fmi2Instantiate(
         "the GUID is not that of this library: model description and binary do not belong together"
     } else {
         log.event("instantiated");
-        return Handle::new(Component::new(log));
+        return Handle::new(neutral(|| Component::new(log)));
     };
     log.error("fmi2Instantiate", &refusal);
     Handle::NULL
