@@ -226,7 +226,7 @@ enum SoftanvilParameter {
     SOFTANVIL_PARAMETER_GEOMETRY_LENGTH = 5,
     /** geometry.block_width, m, from 1e-4 to 10: full width, or diameter if axisymmetric (block shape). */
     SOFTANVIL_PARAMETER_GEOMETRY_BLOCK_WIDTH = 6,
-    /** impactor.motion, a SoftanvilImpactorMotion: a falling mass, or a position given from outside at every step. */
+    /** impactor.motion, a SoftanvilImpactorMotion: a falling mass, a position given from outside at every step, or down at a speed to a depth and hold. */
     SOFTANVIL_PARAMETER_IMPACTOR_MOTION = 7,
     /** impactor.mass, kg, from 0.001 to 10000: mass of the impactor. */
     SOFTANVIL_PARAMETER_IMPACTOR_MASS = 8,
@@ -444,8 +444,14 @@ enum SoftanvilParameter {
     SOFTANVIL_PARAMETER_SKIN_TEAR_WIDTH = 114,
     /** skin.tear_residual, from 0 to 1: part of the deviatoric stress that remains after the tear. */
     SOFTANVIL_PARAMETER_SKIN_TEAR_RESIDUAL = 115,
+    /** impactor.prescribed_speed, m/s, from 1e-6 to 100: downward speed of the prescribed motion. */
+    SOFTANVIL_PARAMETER_IMPACTOR_PRESCRIBED_SPEED = 116,
+    /** impactor.prescribed_depth, m, from 0 to 1: depth below the undeformed anvil at which the prescribed motion ends and holds. */
+    SOFTANVIL_PARAMETER_IMPACTOR_PRESCRIBED_DEPTH = 117,
+    /** impactor.prescribed_rise, s, from 0 to 100: time over which the prescribed speed rises at the start and falls at the end, smoothly; at most travel / speed. */
+    SOFTANVIL_PARAMETER_IMPACTOR_PRESCRIBED_RISE = 118,
     /** measurement.channel_class, Hz, from 1 to 2000: channel frequency class (SAE J211, ISO 6487) of contact.force_filtered, such as 60, 180, 600 or 1000. */
-    SOFTANVIL_PARAMETER_MEASUREMENT_CHANNEL_CLASS = 116
+    SOFTANVIL_PARAMETER_MEASUREMENT_CHANNEL_CLASS = 119
 };
 
 /** geometry.shape: layer on a round core, or a flat block on a flat core. */
@@ -460,10 +466,11 @@ enum SoftanvilGeometryFormulation {
     SOFTANVIL_GEOMETRY_FORMULATION_AXISYMMETRIC = 1
 };
 
-/** impactor.motion: a falling mass, or a position given from outside at every step. */
+/** impactor.motion: a falling mass, a position given from outside at every step, or down at a speed to a depth and hold. */
 enum SoftanvilImpactorMotion {
     SOFTANVIL_IMPACTOR_MOTION_DROP = 0,
-    SOFTANVIL_IMPACTOR_MOTION_DRIVEN = 1
+    SOFTANVIL_IMPACTOR_MOTION_DRIVEN = 1,
+    SOFTANVIL_IMPACTOR_MOTION_PRESCRIBED = 2
 };
 
 /** impactor.drop_by: which of the next three states the drop. */
