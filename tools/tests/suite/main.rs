@@ -2,6 +2,7 @@
 
 mod common;
 mod golden;
+mod quasi_static;
 mod report;
 mod run;
 mod wrong_input;
