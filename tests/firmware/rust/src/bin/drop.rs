@@ -4,6 +4,8 @@
 #![no_std]
 #![no_main]
 
+use core::mem::MaybeUninit;
+
 use cortex_m::{Peripherals, singleton};
 use cortex_m_rt::entry;
 use semihosting::println;
@@ -21,11 +23,14 @@ const SURFACE: usize = 25;
 const BLOCKS: usize = 5 * 3;
 const TERMS: usize = 2;
 
-/// Arrays that live as long as the program, in RAM that the linker sets aside.
+/// Arrays that live as long as the program, in RAM that the linker sets aside; filled in place, not by way of the stack.
 macro_rules! array {
-    ($count:expr, $type:ty, $start:expr) => {
-        singleton!(: [$type; $count] = [$start; $count]).unwrap()
-    };
+    ($count:expr, $type:ty, $start:expr) => {{
+        let place = singleton!(: [MaybeUninit<$type>; $count] = [const { MaybeUninit::uninit() }; $count]).unwrap();
+        place.iter_mut().for_each(|item| _ = item.write($start));
+        // SAFETY: every item was written.
+        unsafe { place.assume_init_mut() }
+    }};
 }
 
 #[entry]
@@ -78,7 +83,11 @@ fn run(model_memory: ModelMemory<'static>, state_memory: StateMemory<'static>) -
     }
 
     let metrics = &state.scalars.metrics;
-    println!("peak force {:.1} N, deformation {:.3} mm, {steps} steps", metrics.peak_force, 1e3 * metrics.max_deformation);
+    println!(
+        "peak force {:.1} N, deformation {:.3} mm, {steps} steps",
+        metrics.peak_force,
+        1e3 * metrics.max_deformation
+    );
     println!("state {:016x}, trace {:016x}", state_digest(&state), state.scalars.sampler.trace_hash);
     println!("flash {} bytes, static RAM {} bytes", flash(), static_ram());
     println!("model {} bytes, state {} bytes", model_bytes(&size), state_bytes(&size));
