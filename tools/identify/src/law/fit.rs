@@ -5,7 +5,7 @@ use softanvil_kernel::material::Elastic;
 
 use super::stability::Stability;
 use super::statistics::Statistics;
-use super::{DataSet, Family, Law, linear, ogden, stress};
+use super::{DataSet, Family, LAWS, Law, linear, ogden, stress};
 
 /// How residuals count.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -88,11 +88,26 @@ fn values(law: &Law, data: &[DataSet], stresses: &[f64], weights: &[f64], settin
     let design = linear::design(law, data);
     let a = DMatrix::from_fn(design.nrows(), design.ncols(), |i, j| weights[i] * design[(i, j)]);
     let b = DVector::from_fn(stresses.len(), |i, _| weights[i] * stresses[i]);
-    let solution = match settings.demand_stability {
-        true => linear::solve_stable(law, &a, &b, settings.stability_range)?,
-        false => linear::solve(&a, &b),
-    };
+    if settings.demand_stability {
+        return stable_values(law, &a, &b, settings);
+    }
+    let solution = linear::solve(&a, &b);
     Some(solution.as_slice().to_vec())
+}
+
+/// The best stable coefficients that are found: of the law, or of a smaller one of its family with zeros for the rest,
+/// where the rounds of [`linear::solve_stable`] do not end or their rounding leaves an unstable law.
+fn stable_values(law: &Law, a: &DMatrix<f64>, b: &DVector<f64>, settings: &Settings) -> Option<Vec<f64>> {
+    let family = LAWS.iter().rev().filter(|other| other.family == law.family);
+    let smaller = family.filter(|other| other.parameters.len() <= law.parameters.len());
+    let solve = |part: &Law| {
+        let columns = a.columns(0, part.parameters.len()).into_owned();
+        let mut values = linear::solve_stable(part, &columns, b, settings.stability_range)?.as_slice().to_vec();
+        values.resize(law.parameters.len(), 0.0);
+        let stability = Stability::new(&Elastic::new(&law.material(&values)));
+        stability.covers(settings.stability_range).then_some(values)
+    };
+    smaller.filter_map(solve).next()
 }
 
 /// Nominal stress of the law at every point of `data`, Pa.

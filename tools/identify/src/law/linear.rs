@@ -46,14 +46,19 @@ pub fn solve(a: &DMatrix<f64>, b: &DVector<f64>) -> DVector<f64> {
     DVector::from_fn(a.ncols(), |index, _| solution[index] / norms[index])
 }
 
-/// Stretches of a mode at which a demanded stability is imposed.
-const STATES: usize = 120;
+/// The x >= 0 that minimises |A x - b|.
+pub fn non_negative(a: &DMatrix<f64>, b: &DVector<f64>) -> DVector<f64> {
+    let matrix = Array2::from_shape_fn((a.nrows(), a.ncols()), |(i, j)| a[(i, j)]);
+    let (x, _) = nnls::nnls(matrix.view(), Array1::from_iter(b.iter().copied()).view());
+    DVector::from_iterator(x.len(), x)
+}
+
 /// Rounds of adding violated constraints; each adds at most one a mode.
 const ROUNDS: usize = 200;
 /// A demanded tangent is positive by this part of its sum over the coefficients, so that rounding leaves it positive.
 const MARGIN: f64 = 1e-6;
 
-/// As [`solve`], with the law Drucker-stable over the stretches `range`; none if the constraints cannot be met.
+/// As [`solve`], with the law Drucker-stable over the stretches `range`; none if no such law is found.
 ///
 /// Stability asks v^T D v > 0 for every v, where the tangent D is linear in the coefficients. The most violated v of
 /// each mode are added as linear constraints until none is violated.
@@ -62,7 +67,9 @@ pub fn solve_stable(law: &Law, a: &DMatrix<f64>, b: &DVector<f64>, range: (f64, 
     let (scaled, norms) = scale_columns(a);
     let mut constraints: Vec<DVector<f64>> = Vec::new();
     for _ in 0..ROUNDS {
-        let x = constrained(&scaled, b, &constraints)?;
+        // Constraints that are not active are dropped: the cost rises with every round, so none can come back for ever.
+        let (x, active) = constrained(&scaled, b, &constraints)?;
+        constraints = active;
         let before = constraints.len();
         for states in &tangents {
             constraints.extend(most_violated(states, &x, &norms));
@@ -79,12 +86,14 @@ type Tangents = Vec<Vec<nalgebra::Matrix2<f64>>>;
 /// The tangent of each unit coefficient, at each state of each mode.
 fn tangents(law: &Law, range: (f64, f64)) -> Vec<Tangents> {
     let units = unit_laws(law);
-    let log_range = (range.0.ln(), range.1.ln());
+    // The stretches at which stability is looked at afterwards.
+    let steps = |end: f64| ((end - 1.0).abs() / stability::STEP - 1e-9).ceil() as i32;
+    let (below, above) = (steps(range.0.max(stability::SCAN.0)), steps(range.1.min(stability::SCAN.1)));
     MODES
         .iter()
         .map(|mode| {
-            (0..=STATES)
-                .map(|k| (log_range.0 + (log_range.1 - log_range.0) * k as f64 / STATES as f64).exp())
+            (-below..=above)
+                .map(|k| 1.0 + stability::STEP * f64::from(k))
                 .map(|l| units.iter().map(|unit| stability::tangent(unit, stretches(*mode, l))).collect())
                 .collect()
         })
@@ -116,26 +125,31 @@ fn most_violated(states: &Tangents, x: &DVector<f64>, norms: &[f64]) -> Option<D
 }
 
 /// The x that minimises |A x - b| with g.x >= 1 for every g, as a problem of least distance solved by non-negative least
-/// squares (Lawson and Hanson 1974, chapter 23); none if no x meets the constraints.
-fn constrained(a: &DMatrix<f64>, b: &DVector<f64>, constraints: &[DVector<f64>]) -> Option<DVector<f64>> {
+/// squares (Lawson and Hanson 1974, chapter 23), and the constraints that are active; none if no x meets the constraints.
+fn constrained(
+    a: &DMatrix<f64>,
+    b: &DVector<f64>,
+    constraints: &[DVector<f64>],
+) -> Option<(DVector<f64>, Vec<DVector<f64>>)> {
     let svd = a.clone().svd(true, true);
     let (u, v_t) = (svd.u?, svd.v_t?);
     let n = a.ncols();
     let limit = RANK * svd.singular_values.max();
-    // A x - b = U z + (rest), z = S V^T x - U^T b.
-    let projected = u.transpose() * b;
+    // In units of |b|, or the constraints look all alike. A x - b = U z + (rest), z = S V^T x - U^T b.
+    let unit = b.norm().max(f64::MIN_POSITIVE);
+    let projected = u.transpose() * b / unit;
     let from_z = |z: &DVector<f64>| {
         let y = DVector::from_fn(n, |i, _| (z[i] + projected[i]) / svd.singular_values[i].max(limit));
-        v_t.transpose() * y
+        v_t.transpose() * y * unit
     };
     if constraints.is_empty() {
-        return Some(from_z(&DVector::zeros(n)));
+        return Some((from_z(&DVector::zeros(n)), Vec::new()));
     }
     let mut dual = Array2::zeros((n + 1, constraints.len()));
     for (column, g) in constraints.iter().enumerate() {
         let g = &v_t * g;
         let row = DVector::from_fn(n, |i, _| g[i] / svd.singular_values[i].max(limit));
-        let bound = 1.0 - row.dot(&projected);
+        let bound = 1.0 / unit - row.dot(&projected);
         // Each constraint scaled to unit length, which changes nothing but the condition.
         let length = (row.norm_squared() + bound * bound).sqrt();
         for i in 0..n {
@@ -150,7 +164,9 @@ fn constrained(a: &DMatrix<f64>, b: &DVector<f64>, constraints: &[DVector<f64>])
     if residual[n].abs() < f64::EPSILON {
         return None;
     }
-    Some(from_z(&DVector::from_fn(n, |i, _| -residual[i] / residual[n])))
+    let active = constraints.iter().zip(&multipliers).filter(|(_, multiplier)| **multiplier > 0.0);
+    let active = active.map(|(constraint, _)| constraint.clone()).collect();
+    Some((from_z(&DVector::from_fn(n, |i, _| -residual[i] / residual[n])), active))
 }
 
 #[cfg(test)]

@@ -6,7 +6,6 @@
 
 use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt};
 use nalgebra::{DMatrix, DVector, Dyn, Owned};
-use ndarray::{Array1, Array2};
 
 use super::linear;
 use super::stress::stretches;
@@ -103,7 +102,7 @@ fn starts(n_term: usize, targets: &[Target], stable: bool) -> Vec<Vec<f64>> {
             let signs: Vec<f64> = choice.iter().map(|&k| if stable { GRID[k].signum() } else { 1.0 }).collect();
             let chosen: Vec<DVector<f64>> = choice.iter().zip(&signs).map(|(&k, sign)| &columns[k] * *sign).collect();
             let a = DMatrix::from_columns(&chosen);
-            let mu = if stable { non_negative(&a, &stresses) } else { linear::solve(&a, &stresses) };
+            let mu = if stable { linear::non_negative(&a, &stresses) } else { linear::solve(&a, &stresses) };
             let cost = (&a * &mu - &stresses).norm();
             let values = choice.iter().enumerate().flat_map(|(i, &k)| [signs[i] * mu[i], GRID[k]]).collect();
             (cost, values)
@@ -111,13 +110,6 @@ fn starts(n_term: usize, targets: &[Target], stable: bool) -> Vec<Vec<f64>> {
         .collect();
     found.sort_by(|a, b| a.0.total_cmp(&b.0));
     found.into_iter().take(REFINED).map(|(_, values)| values).collect()
-}
-
-/// The x >= 0 that minimises |A x - b|.
-fn non_negative(a: &DMatrix<f64>, b: &DVector<f64>) -> DVector<f64> {
-    let matrix = Array2::from_shape_fn((a.nrows(), a.ncols()), |(i, j)| a[(i, j)]);
-    let (x, _) = nnls::nnls(matrix.view(), Array1::from_iter(b.iter().copied()).view());
-    DVector::from_iterator(x.len(), x)
 }
 
 /// Every choice of `n_term` different indices of [`GRID`], in order.

@@ -15,7 +15,7 @@ use super::{MODES, Mode};
 pub const SCAN: (f64, f64) = (0.1, 10.0);
 
 /// Stretches between two neighbours of a scan.
-const STEP: f64 = 0.01;
+pub const STEP: f64 = 0.01;
 
 /// Half of the difference of logarithmic strains that takes the derivative of the stress: rounding and curvature
 /// contribute about 1e-11 and 1e-7 of the tangent.
