@@ -87,7 +87,8 @@ impl Series {
         let (Some(first), Some(last)) = (points.first(), points.last()) else {
             return refuse(1, "no line of numbers follows the header".into());
         };
-        let count = ((last.0 - first.0) / SAMPLING_INTERVAL).floor() + 1.0;
+        // A length within a millionth of a sample of a whole number is that number.
+        let count = ((last.0 - first.0) / SAMPLING_INTERVAL + 1e-6).floor() + 1.0;
         if !(2.0..=MAX_SAMPLES).contains(&count) {
             return refuse(points.len() + 1, format!("the trace lasts {} s; legal is 50 us to 50 s", last.0 - first.0));
         }

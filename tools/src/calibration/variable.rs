@@ -99,7 +99,8 @@ impl Variable {
         match scale {
             // Exact at both ends, and never outside.
             Scale::Linear => (min + part * (max - min)).clamp(min, max),
-            Scale::Log => (min.ln() + part * (max / min).ln()).exp().clamp(min, max),
+            Scale::Log if part >= 1.0 => max,
+            Scale::Log => (min * (max / min).powf(part)).clamp(min, max),
         }
     }
 
