@@ -22,6 +22,7 @@
 #[cfg(feature = "alloc")]
 extern crate alloc;
 
+pub(crate) mod cell_bound;
 pub mod core_contact;
 pub mod decimal;
 pub mod digest;
