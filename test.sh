@@ -70,8 +70,14 @@ if need gcc gcc libc6-dev && need g++ g++ && need valgrind valgrind libc6-dbg; t
     for profile in release debug; do
         run "C and C++ rigs, $profile library" tests/c/run.sh "target/$profile"
     done
+    if need cmake cmake && need pkg-config pkg-config; then
+        run "installed package" tests/c/package.sh
+    else
+        skip "installed package" "cmake or pkg-config is missing and cannot be installed"
+    fi
 else
     skip "C and C++ rigs" "gcc, g++ or valgrind is missing and cannot be installed"
+    skip "installed package" "gcc, g++ or valgrind is missing and cannot be installed"
 fi
 
 # have_venv: whether python3 makes virtual environments, which Debian packs apart.

@@ -32,8 +32,10 @@
  *   refused with a status. A pointer must otherwise point to what its type says; that no library can check.
  * - Threads. There is no global state. One simulation is used by one thread at a time; any number of simulations run in
  *   parallel. Functions that take only `const` pointers may run at the same time on the same object.
- * - Surroundings. No function uses the heap, files, clocks, locale, errno or signals, and none ends the process. The
- *   floating-point environment must be the default one of C: rounding to nearest, denormals kept.
+ * - Surroundings. No function uses the heap, files, clocks, locale, errno or signals, and none ends the process. A
+ *   floating-point environment that the thread has changed (rounding, flush-to-zero, unmasked exceptions) is set to the
+ *   default of C for the time of a call and put back, on x86, aarch64, arm with an FPU, and riscv; on other processors
+ *   the caller must not have changed it.
  * - Stability. Numbers and structures keep their meaning and size; later versions add numbers, functions and parameters.
  *   `const` on a pointer means that the object is not changed.
  */
@@ -224,7 +226,7 @@ enum SoftanvilParameter {
     SOFTANVIL_PARAMETER_GEOMETRY_LENGTH = 5,
     /** geometry.block_width, m, from 1e-4 to 10: full width, or diameter if axisymmetric (block shape). */
     SOFTANVIL_PARAMETER_GEOMETRY_BLOCK_WIDTH = 6,
-    /** impactor.motion, a SoftanvilImpactorMotion: a falling mass, or a position given from outside at every step. */
+    /** impactor.motion, a SoftanvilImpactorMotion: a falling mass, a position given from outside at every step, or down at a speed to a depth and hold. */
     SOFTANVIL_PARAMETER_IMPACTOR_MOTION = 7,
     /** impactor.mass, kg, from 0.001 to 10000: mass of the impactor. */
     SOFTANVIL_PARAMETER_IMPACTOR_MASS = 8,
@@ -441,7 +443,15 @@ enum SoftanvilParameter {
     /** skin.tear_width, from 0.001 to 10: stretch over which the deviatoric stress falls. */
     SOFTANVIL_PARAMETER_SKIN_TEAR_WIDTH = 114,
     /** skin.tear_residual, from 0 to 1: part of the deviatoric stress that remains after the tear. */
-    SOFTANVIL_PARAMETER_SKIN_TEAR_RESIDUAL = 115
+    SOFTANVIL_PARAMETER_SKIN_TEAR_RESIDUAL = 115,
+    /** impactor.prescribed_speed, m/s, from 1e-6 to 100: downward speed of the prescribed motion. */
+    SOFTANVIL_PARAMETER_IMPACTOR_PRESCRIBED_SPEED = 116,
+    /** impactor.prescribed_depth, m, from 0 to 1: depth below the undeformed anvil at which the prescribed motion ends and holds. */
+    SOFTANVIL_PARAMETER_IMPACTOR_PRESCRIBED_DEPTH = 117,
+    /** impactor.prescribed_rise, s, from 0 to 100: time over which the prescribed speed rises at the start and falls at the end, smoothly; at most travel / speed. */
+    SOFTANVIL_PARAMETER_IMPACTOR_PRESCRIBED_RISE = 118,
+    /** measurement.channel_class, Hz, from 1 to 2000: channel frequency class (SAE J211, ISO 6487) of contact.force_filtered, such as 60, 180, 600 or 1000. */
+    SOFTANVIL_PARAMETER_MEASUREMENT_CHANNEL_CLASS = 119
 };
 
 /** geometry.shape: layer on a round core, or a flat block on a flat core. */
@@ -456,10 +466,11 @@ enum SoftanvilGeometryFormulation {
     SOFTANVIL_GEOMETRY_FORMULATION_AXISYMMETRIC = 1
 };
 
-/** impactor.motion: a falling mass, or a position given from outside at every step. */
+/** impactor.motion: a falling mass, a position given from outside at every step, or down at a speed to a depth and hold. */
 enum SoftanvilImpactorMotion {
     SOFTANVIL_IMPACTOR_MOTION_DROP = 0,
-    SOFTANVIL_IMPACTOR_MOTION_DRIVEN = 1
+    SOFTANVIL_IMPACTOR_MOTION_DRIVEN = 1,
+    SOFTANVIL_IMPACTOR_MOTION_PRESCRIBED = 2
 };
 
 /** impactor.drop_by: which of the next three states the drop. */
@@ -603,7 +614,9 @@ enum SoftanvilOutput {
     /** energy.viscous_dissipation, J: dissipation of the dashpots by the moduli at rest, not a term of the sum: exact for additive terms and small strains, too high where a quasi-linear law stiffens. */
     SOFTANVIL_OUTPUT_ENERGY_VISCOUS_DISSIPATION = 26,
     /** energy.tear, J: energy dissipated by tearing. */
-    SOFTANVIL_OUTPUT_ENERGY_TEAR = 27
+    SOFTANVIL_OUTPUT_ENERGY_TEAR = 27,
+    /** contact.force_filtered, N: contact.force after the forward pass of the channel filter measurement.channel_class, which lags as any running filter does; the standards' figure without lag needs a second pass backwards over the whole record. */
+    SOFTANVIL_OUTPUT_CONTACT_FORCE_FILTERED = 28
 };
 
 /** Fields of a simulation: name, unit, components, meaning. */

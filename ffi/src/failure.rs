@@ -6,6 +6,7 @@ use core::fmt::{self, Write};
 use softanvil_kernel::decimal::Decimal;
 use softanvil_kernel::{ModelError, ParameterError, ScenarioError, SnapshotError, StepError};
 
+use crate::environment;
 use crate::ids::PARAMETER_BY_ID;
 use crate::ptr::Out;
 use crate::status::SoftanvilStatus as Status;
@@ -264,8 +265,8 @@ pub(crate) fn characters<const N: usize>(text: &str) -> Option<[c_char; N]> {
     (text.len() < N).then_some(array)
 }
 
-/// Does `work`; what it refuses becomes a status, and details in `error` if the caller wants them. A bad `error` is
-/// refused before anything is done.
+/// Does `work` in the default floating-point environment; what it refuses becomes a status, and details in `error` if the
+/// caller wants them. A bad `error` is refused before anything is done.
 pub(crate) fn report(
     error: Result<Option<Out<SoftanvilError>>, Failure>,
     work: impl FnOnce() -> Result<(), Failure>,
@@ -274,7 +275,7 @@ pub(crate) fn report(
         Ok(error) => error,
         Err(failure) => return failure.status(),
     };
-    match work() {
+    match environment::neutral(work) {
         Ok(()) => Status::Ok,
         Err(failure) => {
             if let Some(error) = error {

@@ -10,7 +10,7 @@ use softanvil_kernel::{FIELDS, Field, OUTPUTS, Output, PARAMETERS, Parameter};
 pub static PRESET_BY_ID: [&Preset; 1] = [preset_row("study")];
 
 /// Parameters by number, which is also their slot in a `SoftanvilScenario`.
-pub static PARAMETER_BY_ID: [&Parameter; 116] = [
+pub static PARAMETER_BY_ID: [&Parameter; 120] = [
     parameter_row("geometry.shape"),
     parameter_row("geometry.formulation"),
     parameter_row("geometry.core_radius"),
@@ -127,10 +127,14 @@ pub static PARAMETER_BY_ID: [&Parameter; 116] = [
     parameter_row("skin.tear_stretch"),
     parameter_row("skin.tear_width"),
     parameter_row("skin.tear_residual"),
+    parameter_row("impactor.prescribed_speed"),
+    parameter_row("impactor.prescribed_depth"),
+    parameter_row("impactor.prescribed_rise"),
+    parameter_row("measurement.channel_class"),
 ];
 
 /// Outputs by number.
-pub static OUTPUT_BY_ID: [&Output; 28] = [
+pub static OUTPUT_BY_ID: [&Output; 29] = [
     output_row("contact.force"),
     output_row("contact.force_step"),
     output_row("core.reaction"),
@@ -159,6 +163,7 @@ pub static OUTPUT_BY_ID: [&Output; 28] = [
     output_row("contact.half_width"),
     output_row("energy.viscous_dissipation"),
     output_row("energy.tear"),
+    output_row("contact.force_filtered"),
 ];
 
 /// Fields by number.

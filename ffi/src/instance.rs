@@ -13,11 +13,12 @@ use alloc::string::String;
 
 use softanvil_kernel::{Scenario, Simulation, preset};
 
-use crate::variables::{Inputs, Table, same_bits};
+use crate::variables::{Inputs, Table, Version, profile, same_bits};
 
 pub use error::Error;
 pub use mode::{Function, Mode};
 pub use saved::SavedState;
+pub use stepping::{Advance, Pause};
 pub use values::HASH_DIGITS;
 
 /// Start and end of the experiment in the master's time.
@@ -32,7 +33,12 @@ struct Experiment {
 /// One simulation as a master sees it.
 pub struct Instance {
     table: Table,
+    version: Version,
+    /// Whether the master handles events; FMI 3.0 alone has them.
+    event_mode_used: bool,
     mode: Mode,
+    /// Points of the profiles.
+    points: u64,
     scenario: Scenario,
     inputs: Inputs,
     experiment: Experiment,
@@ -42,9 +48,12 @@ pub struct Instance {
 
 impl Instance {
     /// A new instance of the preset.
-    pub fn new() -> Self {
+    pub fn new(version: Version) -> Self {
         Self {
             table: Table::new(),
+            version,
+            event_mode_used: false,
+            points: profile::START_POINTS,
             mode: Mode::Instantiated,
             scenario: preset::study(),
             inputs: Inputs::start(),
@@ -78,6 +87,33 @@ impl Instance {
         Ok(())
     }
 
+    /// The same for a master that handles events: steps tell of them, and event mode is legal.
+    pub fn with_events(self) -> Self {
+        Self { event_mode_used: true, ..self }
+    }
+
+    /// Whether the master handles events.
+    pub fn event_mode_used(&self) -> bool {
+        self.event_mode_used
+    }
+
+    /// From or to event or configuration mode.
+    ///
+    /// # Errors
+    /// Event mode in an instance whose master does not handle events.
+    pub fn enter(&mut self, mode: Mode) -> Result<(), Error> {
+        if mode == Mode::Event && !self.event_mode_used {
+            return Err(Error::Unsupported { what: "event mode without eventModeUsed at instantiation" });
+        }
+        self.mode = mode;
+        Ok(())
+    }
+
+    /// Begins or ends a look of the master at an intermediate state.
+    pub fn set_intermediate_update(&mut self, looks: bool) {
+        self.mode = if looks { Mode::IntermediateUpdate } else { Mode::Step };
+    }
+
     /// Begins initialization. The scenario may still change, so nothing is built yet.
     pub fn enter_initialization(&mut self) {
         self.mode = Mode::Initialization;
@@ -89,7 +125,7 @@ impl Instance {
     /// A scenario that cannot be simulated; it can be corrected.
     pub fn exit_initialization(&mut self) -> Result<(), Error> {
         self.prepare()?;
-        self.mode = Mode::Step;
+        self.mode = if self.event_mode_used { Mode::Event } else { Mode::Step };
         Ok(())
     }
 
@@ -101,7 +137,7 @@ impl Instance {
     /// Back to a new instance. The model is kept, in case the next run wants the same one.
     pub fn reset(&mut self) {
         let simulation = self.simulation.take();
-        *self = Self { simulation, ..Self::new() };
+        *self = Self { simulation, event_mode_used: self.event_mode_used, ..Self::new(self.version) };
     }
 
     /// Whether the last step could not be completed.
@@ -134,12 +170,6 @@ impl Instance {
             None => Simulation::new(&self.scenario).map_err(Error::Model)?,
         };
         Ok(self.simulation.insert(simulation))
-    }
-}
-
-impl Default for Instance {
-    fn default() -> Self {
-        Self::new()
     }
 }
 

@@ -8,13 +8,13 @@ use std::io;
 
 use quick_xml::Writer;
 use quick_xml::events::{BytesDecl, Event};
-use softanvil::variables::{Table, token};
+use softanvil::variables::{Table, Variable, Version, token};
 use softanvil_kernel::{SAMPLING_INTERVAL, preset};
 
 use crate::MODEL_IDENTIFIER;
 
 /// Where the XML goes.
-type Xml = Writer<Vec<u8>>;
+pub(crate) type Xml = Writer<Vec<u8>>;
 
 /// Name of the model in tools.
 const MODEL_NAME: &str = "Softanvil";
@@ -22,22 +22,36 @@ const MODEL_NAME: &str = "Softanvil";
 const DESCRIPTION: &str = "Impact of a falling or driven rigid mass on a soft anvil (visco-hyperelastic layer on a rigid \
                            core), explicit finite elements with a fixed step";
 
-/// The model description of FMI 2.0 for co-simulation.
-pub fn fmi2() -> String {
+/// The model description for co-simulation in a version of the standard.
+pub fn xml(version: Version) -> String {
+    document(|xml| write(xml, version))
+}
+
+/// An indented XML document that `content` writes.
+pub(crate) fn document(content: impl FnOnce(&mut Xml) -> io::Result<()>) -> String {
     let mut xml = Writer::new_with_indent(Vec::new(), b' ', 2);
     // Writing to memory does not fail.
-    let _ = write(&mut xml);
+    let _ = xml.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None))).and_then(|()| content(&mut xml));
     String::from_utf8_lossy(&xml.into_inner()).into_owned() + "\n"
 }
 
-fn write(xml: &mut Xml) -> io::Result<()> {
+/// The variables that `version` has.
+fn rows(table: &Table, version: Version) -> Vec<&Variable> {
+    table.rows().iter().filter(|variable| variable.is_in(version)).collect()
+}
+
+fn write(xml: &mut Xml, version: Version) -> io::Result<()> {
     let table = Table::new();
-    xml.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))?;
+    let rows = rows(&table, version);
+    let (number, token_name) = match version {
+        Version::Fmi2 => ("2.0", "guid"),
+        Version::Fmi3 => ("3.0", "instantiationToken"),
+    };
     xml.create_element("fmiModelDescription")
         .with_attributes([
-            ("fmiVersion", "2.0"),
+            ("fmiVersion", number),
             ("modelName", MODEL_NAME),
-            ("guid", &token()),
+            (token_name, &token()),
             ("description", DESCRIPTION),
             ("author", env!("CARGO_PKG_AUTHORS")),
             ("version", env!("CARGO_PKG_VERSION")),
@@ -46,27 +60,43 @@ fn write(xml: &mut Xml) -> io::Result<()> {
             ("variableNamingConvention", "structured"),
         ])
         .write_inner_content(|xml| {
-            co_simulation(xml)?;
+            co_simulation(xml, version)?;
             units::write(xml)?;
-            variables::write_types(xml, &table)?;
+            variables::write_types(xml, &rows, version)?;
             log_categories(xml)?;
             default_experiment(xml)?;
-            variables::write(xml, &table)?;
-            structure::write(xml, &table)
+            variables::write(xml, &rows, version)?;
+            structure::write(xml, &rows, version)
         })?;
     Ok(())
 }
 
-fn co_simulation(xml: &mut Xml) -> io::Result<()> {
-    xml.create_element("CoSimulation")
-        .with_attributes([
-            ("modelIdentifier", MODEL_IDENTIFIER),
+fn co_simulation(xml: &mut Xml, version: Version) -> io::Result<()> {
+    let sample = number(SAMPLING_INTERVAL);
+    let capabilities: &[(&str, &str)] = match version {
+        Version::Fmi2 => &[
             ("canHandleVariableCommunicationStepSize", "true"),
             ("canBeInstantiatedOnlyOncePerProcess", "false"),
             ("canNotUseMemoryManagementFunctions", "true"),
             ("canGetAndSetFMUstate", "true"),
             ("canSerializeFMUstate", "true"),
-        ])
+        ],
+        Version::Fmi3 => &[
+            ("canHandleVariableCommunicationStepSize", "true"),
+            // The kernel's own step depends on the scenario and divides this one always.
+            ("fixedInternalStepSize", &sample),
+            ("canBeInstantiatedOnlyOncePerProcess", "false"),
+            ("canGetAndSetFMUState", "true"),
+            ("canSerializeFMUState", "true"),
+            ("hasEventMode", "true"),
+            ("mightReturnEarlyFromDoStep", "true"),
+            ("canReturnEarlyAfterIntermediateUpdate", "true"),
+            ("providesIntermediateUpdate", "true"),
+        ],
+    };
+    xml.create_element("CoSimulation")
+        .with_attribute(("modelIdentifier", MODEL_IDENTIFIER))
+        .with_attributes(capabilities.iter().copied())
         .write_empty()?;
     Ok(())
 }

@@ -1,20 +1,35 @@
 //! `documentation/index.html`: a written page with tables generated from the variable table.
 
-use softanvil::variables::{Table, ValueType, Variable};
+use softanvil::variables::{Table, ValueType, Variable, Version};
 
 const PAGE: &str = include_str!("../assets/index.html");
 
-/// The page.
-pub fn page() -> String {
+/// The page of an FMU of a version of the standard. What stands between `<!-- fmi3 -->` and `<!-- end -->` is for FMI 3.0
+/// alone, and so for FMI 2.0.
+pub fn page(version: Version) -> String {
     let table = Table::new();
     let rows = |causality: &[&str]| -> String {
-        let of_kind = table.rows().iter().filter(|variable| causality.contains(&variable.causality()));
+        let of_kind = table.rows().iter().filter(|v| v.is_in(version) && causality.contains(&v.causality()));
         of_kind.map(row).collect()
     };
-    PAGE.replace("<!-- version -->", env!("CARGO_PKG_VERSION"))
-        .replace("<!-- parameters -->", &rows(&["parameter"]))
+    let (keep, drop) = match version {
+        Version::Fmi2 => ("<!-- fmi2 -->", "<!-- fmi3 -->"),
+        Version::Fmi3 => ("<!-- fmi3 -->", "<!-- fmi2 -->"),
+    };
+    without(PAGE, drop)
+        .replace(keep, "")
+        .replace("<!-- end -->", "")
+        .replace("<!-- version -->", env!("CARGO_PKG_VERSION"))
+        .replace("<!-- parameters -->", &rows(&["parameter", "structuralParameter"]))
         .replace("<!-- inputs -->", &rows(&["input"]))
         .replace("<!-- outputs -->", &rows(&["output", "calculatedParameter"]))
+}
+
+/// The page without the parts that begin with `mark`.
+fn without(page: &str, mark: &str) -> String {
+    let mut parts = page.split(mark);
+    let first = parts.next().unwrap_or_default().to_owned();
+    parts.fold(first, |text, part| text + part.split_once("<!-- end -->").map_or("", |(_, rest)| rest))
 }
 
 fn row(variable: &Variable) -> String {
@@ -24,6 +39,8 @@ fn row(variable: &Variable) -> String {
             "",
             Some(labels.iter().enumerate().map(|(i, label)| format!("{i} {label}")).collect::<Vec<_>>().join(", ")),
         ),
+        ValueType::Array { unit } => (unit, None),
+        ValueType::Size { range: (min, max) } => ("", Some(format!("{min} to {max}"))),
         ValueType::Integer | ValueType::Boolean | ValueType::String => ("", None),
     };
     let cells = [

@@ -14,13 +14,13 @@ pub enum Error {
         /// What the system says.
         source: io::Error,
     },
-    /// A file is no library of a platform that FMI 2.0 has a folder for.
-    #[error("{} is refused: legal is a shared library for Linux or Windows on x86-64", path.display())]
+    /// A file is no library of a platform that FMUs are made for.
+    #[error("{} is refused: legal is a shared library for Linux on x86-64 or aarch64, or Windows on x86-64", path.display())]
     NotALibrary {
         /// The file.
         path: PathBuf,
     },
-    /// Two libraries are for the same platform.
+    /// Two libraries are for the same folder.
     #[error("{} is refused: legal is one library per platform, and there is one for {platform} already", path.display())]
     Twice {
         /// The second library.
@@ -29,19 +29,30 @@ pub enum Error {
         platform: &'static str,
     },
     /// No library was given.
-    #[error("an FMU needs at least one library: give one with --library FILE")]
+    #[error("an FMU needs at least one library")]
     NoLibrary,
-    /// Cargo's library is not where it should be.
-    #[error(
-        "no library {name} in {}: build it with `cargo build --release -p softanvil-ffi`, or give one with --library FILE",
-        searched.iter().map(|folder| folder.display().to_string()).collect::<Vec<_>>().join(" or ")
-    )]
-    LibraryNotFound {
-        /// File name of the library.
-        name: String,
-        /// Folders that were searched.
-        searched: Vec<PathBuf>,
+    /// The sources are not where they were when this program was built.
+    #[error("the sources are no longer in {}: give a library with --library FILE", root.display())]
+    NoSources {
+        /// Where they were.
+        root: PathBuf,
     },
+    /// The library could not be built.
+    #[error("the library for {target} cannot be built ({reason}): {hint}")]
+    Build {
+        /// Rust's name of the platform.
+        target: &'static str,
+        /// What the machine may lack.
+        hint: &'static str,
+        /// What the system or cargo says.
+        reason: String,
+    },
+    /// The reference results could not be computed.
+    #[error("the reference results cannot be computed: {0}")]
+    Simulation(#[from] softanvil::instance::Error),
+    /// The reference results could not be written.
+    #[error("the reference results cannot be written: {0}")]
+    Results(String),
     /// The zip file could not be made.
     #[error("the archive cannot be made: {0}")]
     Archive(#[from] zip::result::ZipError),
@@ -53,4 +64,10 @@ pub enum Error {
         /// What the system says.
         source: io::Error,
     },
+}
+
+impl From<csv::Error> for Error {
+    fn from(error: csv::Error) -> Self {
+        Self::Results(error.to_string())
+    }
 }

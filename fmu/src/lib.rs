@@ -1,22 +1,26 @@
 //! What is in a Softanvil FMU besides the binary, and the packager that puts it together.
 //!
-//! * [`description`] writes `modelDescription.xml` from the variable table of `softanvil-ffi`,
-//! * [`documentation`] the page that explains the variables,
-//! * [`archive`] the zip file, byte for byte the same for the same content,
-//! * [`platform`] tells for which platform a library was built, [`library`] finds the one that cargo built.
+//! * [`description`] writes `modelDescription.xml` from the variable table of `softanvil-ffi`, [`terminals`] what FMI 3.0
+//!   has besides,
+//! * [`documentation`] the page that explains the variables, [`mod@reference`] the results to compare with,
+//! * [`build`] makes the binary of a platform, [`platform`] tells for which one a library was built,
+//! * [`archive`] the zip file, byte for byte the same for the same content.
 
 pub mod archive;
+pub mod build;
 pub mod description;
 pub mod documentation;
 mod error;
-pub mod library;
 pub mod platform;
+pub mod reference;
+pub mod terminals;
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
+pub use build::build;
 pub use error::Error;
-pub use library::find_library;
+pub use softanvil::variables::Version;
 
 use archive::Archive;
 use platform::Platform;
@@ -27,31 +31,58 @@ pub const MODEL_IDENTIFIER: &str = "softanvil";
 /// What to package and where.
 #[derive(Clone, Debug)]
 pub struct Options {
+    /// Version of the standard.
+    pub version: Version,
     /// Shared libraries of Softanvil, one per platform.
     pub libraries: Vec<PathBuf>,
     /// Folder for the FMU; made if it does not exist.
     pub out: PathBuf,
 }
 
-/// Packages an FMU for FMI 2.0 co-simulation and returns its path, `softanvil-fmi2.fmu` in the folder asked for.
+/// Packages an FMU for co-simulation and returns its path, `softanvil-fmi2.fmu` or `softanvil-fmi3.fmu` in the folder asked
+/// for.
 ///
 /// # Errors
 /// A library that cannot be read, that is none, or of a platform that occurs twice, and what the file system refuses. A
 /// file of that name is either complete and new, or as it was.
 pub fn package(options: &Options) -> Result<PathBuf, Error> {
     let mut archive = Archive::new();
-    archive.add("modelDescription.xml", description::fmi2().as_bytes())?;
-    archive.add("model.png", include_bytes!("../assets/icon.png"))?;
-    archive.add("documentation/index.html", documentation::page().as_bytes())?;
-    archive.add("documentation/icon.svg", include_bytes!("../assets/icon.svg"))?;
+    archive.add("modelDescription.xml", description::xml(options.version).as_bytes())?;
+    let number = match options.version {
+        Version::Fmi2 => {
+            archive.add("model.png", ICON)?;
+            2
+        }
+        Version::Fmi3 => {
+            archive.add("terminalsAndIcons/icon.png", ICON)?;
+            archive.add("terminalsAndIcons/terminalsAndIcons.xml", terminals::xml().as_bytes())?;
+            3
+        }
+    };
+    archive.add("documentation/index.html", documentation::page(options.version).as_bytes())?;
+    for (name, picture) in PICTURES {
+        archive.add(&format!("documentation/{name}"), picture)?;
+    }
     for (name, text) in LICENSES {
         archive.add(&format!("documentation/licenses/{name}"), text)?;
     }
-    add_libraries(&mut archive, &options.libraries)?;
-    let path = options.out.join(format!("{MODEL_IDENTIFIER}-fmi2.fmu"));
+    archive.add(&format!("{}/fmi-ls-manifest.xml", reference::FOLDER), reference::manifest().as_bytes())?;
+    archive.add(&format!("{}/{}", reference::FOLDER, reference::RESULTS), &reference::results()?)?;
+    add_libraries(&mut archive, options)?;
+    let path = options.out.join(format!("{MODEL_IDENTIFIER}-fmi{number}.fmu"));
     write_whole(&path, &archive.finish()?)?;
     Ok(path)
 }
+
+/// The icon.
+const ICON: &[u8] = include_bytes!("../assets/icon.png");
+
+/// Pictures of the documentation.
+const PICTURES: [(&str, &[u8]); 3] = [
+    ("icon.svg", include_bytes!("../assets/icon.svg")),
+    ("force-time.svg", include_bytes!("../../docs/force-time.svg")),
+    ("coupling.svg", include_bytes!("../../docs/coupling.svg")),
+];
 
 /// Licence texts: of this project, and of what is linked into the library.
 const LICENSES: [(&str, &[u8]); 4] = [
@@ -61,16 +92,16 @@ const LICENSES: [(&str, &[u8]); 4] = [
     ("libm.txt", include_bytes!("../assets/licenses/libm.txt")),
 ];
 
-fn add_libraries(archive: &mut Archive, libraries: &[PathBuf]) -> Result<(), Error> {
-    let mut packed: Vec<Platform> = Vec::new();
-    for path in libraries {
+fn add_libraries(archive: &mut Archive, options: &Options) -> Result<(), Error> {
+    let mut packed: Vec<&str> = Vec::new();
+    for path in &options.libraries {
         let library = fs::read(path).map_err(|source| Error::Read { path: path.clone(), source })?;
         let platform = Platform::of(&library).ok_or_else(|| Error::NotALibrary { path: path.clone() })?;
-        if packed.contains(&platform) {
-            return Err(Error::Twice { path: path.clone(), platform: platform.fmi2_folder() });
+        let (folder, extension) = (platform.folder(options.version), platform.extension());
+        if packed.contains(&folder) {
+            return Err(Error::Twice { path: path.clone(), platform: folder });
         }
-        packed.push(platform);
-        let (folder, extension) = (platform.fmi2_folder(), platform.extension());
+        packed.push(folder);
         archive.add(&format!("binaries/{folder}/{MODEL_IDENTIFIER}.{extension}"), &library)?;
     }
     if packed.is_empty() { Err(Error::NoLibrary) } else { Ok(()) }

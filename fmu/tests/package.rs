@@ -4,7 +4,7 @@ use std::fs;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-use softanvil_fmu::{Error, Options, find_library, package};
+use softanvil_fmu::{Options, Version, package};
 
 /// A file that begins as a Linux library for x86-64 does.
 fn library(folder: &Path, name: &str) -> PathBuf {
@@ -17,15 +17,19 @@ fn library(folder: &Path, name: &str) -> PathBuf {
 }
 
 fn options(folder: &Path) -> Options {
-    Options { libraries: vec![library(folder, "a.so")], out: folder.join("made/on demand") }
+    let libraries = vec![library(folder, "a.so")];
+    Options { version: Version::Fmi2, libraries, out: folder.join("made/on demand") }
 }
 
 #[test]
 fn two_builds_give_the_same_bytes() {
     let folder = tempfile::tempdir().unwrap();
-    let first = fs::read(package(&options(folder.path())).unwrap()).unwrap();
-    let second = fs::read(package(&options(folder.path())).unwrap()).unwrap();
-    assert!(first == second);
+    for version in [Version::Fmi2, Version::Fmi3] {
+        let options = Options { version, ..options(folder.path()) };
+        let first = fs::read(package(&options).unwrap()).unwrap();
+        let second = fs::read(package(&options).unwrap()).unwrap();
+        assert!(first == second);
+    }
 }
 
 #[test]
@@ -68,10 +72,41 @@ fn a_folder_that_cannot_be_written_is_named() {
 }
 
 #[test]
-fn the_library_is_found_beside_the_program_or_the_error_says_how_to_get_it() {
-    match find_library() {
-        Ok(path) => assert!(path.is_file()),
-        Err(error @ Error::LibraryNotFound { .. }) => assert!(error.to_string().contains("--library FILE"), "{error}"),
-        Err(other) => panic!("{other}"),
+fn fmi_3_has_its_own_folders_and_files() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = package(&Options { version: Version::Fmi3, ..options(folder.path()) }).unwrap();
+    let mut archive = zip::ZipArchive::new(fs::File::open(path).unwrap()).unwrap();
+    for name in [
+        "binaries/x86_64-linux/softanvil.so",
+        "terminalsAndIcons/icon.png",
+        "terminalsAndIcons/terminalsAndIcons.xml",
+        "extra/org.fmi-standard.fmi-ls-ref/fmi-ls-manifest.xml",
+    ] {
+        assert!(archive.by_name(name).unwrap().size() > 0, "{name}");
     }
+    let mut page = String::new();
+    archive.by_name("documentation/index.html").unwrap().read_to_string(&mut page).unwrap();
+    assert!(page.contains("surface.contact_pressure") && !page.contains("<!--"));
+}
+
+#[test]
+fn terminals_name_variables_that_there_are() {
+    let names: Vec<_> = softanvil::variables::Table::new().rows().iter().map(|v| v.name).collect();
+    let members = softanvil_fmu::terminals::xml();
+    let named: Vec<_> = members.split("variableName=\"").skip(1).filter_map(|rest| rest.split('"').next()).collect();
+    assert_eq!(named.len(), 3);
+    assert!(named.iter().all(|name| names.contains(name)), "{named:?}");
+}
+
+#[test]
+fn reference_results_are_a_row_per_step_with_all_digits() {
+    let results = String::from_utf8(softanvil_fmu::reference::results().unwrap()).unwrap();
+    let rows: Vec<_> = results.lines().collect();
+    assert_eq!(rows.len(), 1 + 301);
+    let column = rows[0].split(',').position(|name| name == "result.peak_force").unwrap();
+    let peak: f64 = rows[301].split(',').nth(column).unwrap().parse().unwrap();
+    let mut simulation = softanvil_kernel::Simulation::new(&softanvil_kernel::preset::study()).unwrap();
+    let steps = simulation.constants().steps_in(0.015);
+    simulation.step(steps, &softanvil_kernel::StepInput::default()).unwrap();
+    assert_eq!(peak.to_bits(), simulation.scalars().metrics.peak_force.to_bits());
 }

@@ -60,7 +60,7 @@ impl Ledger {
         let impactor = &model.constants.scenario.impactor;
         let kinetic = match impactor.motion {
             Motion::Drop => 0.5 * impactor.mass * impactor.start_speed() * impactor.start_speed(),
-            Motion::Driven => 0.0,
+            Motion::Driven | Motion::Prescribed => 0.0,
         };
         Self {
             impactor_kinetic: kinetic,

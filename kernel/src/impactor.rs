@@ -2,6 +2,7 @@
 
 use crate::error::StepError;
 use crate::model::Model;
+use crate::prescribed;
 use crate::scenario::Motion;
 
 /// What acts on the impactor from outside during one step.
@@ -30,7 +31,7 @@ impl ImpactorState {
         let impactor = &model.constants.scenario.impactor;
         let (velocity, acceleration) = match impactor.motion {
             Motion::Drop => (-impactor.start_speed(), -impactor.gravity),
-            Motion::Driven => (0.0, 0.0),
+            Motion::Driven | Motion::Prescribed => (0.0, 0.0),
         };
         Self { position: impactor.gap, velocity_half: velocity - 0.5 * model.constants.dt * acceleration, acceleration }
     }
@@ -45,8 +46,8 @@ impl ImpactorState {
         if self.position < 0.0 { -self.position } else { 0.0 }
     }
 
-    /// Where the face is at the end of a step that no contact disturbs.
-    pub(crate) fn predict(&self, model: &Model, input: &StepInput) -> Prediction {
+    /// Where the face is at the end of step `step_index`, if no contact disturbs it.
+    pub(crate) fn predict(&self, model: &Model, input: &StepInput, step_index: u64) -> Prediction {
         let constants = &model.constants;
         let impactor = &constants.scenario.impactor;
         match impactor.motion {
@@ -55,12 +56,18 @@ impl ImpactorState {
                 let velocity = self.velocity_half + constants.dt * acceleration;
                 Prediction { position: self.position + constants.dt * velocity, velocity, acceleration, free: true }
             }
-            Motion::Driven => {
-                let velocity = (input.driven_position - self.position) / constants.dt;
-                let acceleration = (velocity - self.velocity_half) / constants.dt;
-                Prediction { position: input.driven_position, velocity, acceleration, free: false }
+            Motion::Driven => self.moved_to(input.driven_position, constants.dt),
+            Motion::Prescribed => {
+                self.moved_to(prescribed::height(impactor, constants.time(step_index + 1)), constants.dt)
             }
         }
+    }
+
+    /// The end of a step that leads to `position`, whatever the contact.
+    fn moved_to(&self, position: f64, dt: f64) -> Prediction {
+        let velocity = (position - self.position) / dt;
+        let acceleration = (velocity - self.velocity_half) / dt;
+        Prediction { position, velocity, acceleration, free: false }
     }
 
     /// Completes the step with the contact force on the section, N.

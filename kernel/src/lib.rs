@@ -7,7 +7,7 @@
 //! 2. [`model`] is everything that does not change ([`mesh`], element constants, masses, [`time_step`]), [`state`]
 //!    everything that does; both live in memory that the caller lends ([`storage`]).
 //! 3. [`step()`] is the algorithm: internal forces ([`element`], [`material`]), the core ([`core_contact`]), the
-//!    face ([`face`]), motion ([`impactor`]), the books ([`energy`], [`measurement`]).
+//!    face ([`face`]), motion ([`impactor`], [`prescribed`]), the books ([`energy`], [`measurement`], [`cfc`]).
 //! 4. [`output`] and [`field`] are the tables of what can be read ([`stress`], [`surface`]); [`snapshot`] saves and
 //!    restores a state, [`digest`] fingerprints it.
 //! 5. [`lanes`], [`stretch`] and [`math`] are the ground: data in lanes, and mathematics with a fixed sequence of
@@ -23,6 +23,7 @@
 extern crate alloc;
 
 pub(crate) mod cell_bound;
+pub mod cfc;
 pub mod core_contact;
 pub mod decimal;
 pub mod digest;
@@ -40,6 +41,7 @@ pub mod mesh;
 pub mod model;
 pub mod output;
 pub mod parameter;
+pub mod prescribed;
 pub mod preset;
 pub mod scenario;
 #[cfg(feature = "alloc")]

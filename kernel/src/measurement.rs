@@ -4,6 +4,7 @@
 //! behind an anti-aliasing filter gives it. Peak force and impact duration are read from the samples: the force of a
 //! single step is not a converged number, because catching a node of finite mass on a rigid face takes an impulse.
 
+use crate::cfc::Filter;
 use crate::digest::Digest;
 use crate::model::{Constants, SAMPLING_INTERVAL};
 use crate::state::Forces;
@@ -27,6 +28,8 @@ pub struct Sampler {
     /// Digest of all samples so far (FNV-1a): the bits of contact force, core reaction, and impactor position at the
     /// end of the interval.
     pub trace_hash: u64,
+    /// Forward pass of the channel filter over the samples of the contact force.
+    pub filter: Filter,
     /// Steps in the running interval.
     pub(crate) steps: u32,
     /// Sums over the running interval, N.
@@ -38,6 +41,7 @@ impl Sampler {
     pub(crate) const START: Self = Self {
         last: Sample { number: 0, contact_force: 0.0, core_reaction: 0.0 },
         trace_hash: Digest::new().value(),
+        filter: Filter::settled(0.0),
         steps: 0,
         sum: Forces { contact: 0.0, core_reaction: 0.0 },
     };
@@ -56,6 +60,7 @@ impl Sampler {
             contact_force: self.sum.contact / count,
             core_reaction: self.sum.core_reaction / count,
         };
+        self.filter.take(&constants.channel, self.last.contact_force);
         self.steps = 0;
         self.sum = Self::START.sum;
         let mut digest = Digest::resume(self.trace_hash);

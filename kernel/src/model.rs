@@ -1,8 +1,9 @@
 //! [`Model`]: everything about a simulation that does not change, built once in memory that the caller lends.
 
+use crate::cfc::Coefficients;
 use crate::digest::Digest;
 use crate::element::{CellConstants, HoopConstants, Triangle};
-use crate::error::ModelError;
+use crate::error::{ModelError, ScenarioError};
 use crate::lanes::LANES;
 use crate::material::Laws;
 use crate::mesh::{Grid, reference_position, triangles};
@@ -29,6 +30,8 @@ pub struct Constants {
     pub dt: f64,
     /// Steps in a sampling interval; `dt` times it is [`SAMPLING_INTERVAL`].
     pub steps_per_sample: u32,
+    /// Channel filter of the contact force.
+    pub channel: Coefficients,
     /// Laws of silicone and skin.
     pub laws: [Laws; MAX_LAYERS],
     /// Forces of the whole anvil per force of the meshed section: 2 in plane strain, which meshes one half.
@@ -123,12 +126,14 @@ impl<'a> Model<'a> {
         build_nodes(scenario, &grid, position, cells, nodes);
         let steps_per_sample = time_step::steps_per_sample(scenario, &grid, cells, hoops)?;
         let dt = SAMPLING_INTERVAL / f64::from(steps_per_sample);
+        let channel = Coefficients::new(scenario.measurement.channel_class, SAMPLING_INTERVAL);
         let constants = Constants {
             scenario: *scenario,
             grid,
             size,
             dt,
             steps_per_sample,
+            channel: channel.map_err(ScenarioError::Parameter)?,
             laws: scenario.layers().map(|layer| Laws::new(layer.material, dt)),
             section_factor: section_factor(scenario),
             top_height: position(grid.centre, grid.n_v)[1],

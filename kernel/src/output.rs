@@ -48,6 +48,13 @@ pub static OUTPUTS: &[Output] = &[
         "contact force on the impactor in the last step alone, with the impulses of single nodes in it",
     ),
     output(
+        "contact.force_filtered",
+        "N",
+        |_, s| s.sampler.filter.value(),
+        "contact.force after the forward pass of the channel filter measurement.channel_class, which lags as any running \
+         filter does; the standards' figure without lag needs a second pass backwards over the whole record",
+    ),
+    output(
         "contact.half_width",
         "m",
         |_, s| s.contact_half_width,

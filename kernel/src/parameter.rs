@@ -215,10 +215,16 @@ const TEST: &[Parameter] = &[
     ),
     choice(
         "impactor.motion",
-        &["drop", "driven"],
+        &["drop", "driven", "prescribed"],
         |s| s.impactor.motion as usize,
-        |s, i| s.impactor.motion = if i == 0 { Motion::Drop } else { Motion::Driven },
-        "a falling mass, or a position given from outside at every step",
+        |s, i| {
+            s.impactor.motion = match i {
+                0 => Motion::Drop,
+                1 => Motion::Driven,
+                _ => Motion::Prescribed,
+            }
+        },
+        "a falling mass, a position given from outside at every step, or down at a speed to a depth and hold",
     ),
     real("impactor.mass", "kg", (1e-3, 1e4), |s| &mut s.impactor.mass, "mass of the impactor"),
     real(
@@ -253,6 +259,27 @@ const TEST: &[Parameter] = &[
     real("impactor.drop_height", "m", (0.0, 100.0), |s| &mut s.impactor.drop_height, "free fall before the start"),
     real("impactor.drop_energy", "J", (0.0, 1e5), |s| &mut s.impactor.drop_energy, "kinetic energy at the start"),
     real("impactor.drop_speed", "m/s", (0.0, 100.0), |s| &mut s.impactor.drop_speed, "downward speed at the start"),
+    real(
+        "impactor.prescribed_speed",
+        "m/s",
+        (1e-6, 100.0),
+        |s| &mut s.impactor.prescribed_speed,
+        "downward speed of the prescribed motion",
+    ),
+    real(
+        "impactor.prescribed_depth",
+        "m",
+        (0.0, 1.0),
+        |s| &mut s.impactor.prescribed_depth,
+        "depth below the undeformed anvil at which the prescribed motion ends and holds",
+    ),
+    real(
+        "impactor.prescribed_rise",
+        "s",
+        (0.0, 100.0),
+        |s| &mut s.impactor.prescribed_rise,
+        "time over which the prescribed speed rises at the start and falls at the end, smoothly; at most travel / speed",
+    ),
 ];
 
 /// Interfaces, mesh, time and measurement.
@@ -319,6 +346,13 @@ const NUMERICS: &[Parameter] = &[
         (0.0, 1e5),
         |s| &mut s.measurement.force_threshold,
         "force that begins and ends the impact duration",
+    ),
+    real(
+        "measurement.channel_class",
+        "Hz",
+        (1.0, 2000.0),
+        |s| &mut s.measurement.channel_class,
+        "channel frequency class (SAE J211, ISO 6487) of contact.force_filtered, such as 60, 180, 600 or 1000",
     ),
 ];
 

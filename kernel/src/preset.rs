@@ -54,6 +54,9 @@ pub fn study() -> Scenario {
             drop_height: 0.3,
             drop_energy: 14.7,
             drop_speed: 2.42,
+            prescribed_speed: 0.1,
+            prescribed_depth: 5e-3,
+            prescribed_rise: 5e-3,
         },
         silicone: study_silicone(),
         skin: chamois(),
@@ -61,7 +64,7 @@ pub fn study() -> Scenario {
         face: FaceInterface { friction_coefficient: 0.3 },
         mesh: Mesh { element_size: 3e-3 },
         time: Time { step_by: StepBy::SafetyFactor, safety_factor: 0.9, step: 2e-6, duration: 15e-3 },
-        measurement: Measurement { force_threshold: 20.0 },
+        measurement: Measurement { force_threshold: 20.0, channel_class: 600.0 },
     }
 }
 

@@ -115,6 +115,8 @@ pub enum Motion {
     Drop,
     /// The position is given from outside at every step.
     Driven,
+    /// Down at a speed to a depth, then hold; see [`crate::prescribed`].
+    Prescribed,
 }
 
 /// Which of the three numbers states the drop.
@@ -131,7 +133,7 @@ pub enum DropBy {
 /// The drop mass: rigid, flat, one vertical degree of freedom.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Impactor {
-    /// Free or driven.
+    /// Free, driven or prescribed.
     pub motion: Motion,
     /// Mass, kg.
     pub mass: f64,
@@ -151,6 +153,12 @@ pub struct Impactor {
     pub drop_energy: f64,
     /// Speed at the start, m/s.
     pub drop_speed: f64,
+    /// Speed of the prescribed motion, m/s, downwards.
+    pub prescribed_speed: f64,
+    /// Depth below the undeformed anvil at which it ends, m.
+    pub prescribed_depth: f64,
+    /// Time over which its speed rises at the start and falls at the end, s.
+    pub prescribed_rise: f64,
 }
 
 impl Impactor {
@@ -360,6 +368,8 @@ pub struct Time {
 pub struct Measurement {
     /// Force that begins and ends the impact duration, N.
     pub force_threshold: f64,
+    /// Channel frequency class of the filtered force (SAE J211, ISO 6487), Hz.
+    pub channel_class: f64,
 }
 
 impl Scenario {

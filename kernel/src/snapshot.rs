@@ -16,14 +16,14 @@ use crate::state_view::StateView;
 /// "SOFTANVL" in ASCII, least significant byte first.
 const MAGIC: u64 = u64::from_le_bytes(*b"SOFTANVL");
 /// Changes with the format.
-const VERSION: u64 = 2;
+const VERSION: u64 = 3;
 const HEADER_WORDS: usize = 4;
 const CHECKSUM_WORDS: usize = 1;
 /// Words of the scalars that are whole numbers.
 const COUNTERS: usize = 7;
 /// Most steps that a state may have behind it: up to here every count is exact as a float.
 const MOST_STEPS: u64 = 1 << 53;
-const SCALAR_WORDS: usize = COUNTERS + 16 + LEDGER_WORDS;
+const SCALAR_WORDS: usize = COUNTERS + 20 + LEDGER_WORDS;
 /// Lanes per triangle: stretch, elastic stress, slider stress, largest stretch, stored energy.
 const HISTORY_LANES: usize = 4 + 3 + 3 + 1 + 1;
 
@@ -203,6 +203,7 @@ fn visit_scalars(scalars: &mut Scalars, f: &mut dyn FnMut(&mut u64)) {
         f(word);
     }
     sampler.steps = steps as u32;
+    let [[x_1, x_2], [y_1, y_2]] = [&mut sampler.filter.x, &mut sampler.filter.y];
     let numbers = [
         &mut impactor.position,
         &mut impactor.velocity_half,
@@ -214,6 +215,10 @@ fn visit_scalars(scalars: &mut Scalars, f: &mut dyn FnMut(&mut u64)) {
         &mut sampler.last.core_reaction,
         &mut sampler.sum.contact,
         &mut sampler.sum.core_reaction,
+        x_1,
+        x_2,
+        y_1,
+        y_2,
         &mut metrics.peak_force,
         &mut metrics.max_deformation,
         &mut metrics.impulse,

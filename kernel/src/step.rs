@@ -38,7 +38,7 @@ fn advance(model: &Model, state: &mut State, input: &StepInput) -> Result<(), St
     time_step::monitor(model, state)?;
     let energy = internal_forces(model, state)?;
     let core = core_contact::react(model, state);
-    let prediction = state.scalars.impactor.predict(model, input);
+    let prediction = state.scalars.impactor.predict(model, input, state.scalars.step_index);
     let before = state.scalars.impactor.velocity_half;
     let face = face::contact(model, state, &prediction);
     state.scalars.contact_half_width = surface::contact_half_width(model, &state.as_view());

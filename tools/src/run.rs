@@ -25,7 +25,9 @@ pub enum RunError {
     #[error("the simulation failed: {0}")]
     Step(#[from] StepError),
     /// Nothing here moves a driven impactor.
-    #[error("impactor.motion = driven is refused: a run has nothing that drives the impactor; legal is drop")]
+    #[error(
+        "impactor.motion = driven is refused: a run has nothing that drives the impactor; legal is drop or prescribed"
+    )]
     Driven,
 }
 
@@ -48,7 +50,7 @@ impl Drop {
     /// Builds the model of `scenario`, which covers its `time.duration`.
     ///
     /// # Errors
-    /// A scenario that is refused or not a drop.
+    /// A scenario that is refused, or one whose impactor is driven from outside.
     pub fn new(scenario: &Scenario) -> Result<Self, RunError> {
         if scenario.impactor.motion == Motion::Driven {
             return Err(RunError::Driven);
@@ -61,6 +63,11 @@ impl Drop {
     /// Steps of the run.
     pub fn steps(&self) -> u64 {
         self.steps
+    }
+
+    /// Steps in a sampling interval of 50 us.
+    pub fn steps_per_sample(&self) -> u32 {
+        self.simulation.constants().steps_per_sample
     }
 
     /// Runs to the end; `progress` hears of every completed sample how many steps it took.

@@ -32,8 +32,10 @@
  *   refused with a status. A pointer must otherwise point to what its type says; that no library can check.
  * - Threads. There is no global state. One simulation is used by one thread at a time; any number of simulations run in
  *   parallel. Functions that take only `const` pointers may run at the same time on the same object.
- * - Surroundings. No function uses the heap, files, clocks, locale, errno or signals, and none ends the process. The
- *   floating-point environment must be the default one of C: rounding to nearest, denormals kept.
+ * - Surroundings. No function uses the heap, files, clocks, locale, errno or signals, and none ends the process. A
+ *   floating-point environment that the thread has changed (rounding, flush-to-zero, unmasked exceptions) is set to the
+ *   default of C for the time of a call and put back, on x86, aarch64, arm with an FPU, and riscv; on other processors
+ *   the caller must not have changed it.
  * - Stability. Numbers and structures keep their meaning and size; later versions add numbers, functions and parameters.
  *   `const` on a pointer means that the object is not changed.
  */

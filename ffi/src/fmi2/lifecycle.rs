@@ -3,12 +3,13 @@
 use core::ffi::{CStr, c_char};
 
 use super::calls;
-use super::component::{Component, enter};
-use super::log::{Log, category};
-use super::types::{self, Boolean, CO_SIMULATION, CallbackFunctions, FmuType, Real, Status};
+use super::types::{self, Boolean, CO_SIMULATION, CallbackFunctions, FmuType, Real};
+use crate::environment::neutral;
 use crate::foreign::{Array, Given, Handle, Text};
-use crate::instance::Error;
-use crate::variables::token;
+use crate::instance::Instance;
+use crate::log::{Log, Logger};
+use crate::session::{Session, Status, enter};
+use crate::variables::{Version, token};
 
 /// "default": 64-bit numbers, 32-bit integers.
 #[unsafe(no_mangle)]
@@ -30,24 +31,10 @@ pub extern "C" fn fmi2SetDebugLogging(
     n_categories: usize,
     categories: Array<Text>,
 ) -> Status {
-    enter(&mut component, &calls::SET_DEBUG_LOGGING, |component| {
-        let categories = categories.items(n_categories).ok_or(Error::Null { argument: "categories" })?;
-        let mut names_events = categories.is_empty();
-        for (index, name) in categories.iter().enumerate() {
-            let name = name.get().ok_or(Error::Null { argument: "categories" })?;
-            if !CATEGORIES.contains(&name) {
-                return Err(Error::Argument { argument: "the name of category", value: index as i64 });
-            }
-            names_events |= name == category::EVENTS || name == category::ALL;
-        }
-        if names_events {
-            component.log.events = logging_on != 0;
-        }
-        Ok(())
+    enter(&mut component, &calls::SET_DEBUG_LOGGING, |session| {
+        session.switch_log(logging_on != 0, n_categories, &categories)
     })
 }
-
-const CATEGORIES: [&CStr; 4] = [category::EVENTS, category::ERROR, category::DISCARD, category::ALL];
 
 /// A new instance; null, with the reason in the log, for what cannot be one.
 #[unsafe(no_mangle)]
@@ -62,7 +49,8 @@ pub extern "C" fn fmi2Instantiate(
 ) -> types::Component {
     let Some(callbacks) = functions.get() else { return Handle::NULL };
     let name = instance_name.get().unwrap_or_default();
-    let log = Log::new(&callbacks, name, logging_on != 0);
+    let logger = callbacks.logger.map_or(Logger::Silent, |logger| Logger::Format(logger, name.into()));
+    let log = Log::new(logger, callbacks.environment, logging_on != 0);
     let refusal = if name.is_empty() {
         "the instance name is missing"
     } else if fmu_type != CO_SIMULATION {
@@ -71,7 +59,7 @@ pub extern "C" fn fmi2Instantiate(
         "the GUID is not that of this library: model description and binary do not belong together"
     } else {
         log.event("instantiated");
-        return Handle::new(Component::new(log));
+        return Handle::new(neutral(|| Session::new(Instance::new(Version::Fmi2), log)));
     };
     log.error("fmi2Instantiate", &refusal);
     Handle::NULL
@@ -93,16 +81,16 @@ pub extern "C" fn fmi2SetupExperiment(
     stop_time_defined: Boolean,
     stop_time: Real,
 ) -> Status {
-    enter(&mut component, &calls::SETUP_EXPERIMENT, |component| {
-        component.instance.setup(start_time, (stop_time_defined != 0).then_some(stop_time))
+    enter(&mut component, &calls::SETUP_EXPERIMENT, |session| {
+        session.instance.setup(start_time, (stop_time_defined != 0).then_some(stop_time))
     })
 }
 
 /// Begins initialization.
 #[unsafe(no_mangle)]
 pub extern "C" fn fmi2EnterInitializationMode(mut component: types::Component) -> Status {
-    enter(&mut component, &calls::ENTER_INITIALIZATION_MODE, |component| {
-        component.instance.enter_initialization();
+    enter(&mut component, &calls::ENTER_INITIALIZATION_MODE, |session| {
+        session.instance.enter_initialization();
         Ok(())
     })
 }
@@ -110,21 +98,14 @@ pub extern "C" fn fmi2EnterInitializationMode(mut component: types::Component) -
 /// Builds the model.
 #[unsafe(no_mangle)]
 pub extern "C" fn fmi2ExitInitializationMode(mut component: types::Component) -> Status {
-    enter(&mut component, &calls::EXIT_INITIALIZATION_MODE, |component| {
-        component.instance.exit_initialization()?;
-        if component.log.events {
-            component.log.event(&component.instance.summary());
-        }
-        Ok(())
-    })
+    enter(&mut component, &calls::EXIT_INITIALIZATION_MODE, Session::exit_initialization)
 }
 
 /// Ends the simulation.
 #[unsafe(no_mangle)]
 pub extern "C" fn fmi2Terminate(mut component: types::Component) -> Status {
-    enter(&mut component, &calls::TERMINATE, |component| {
-        component.instance.terminate();
-        component.log.event("terminated");
+    enter(&mut component, &calls::TERMINATE, |session| {
+        session.terminate();
         Ok(())
     })
 }
@@ -132,9 +113,8 @@ pub extern "C" fn fmi2Terminate(mut component: types::Component) -> Status {
 /// Back to a new instance.
 #[unsafe(no_mangle)]
 pub extern "C" fn fmi2Reset(mut component: types::Component) -> Status {
-    enter(&mut component, &calls::RESET, |component| {
-        component.instance.reset();
-        component.log.event("reset");
+    enter(&mut component, &calls::RESET, |session| {
+        session.reset();
         Ok(())
     })
 }

@@ -4,9 +4,7 @@
 //! A refused call is logged and returns `fmi2Error`; it changes nothing.
 
 mod calls;
-mod component;
 mod lifecycle;
-pub mod log;
 mod state;
 mod status;
 mod step;

@@ -1,38 +1,28 @@
 //! Saving and restoring the whole state of an instance, and derivatives, which do not exist here.
 
 use super::calls;
-use super::component::enter;
-use super::types::{self, FmuState, FmuStateSlot, Real, Status, ValueReference};
+use super::types::{self, FmuState, FmuStateSlot, Real, ValueReference};
 use crate::foreign::{Array, Room};
 use crate::instance::Error;
-
-const NO_SLOT: Error = Error::Null { argument: "FMUstate" };
+use crate::session::{Status, deserialize, enter, free_state, restore, save, serialize, serialized_size};
 
 /// Saves the state, into the handle that is given if it is not null.
 #[unsafe(no_mangle)]
-pub extern "C" fn fmi2GetFMUstate(mut component: types::Component, mut fmu_state: FmuStateSlot) -> Status {
-    enter(&mut component, &calls::GET_FMU_STATE, |component| {
-        let handle = fmu_state.get().ok_or(NO_SLOT)?;
-        handle.put(component.instance.save()?);
-        Ok(())
-    })
+pub extern "C" fn fmi2GetFMUstate(mut component: types::Component, fmu_state: FmuStateSlot) -> Status {
+    enter(&mut component, &calls::GET_FMU_STATE, |session| save(session, fmu_state))
 }
 
 /// Goes back to a saved state.
 #[unsafe(no_mangle)]
-pub extern "C" fn fmi2SetFMUstate(mut component: types::Component, mut fmu_state: FmuState) -> Status {
-    enter(&mut component, &calls::SET_FMU_STATE, |component| {
-        component.instance.restore(fmu_state.get().ok_or(NO_SLOT)?)
-    })
+pub extern "C" fn fmi2SetFMUstate(mut component: types::Component, fmu_state: FmuState) -> Status {
+    enter(&mut component, &calls::SET_FMU_STATE, |session| restore(session, fmu_state))
 }
 
 /// Frees a saved state; null is fine.
 #[unsafe(no_mangle)]
-pub extern "C" fn fmi2FreeFMUstate(mut component: types::Component, mut fmu_state: FmuStateSlot) -> Status {
+pub extern "C" fn fmi2FreeFMUstate(mut component: types::Component, fmu_state: FmuStateSlot) -> Status {
     enter(&mut component, &calls::FREE_FMU_STATE, |_| {
-        if let Some(handle) = fmu_state.get() {
-            handle.free();
-        }
+        free_state(fmu_state);
         Ok(())
     })
 }
@@ -41,35 +31,21 @@ pub extern "C" fn fmi2FreeFMUstate(mut component: types::Component, mut fmu_stat
 #[unsafe(no_mangle)]
 pub extern "C" fn fmi2SerializedFMUstateSize(
     mut component: types::Component,
-    mut fmu_state: FmuState,
-    mut size: Room<usize>,
+    fmu_state: FmuState,
+    size: Room<usize>,
 ) -> Status {
-    enter(&mut component, &calls::SERIALIZED_FMU_STATE_SIZE, |_| {
-        let state = fmu_state.get().ok_or(NO_SLOT)?;
-        size.item().ok_or(Error::Null { argument: "size" })?.write(state.bytes().len());
-        Ok(())
-    })
+    enter(&mut component, &calls::SERIALIZED_FMU_STATE_SIZE, |_| serialized_size(fmu_state, size))
 }
 
 /// Writes a saved state as bytes.
 #[unsafe(no_mangle)]
 pub extern "C" fn fmi2SerializeFMUstate(
     mut component: types::Component,
-    mut fmu_state: FmuState,
-    mut serialized_state: Room<u8>,
+    fmu_state: FmuState,
+    serialized_state: Room<u8>,
     size: usize,
 ) -> Status {
-    enter(&mut component, &calls::SERIALIZE_FMU_STATE, |_| {
-        let bytes = fmu_state.get().ok_or(NO_SLOT)?.bytes();
-        if size != bytes.len() {
-            return Err(Error::StateSize { given: size, needed: bytes.len() });
-        }
-        let room = serialized_state.items(size).ok_or(Error::Null { argument: "serializedState" })?;
-        for (to, from) in room.iter_mut().zip(bytes) {
-            to.write(*from);
-        }
-        Ok(())
-    })
+    enter(&mut component, &calls::SERIALIZE_FMU_STATE, |_| serialize(fmu_state, serialized_state, size))
 }
 
 /// Reads back a saved state, into the handle that is given if it is not null.
@@ -78,13 +54,10 @@ pub extern "C" fn fmi2DeSerializeFMUstate(
     mut component: types::Component,
     serialized_state: Array<u8>,
     size: usize,
-    mut fmu_state: FmuStateSlot,
+    fmu_state: FmuStateSlot,
 ) -> Status {
-    enter(&mut component, &calls::DESERIALIZE_FMU_STATE, |component| {
-        let bytes = serialized_state.items(size).ok_or(Error::Null { argument: "serializedState" })?;
-        let handle = fmu_state.get().ok_or(NO_SLOT)?;
-        handle.put(component.instance.read_state(bytes)?);
-        Ok(())
+    enter(&mut component, &calls::DESERIALIZE_FMU_STATE, |session| {
+        deserialize(session, serialized_state, size, fmu_state)
     })
 }
 

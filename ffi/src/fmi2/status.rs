@@ -3,12 +3,10 @@
 use core::ffi::c_char;
 
 use super::calls;
-use super::component::enter;
-use super::types::{
-    self, Boolean, DO_STEP_STATUS, Integer, LAST_SUCCESSFUL_TIME, Real, Status, StatusKind, TERMINATED,
-};
+use super::types::{self, Boolean, DO_STEP_STATUS, Integer, LAST_SUCCESSFUL_TIME, Real, StatusKind, TERMINATED};
 use crate::foreign::Room;
 use crate::instance::{Error, Function, Instance};
+use crate::session::{Status, enter};
 
 /// Answers `function`; a kind that it has no answer for is discarded.
 fn answer<T: Copy>(

@@ -1,10 +1,10 @@
 //! Communication steps.
 
 use super::calls;
-use super::component::enter;
-use super::types::{self, Boolean, Integer, Real, Status, ValueReference};
+use super::types::{self, Boolean, Integer, Real, ValueReference};
 use crate::foreign::{Array, Room};
 use crate::instance::Error;
+use crate::session::{Status, enter};
 
 /// Advances the simulation.
 #[unsafe(no_mangle)]

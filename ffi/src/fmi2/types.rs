@@ -1,14 +1,14 @@
 //! The types of the FMI 2.0 headers.
 
-use core::ffi::{c_char, c_int, c_void};
+use core::ffi::{c_int, c_void};
 
 use crate::foreign::{Handle, Slot};
 use crate::instance::SavedState;
-
-use super::component::Component as Instance;
+use crate::log::FormatLogger;
+use crate::session::{Session, Status};
 
 /// `fmi2Component`.
-pub type Component = Handle<Instance>;
+pub type Component = Handle<Session>;
 /// `fmi2FMUstate`.
 pub type FmuState = Handle<SavedState>;
 /// `fmi2FMUstate*`.
@@ -35,36 +35,12 @@ pub const LAST_SUCCESSFUL_TIME: StatusKind = 2;
 /// `fmi2Terminated` of `fmi2StatusKind`.
 pub const TERMINATED: StatusKind = 3;
 
-/// `fmi2Status`.
-#[repr(transparent)]
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Status(c_int);
-
-impl Status {
-    /// `fmi2OK`.
-    pub const OK: Self = Self(0);
-    /// `fmi2Discard`.
-    pub const DISCARD: Self = Self(2);
-    /// `fmi2Error`.
-    pub const ERROR: Self = Self(3);
-}
-
-/// `fmi2CallbackLogger`.
-pub type CallbackLogger = unsafe extern "C" fn(
-    environment: *mut c_void,
-    instance_name: *const c_char,
-    status: Status,
-    category: *const c_char,
-    message: *const c_char,
-    ...
-);
-
 /// `fmi2CallbackFunctions`.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct CallbackFunctions {
     /// Takes log messages.
-    pub logger: Option<CallbackLogger>,
+    pub logger: Option<FormatLogger>,
     /// Not used: the library allocates by itself.
     pub allocate_memory: Option<unsafe extern "C" fn(usize, usize) -> *mut c_void>,
     /// Not used.

@@ -3,10 +3,10 @@
 use core::ffi::c_char;
 
 use super::calls;
-use super::component::{Component, enter};
-use super::types::{self, Boolean, Integer, Real, Status, ValueReference};
+use super::types::{self, Boolean, Integer, Real, ValueReference};
 use crate::foreign::{Array, Room, Text};
 use crate::instance::{Error, Function};
+use crate::session::{Session, Status, enter};
 
 /// Reads `n` variables; writes all of them, or none if one is refused.
 fn get<T: Copy>(
@@ -14,7 +14,7 @@ fn get<T: Copy>(
     function: &Function,
     (references, n): (Array<ValueReference>, usize),
     mut values: Room<T>,
-    read: impl Fn(&mut Component, ValueReference) -> Result<T, Error>,
+    read: impl Fn(&mut Session, ValueReference) -> Result<T, Error>,
 ) -> Status {
     enter(component, function, |component| {
         let references = references.items(n).ok_or(Error::Null { argument: "vr" })?;
@@ -49,8 +49,8 @@ pub extern "C" fn fmi2GetInteger(
     nvr: usize,
     value: Room<Integer>,
 ) -> Status {
-    get(&mut component, &calls::GET_INTEGER, (vr, nvr), value, |component, reference| {
-        component.instance.integer(reference)
+    get(&mut component, &calls::GET_INTEGER, (vr, nvr), value, |session, reference| {
+        session.instance.choice(reference).or_else(|_| session.instance.integer(reference))
     })
 }
 
@@ -107,7 +107,7 @@ pub extern "C" fn fmi2SetInteger(
     enter(&mut component, &calls::SET_INTEGER, |component| {
         let references = vr.items(nvr).ok_or(Error::Null { argument: "vr" })?;
         let values = value.items(nvr).ok_or(Error::Null { argument: "value" })?;
-        component.instance.set_integers(references.iter().copied().zip(values.iter().copied()))
+        component.instance.set_choices(references.iter().copied().zip(values.iter().copied().map(i64::from)))
     })
 }
 
@@ -134,7 +134,7 @@ pub extern "C" fn fmi2SetString(
 }
 
 /// Setting nothing is fine, anything else refused.
-fn refuse(component: &Component, vr: Array<ValueReference>, nvr: usize, asked: &'static str) -> Result<(), Error> {
+fn refuse(component: &Session, vr: Array<ValueReference>, nvr: usize, asked: &'static str) -> Result<(), Error> {
     match vr.items(nvr).ok_or(Error::Null { argument: "vr" })?.first() {
         Some(reference) => Err(component.instance.refuse_to_set(*reference, asked)),
         None => Ok(()),

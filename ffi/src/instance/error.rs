@@ -61,6 +61,18 @@ pub enum Error {
         /// Its unit.
         unit: &'static str,
     },
+    /// A structural parameter was set outside configuration mode, or another variable in it.
+    Structural {
+        /// Name of the variable.
+        name: &'static str,
+    },
+    /// The arrays of the call do not fit together.
+    ValueCount {
+        /// Values given.
+        given: usize,
+        /// Values that the variables have.
+        needed: usize,
+    },
     /// The value is out of range.
     Value(ParameterError),
     /// The scenario cannot be simulated.
@@ -151,6 +163,12 @@ impl Error {
                 f,
                 "{name} = {value} [{unit}] is refused: a fixed parameter can be set until initialization mode ends"
             ),
+            Self::Structural { name } => {
+                write!(f, "{name} is refused: configuration mode is for structural parameters, and they for it alone")
+            }
+            Self::ValueCount { given, needed } => {
+                write!(f, "nValues = {given} is refused: the variables have {needed} values together")
+            }
             _ => return None,
         })
     }

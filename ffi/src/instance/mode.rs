@@ -14,15 +14,22 @@ pub enum Mode {
     Terminated = 8,
     /// A step could not be completed.
     Failed = 16,
+    /// The master handles an event (FMI 3.0).
+    Event = 32,
+    /// Structural parameters can be set (FMI 3.0).
+    Configuration = 64,
+    /// The master looks in during a communication step (FMI 3.0).
+    IntermediateUpdate = 128,
 }
 
 impl Mode {
-    /// Every mode, for the search by code.
-    const ALL: [Self; 5] = [Self::Instantiated, Self::Initialization, Self::Step, Self::Terminated, Self::Failed];
+    /// The modes that can be saved.
+    const SAVED: [Self; 6] =
+        [Self::Instantiated, Self::Initialization, Self::Step, Self::Terminated, Self::Event, Self::Configuration];
 
     /// The mode saved as `code`.
     pub(super) fn from_code(code: u64) -> Option<Self> {
-        Self::ALL.into_iter().find(|mode| *mode as u64 == code)
+        Self::SAVED.into_iter().find(|mode| *mode as u64 == code)
     }
 
     /// What the mode is called in messages.
@@ -33,6 +40,9 @@ impl Mode {
             Self::Step => "between communication steps",
             Self::Terminated => "after termination",
             Self::Failed => "after a failed step",
+            Self::Event => "in event mode",
+            Self::Configuration => "in configuration mode",
+            Self::IntermediateUpdate => "in intermediate update mode",
         }
     }
 }

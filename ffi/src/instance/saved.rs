@@ -1,7 +1,7 @@
 //! Saved states: bytes without pointers that mean the same on every platform.
 //!
 //! Format: little-endian 64-bit words. Magic, format version, digest of the variable table, length of the whole in
-//! bytes; mode, start, whether there is a stop, stop; the inputs; the parameters in the order of the kernel's table; the
+//! bytes; mode, start, whether there is a stop, stop, points of the profiles; the inputs; the parameters in the order of the kernel's table; the
 //! kernel's own snapshot, which is empty before the first step can be made; last the FNV-1a digest of everything before.
 
 use alloc::vec;
@@ -12,12 +12,13 @@ use softanvil_kernel::snapshot::{restore, save, snapshot_size};
 use softanvil_kernel::{PARAMETERS, Scenario, Simulation, SnapshotError, preset};
 
 use super::{Error, Experiment, Instance, Mode};
-use crate::variables::{INPUTS, Inputs, same_bits};
+use crate::variables::profile::POINTS;
+use crate::variables::{INPUTS, Inputs, Version, same_bits};
 
 /// "SOFTAFMU" in ASCII, least significant byte first.
 const MAGIC: u64 = u64::from_le_bytes(*b"SOFTAFMU");
 /// Changes with the format.
-const VERSION: u64 = 1;
+const VERSION: u64 = 2;
 
 /// A saved state, checked to be whole and of this version.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -27,6 +28,7 @@ pub struct SavedState(Vec<u8>);
 struct Content<'a> {
     mode: Mode,
     experiment: Experiment,
+    points: u64,
     inputs: Inputs,
     scenario: Scenario,
     snapshot: &'a [u8],
@@ -46,17 +48,19 @@ impl SavedState {
         let mode = Mode::from_code(next()).ok_or(corrupt)?;
         let (start, has_stop, stop) = (f64::from_bits(next()), next() != 0, f64::from_bits(next()));
         let experiment = Experiment { start, stop: has_stop.then_some(stop) };
+        let points = next();
         let (inputs, scenario) = (read_inputs(&mut rest)?, read_scenario(&mut rest)?);
         let snapshot = rest.len().checked_sub(8).and_then(|end| rest.get(..end)).ok_or(corrupt)?;
-        if snapshot.is_empty() == matches!(mode, Mode::Step | Mode::Terminated) || !start.is_finite() {
+        let is_stepping = matches!(mode, Mode::Step | Mode::Event | Mode::Terminated);
+        if snapshot.is_empty() == is_stepping || !start.is_finite() || points < POINTS.0 || points > POINTS.1 {
             return Err(corrupt);
         }
-        Ok(Content { mode, experiment, inputs, scenario, snapshot })
+        Ok(Content { mode, experiment, points, inputs, scenario, snapshot })
     }
 }
 
 /// Words before the inputs.
-const HEADER_WORDS: usize = 8;
+const HEADER_WORDS: usize = 9;
 
 /// The header's words, if the bytes claim to be of this format and of their length.
 fn header(bytes: &[u8]) -> Option<[u64; 4]> {
@@ -115,6 +119,7 @@ impl Instance {
         [MAGIC, VERSION, self.table.digest(), length as u64].into_iter().for_each(&mut put);
         put(self.mode as u64);
         [start.to_bits(), u64::from(stop.is_some()), stop.unwrap_or_default().to_bits()].into_iter().for_each(&mut put);
+        put(self.points);
         INPUTS.iter().for_each(|input| put((input.field)(&mut self.inputs).to_bits()));
         PARAMETERS.iter().for_each(|parameter| put(parameter.get(&self.scenario).to_bits()));
         bytes.extend_from_slice(&snapshot);
@@ -162,14 +167,26 @@ impl Instance {
     /// A state that does not fit together; the instance is as before.
     pub fn restore(&mut self, state: &SavedState) -> Result<(), Error> {
         let content = state.content()?;
+        self.check_mode(content.mode)?;
         if !content.snapshot.is_empty() {
             self.restore_simulation(&content.scenario, content.snapshot)?;
         }
         self.mode = content.mode;
         self.experiment = content.experiment;
+        self.points = content.points;
         self.inputs = content.inputs;
         self.scenario = content.scenario;
         Ok(())
+    }
+
+    /// Refuses a state in a mode that this instance cannot be in.
+    fn check_mode(&self, mode: Mode) -> Result<(), Error> {
+        let is_possible = match mode {
+            Mode::Event => self.event_mode_used,
+            Mode::Configuration => self.version == Version::Fmi3,
+            _ => true,
+        };
+        if is_possible { Ok(()) } else { Err(Error::Snapshot(SnapshotError::Foreign)) }
     }
 
     /// Restores into the model at hand if it is the right one, else into a new one.

@@ -2,7 +2,7 @@
 //! of the master's times.
 
 use softanvil_kernel::scenario::Motion;
-use softanvil_kernel::{Parameter, Simulation, StepError, StepInput};
+use softanvil_kernel::{Simulation, StepError, StepInput, step};
 
 use super::{Error, Instance, Mode};
 use crate::variables::Inputs;
@@ -18,8 +18,45 @@ const STEP_TOLERANCE: f64 = 1e-3;
 /// The same, relative to the number of kernel steps: rounding of a step that was given in a few decimals less than all.
 const RELATIVE_STEP_TOLERANCE: f64 = 1e-9;
 
-/// Longest communication step if the table of parameters did not limit the duration of a run, s.
-const LONGEST_STEP: f64 = 100.0;
+/// Longest communication step, s: the longest run that the table of parameters allows.
+pub(super) const LONGEST_STEP: f64 = 100.0;
+
+/// A communication step on its way.
+#[derive(Clone, Copy, Debug)]
+pub struct Advance {
+    /// Kernel steps made.
+    done: u64,
+    /// Kernel steps in all.
+    count: u64,
+    /// Heights of a driven face at the start and at the end, m.
+    heights: [f64; 2],
+}
+
+impl Advance {
+    /// Whether every kernel step has been made.
+    pub fn is_complete(&self) -> bool {
+        self.done == self.count
+    }
+
+    /// The input of the next kernel step, which counts it.
+    fn next(&mut self, inputs: &Inputs) -> StepInput {
+        self.done += 1;
+        let [from, to] = self.heights;
+        let driven_position = from + (to - from) * (self.done as f64 / self.count as f64);
+        StepInput { external_force: inputs.external_force, driven_position }
+    }
+}
+
+/// Where to stop before a communication step is complete.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Pause {
+    /// Nowhere.
+    Never,
+    /// After the kernel step in which contact begins or ends.
+    AtEvents,
+    /// After every kernel step.
+    AtSteps,
+}
 
 impl Instance {
     /// Simulated time in the master's terms, s.
@@ -30,21 +67,40 @@ impl Instance {
     /// Advances from `point` by `step`, s.
     ///
     /// # Errors
-    /// A point where the instance is not, a step that is not a whole number of kernel steps, or one past the end of the
-    /// experiment: the instance is as before. A step that the kernel cannot complete: the instance has failed.
+    /// As [`Instance::begin_step`] and [`Instance::advance`].
     pub fn do_step(&mut self, point: f64, step: f64) -> Result<(), Error> {
-        let count = self.check_step(point, step)?;
+        let mut advance = self.begin_step(point, step)?;
+        self.advance(&mut advance, Pause::Never).map(|_| ())
+    }
+
+    /// Begins a step from `point` by `step`, s, of which nothing is made yet.
+    ///
+    /// # Errors
+    /// A point where the instance is not, a step that is not a whole number of kernel steps, or one past the end of the
+    /// experiment: the instance is as before.
+    pub fn begin_step(&self, point: f64, step: f64) -> Result<Advance, Error> {
+        let Some(simulation) = &self.simulation else { return Err(Error::Call { mode: self.mode }) };
+        let dt = simulation.constants().dt;
+        let count = self.check_step(point, step, dt)?;
+        let from = simulation.scalars().impactor.position;
+        let to = self.inputs.driven_position + self.inputs.driven_velocity * (count as f64 * dt);
+        Ok(Advance { done: 0, count, heights: [from, to] })
+    }
+
+    /// Goes on with a step until it is complete or pauses. Tells whether contact began or ended.
+    ///
+    /// # Errors
+    /// A step that the kernel cannot complete: the instance has failed.
+    pub fn advance(&mut self, advance: &mut Advance, pause: Pause) -> Result<bool, Error> {
         let Some(simulation) = &mut self.simulation else { return Err(Error::Call { mode: self.mode }) };
-        advance(simulation, &self.inputs, count).map_err(|error| {
+        march(simulation, &self.inputs, advance, pause).map_err(|error| {
             self.mode = Mode::Failed;
             Error::Step(error)
         })
     }
 
     /// Number of kernel steps in a communication step.
-    fn check_step(&self, point: f64, step: f64) -> Result<u64, Error> {
-        let Some(simulation) = &self.simulation else { return Err(Error::Call { mode: self.mode }) };
-        let dt = simulation.constants().dt;
+    fn check_step(&self, point: f64, step: f64, dt: f64) -> Result<u64, Error> {
         let expected = self.time();
         let at_point = (point - expected).abs() <= POINT_TOLERANCE * dt;
         if !at_point {
@@ -61,9 +117,8 @@ impl Instance {
 
 /// The number of steps of `dt` that `step` is.
 fn whole_steps(step: f64, dt: f64) -> Result<u64, Error> {
-    let largest = Parameter::find("time.duration").map_or(LONGEST_STEP, |parameter| parameter.range().1);
-    let refused = Error::StepSize { given: step, step: dt, largest };
-    let in_range = step > 0.0 && step <= largest;
+    let refused = Error::StepSize { given: step, step: dt, largest: LONGEST_STEP };
+    let in_range = step > 0.0 && step <= LONGEST_STEP;
     if !in_range {
         return Err(refused);
     }
@@ -75,22 +130,25 @@ fn whole_steps(step: f64, dt: f64) -> Result<u64, Error> {
     if is_whole { Ok(count) } else { Err(refused) }
 }
 
-fn advance(simulation: &mut Simulation, inputs: &Inputs, count: u64) -> Result<(), StepError> {
-    match simulation.constants().scenario.impactor.motion {
-        Motion::Drop => {
-            simulation.step(count, &StepInput { external_force: inputs.external_force, ..StepInput::default() })
+/// Makes kernel steps. In drop motion the force is held; a driven face moves evenly from where it was to where the
+/// master's position and velocity lead.
+fn march(simulation: &mut Simulation, inputs: &Inputs, advance: &mut Advance, pause: Pause) -> Result<bool, StepError> {
+    let inputs = match simulation.constants().scenario.impactor.motion {
+        Motion::Drop => *inputs,
+        _ => Inputs { external_force: 0.0, ..*inputs },
+    };
+    let all = simulation.with(|model, state| {
+        let mut has_changed = false;
+        while !advance.is_complete() {
+            let was_touching = state.scalars.force.contact > 0.0;
+            step(model, state, &advance.next(&inputs))?;
+            let changed = was_touching != (state.scalars.force.contact > 0.0);
+            has_changed |= changed;
+            if pause == Pause::AtSteps || (pause == Pause::AtEvents && changed) {
+                break;
+            }
         }
-        Motion::Driven => drive(simulation, inputs, count),
-    }
-}
-
-/// Moves a driven impactor evenly from where it is to where the master's position and velocity lead.
-fn drive(simulation: &mut Simulation, inputs: &Inputs, count: u64) -> Result<(), StepError> {
-    let from = simulation.scalars().impactor.position;
-    let whole = count as f64;
-    let to = inputs.driven_position + inputs.driven_velocity * (whole * simulation.constants().dt);
-    (1..=count).try_for_each(|k| {
-        let driven_position = from + (to - from) * (k as f64 / whole);
-        simulation.step(1, &StepInput { driven_position, ..StepInput::default() })
-    })
+        Ok(has_changed)
+    });
+    all.unwrap_or(Err(StepError::Input { value: f64::NAN, time: 0.0 }))
 }

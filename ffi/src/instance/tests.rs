@@ -10,7 +10,7 @@ const FACTOR: u32 = 1601;
 const ENERGY: u32 = 1107;
 
 fn ready() -> Instance {
-    let mut instance = Instance::new();
+    let mut instance = Instance::new(Version::Fmi2);
     instance.enter_initialization();
     instance.exit_initialization().unwrap();
     instance
@@ -53,7 +53,7 @@ fn a_step_is_whole_or_refused_with_the_kernels_step() {
 
 #[test]
 fn a_failed_step_leads_to_an_instance_that_can_be_reset_or_restored() {
-    let mut instance = Instance::new();
+    let mut instance = Instance::new(Version::Fmi2);
     instance.set_reals([(FACTOR, 1.0), (ENERGY, 1000.0)].into_iter()).unwrap();
     instance.enter_initialization();
     instance.exit_initialization().unwrap();
@@ -72,7 +72,7 @@ fn a_failed_step_leads_to_an_instance_that_can_be_reset_or_restored() {
 
 #[test]
 fn one_refused_value_changes_none() {
-    let mut instance = Instance::new();
+    let mut instance = Instance::new(Version::Fmi2);
     let before = instance.real(MASS).unwrap();
     for second in [(FACTOR, f64::NAN), (FORCE, 1.0), (999, 1.0), (references::TIME, 1.0)] {
         assert!(instance.set_reals([(MASS, 4.0), second].into_iter()).is_err());
@@ -101,10 +101,16 @@ fn saved_bytes_are_checked_before_anything_changes() {
 fn initial_results_follow_the_parameters_as_they_stand() {
     const POSITION: u32 = 3200;
     const GAP: u32 = 1103;
-    let mut instance = Instance::new();
+    let mut instance = Instance::new(Version::Fmi2);
     instance.enter_initialization();
     for gap in [1e-3, 3e-3] {
         instance.set_reals([(GAP, gap)].into_iter()).unwrap();
         assert_eq!(instance.real(POSITION).unwrap(), gap);
     }
+}
+
+#[test]
+fn the_longest_step_is_the_longest_run() {
+    let duration = softanvil_kernel::Parameter::find("time.duration").unwrap();
+    assert_eq!(stepping::LONGEST_STEP, duration.range().1);
 }

@@ -1,9 +1,9 @@
 //! Reading and setting variables.
 
-use softanvil_kernel::{Scenario, Simulation};
+use softanvil_kernel::{ParameterError, Scenario, Simulation};
 
 use super::{Error, Instance, Mode};
-use crate::variables::{Inputs, Source, ValueType, Variable};
+use crate::variables::{Inputs, Source, ValueType, Variable, Version};
 
 /// Length of a trace hash in hexadecimal digits.
 pub const HASH_DIGITS: usize = 16;
@@ -12,8 +12,10 @@ impl Instance {
     /// The simulation, if it belongs to the current scenario and experiment.
     pub(super) fn simulation_at_work(&self) -> Option<&Simulation> {
         match self.mode {
-            Mode::Instantiated | Mode::Initialization => None,
-            Mode::Step | Mode::Terminated | Mode::Failed => self.simulation.as_ref(),
+            Mode::Instantiated | Mode::Configuration | Mode::Initialization => None,
+            Mode::Step | Mode::Event | Mode::IntermediateUpdate | Mode::Terminated | Mode::Failed => {
+                self.simulation.as_ref()
+            }
         }
     }
 
@@ -25,8 +27,24 @@ impl Instance {
         self.simulation_at_work().ok_or(Error::Call { mode: self.mode })
     }
 
-    fn variable(&self, reference: u32) -> Result<Variable, Error> {
-        self.table.find(reference).copied().ok_or(Error::Unknown { reference })
+    /// The variable that a master calls `reference`.
+    ///
+    /// # Errors
+    /// There is none in this version of the standard.
+    pub fn variable(&self, reference: u32) -> Result<Variable, Error> {
+        let found = self.table.find(reference).filter(|variable| variable.is_in(self.version));
+        found.copied().ok_or(Error::Unknown { reference })
+    }
+
+    /// How many values a variable has.
+    ///
+    /// # Errors
+    /// An unknown reference.
+    pub fn length(&self, reference: u32) -> Result<usize, Error> {
+        match self.variable(reference)?.value {
+            ValueType::Array { .. } => Ok(self.points as usize),
+            _ => Ok(1),
+        }
     }
 
     /// A quantity.
@@ -35,7 +53,7 @@ impl Instance {
     /// An unknown reference, another type, or a scenario that cannot be simulated.
     pub fn real(&mut self, reference: u32) -> Result<f64, Error> {
         let variable = self.variable(reference)?;
-        let ValueType::Real { .. } = variable.value else { return Err(wrong_type(&variable, "Real")) };
+        let ValueType::Real { .. } = variable.value else { return Err(self.wrong_type(&variable, self.real_name())) };
         match variable.source {
             Source::Time => Ok(self.time()),
             Source::Parameter(parameter) => Ok(parameter.get(&self.scenario)),
@@ -48,17 +66,62 @@ impl Instance {
         }
     }
 
-    /// A count, or a choice by its number.
+    /// The values of a quantity or of a row of quantities, one after the other.
+    ///
+    /// # Errors
+    /// As [`Instance::real`].
+    pub fn reals(&mut self, reference: u32, mut put: impl FnMut(f64)) -> Result<(), Error> {
+        let Source::Profile(profile) = self.variable(reference)?.source else {
+            return self.real(reference).map(put);
+        };
+        let points = self.points;
+        self.results()?;
+        let Some(simulation) = &mut self.simulation else { return Err(Error::Call { mode: self.mode }) };
+        let all = simulation.with(|model, state| {
+            let view = state.as_view();
+            (0..points).for_each(|point| put(profile.at(model, &view, point, points)));
+        });
+        all.map_err(Error::Model)
+    }
+
+    /// A length of arrays.
+    ///
+    /// # Errors
+    /// As [`Instance::real`].
+    pub fn size(&self, reference: u32) -> Result<u64, Error> {
+        let variable = self.variable(reference)?;
+        match variable.value {
+            ValueType::Size { .. } => Ok(self.points),
+            _ => Err(self.wrong_type(&variable, "UInt64")),
+        }
+    }
+
+    /// A choice by its number.
+    ///
+    /// # Errors
+    /// As [`Instance::real`].
+    pub fn choice(&self, reference: u32) -> Result<i32, Error> {
+        let variable = self.variable(reference)?;
+        match (variable.value, variable.source) {
+            (ValueType::Enumeration { .. }, Source::Parameter(parameter)) => Ok(parameter.get(&self.scenario) as i32),
+            _ => Err(self.wrong_type(&variable, "Enumeration")),
+        }
+    }
+
+    /// A count.
     ///
     /// # Errors
     /// As [`Instance::real`].
     pub fn integer(&mut self, reference: u32) -> Result<i32, Error> {
         let variable = self.variable(reference)?;
-        match (variable.value, variable.source) {
-            (ValueType::Enumeration { .. }, Source::Parameter(parameter)) => Ok(parameter.get(&self.scenario) as i32),
-            (ValueType::Integer, _) => Ok(self.results()?.constants().grid.n_elem() as i32),
-            _ => Err(wrong_type(&variable, "Integer")),
-        }
+        let ValueType::Integer = variable.value else {
+            return Err(self.wrong_type(&variable, ValueType::Integer.name(self.version)));
+        };
+        let grid = &self.results()?.constants().grid;
+        Ok(match variable.source {
+            Source::SurfaceNodes => grid.n_u as i32 + 1,
+            _ => grid.n_elem() as i32,
+        })
     }
 
     /// A state.
@@ -67,7 +130,7 @@ impl Instance {
     /// As [`Instance::real`].
     pub fn boolean(&mut self, reference: u32) -> Result<bool, Error> {
         let variable = self.variable(reference)?;
-        let ValueType::Boolean = variable.value else { return Err(wrong_type(&variable, "Boolean")) };
+        let ValueType::Boolean = variable.value else { return Err(self.wrong_type(&variable, "Boolean")) };
         Ok(self.results()?.scalars().force.contact > 0.0)
     }
 
@@ -77,7 +140,7 @@ impl Instance {
     /// As [`Instance::real`].
     pub fn text(&mut self, reference: u32) -> Result<[u8; HASH_DIGITS], Error> {
         let variable = self.variable(reference)?;
-        let ValueType::String = variable.value else { return Err(wrong_type(&variable, "String")) };
+        let ValueType::String = variable.value else { return Err(self.wrong_type(&variable, "String")) };
         Ok(hexadecimal(self.results()?.scalars().sampler.trace_hash))
     }
 
@@ -86,16 +149,51 @@ impl Instance {
     /// # Errors
     /// An unknown reference, another type, a variable that cannot be set now, or a value out of range.
     pub fn set_reals(&mut self, values: impl Iterator<Item = (u32, f64)>) -> Result<(), Error> {
-        self.set(values, |value| matches!(value, ValueType::Real { .. }), "Real")
+        self.set(values, |value| matches!(value, ValueType::Real { .. }), self.real_name())
     }
 
     /// Sets choices: all of them, or none if one is refused.
     ///
     /// # Errors
     /// As [`Instance::set_reals`].
-    pub fn set_integers(&mut self, values: impl Iterator<Item = (u32, i32)>) -> Result<(), Error> {
-        let values = values.map(|(reference, value)| (reference, f64::from(value)));
-        self.set(values, |value| matches!(value, ValueType::Enumeration { .. } | ValueType::Integer), "Integer")
+    pub fn set_choices(&mut self, values: impl Iterator<Item = (u32, i64)>) -> Result<(), Error> {
+        // Every number of a choice is exact as a float, and no number that is not becomes one.
+        let values = values.map(|(reference, value)| (reference, value as f64));
+        // FMI 2.0 sets choices and counts by the same function.
+        let (asked, counts_too) = match self.version {
+            Version::Fmi2 => ("Integer", true),
+            Version::Fmi3 => ("Enumeration", false),
+        };
+        let fits = |value: &ValueType| match value {
+            ValueType::Enumeration { .. } => true,
+            ValueType::Integer => counts_too,
+            _ => false,
+        };
+        self.set(values, fits, asked)
+    }
+
+    /// Sets lengths of arrays: all of them, or none if one is refused.
+    ///
+    /// # Errors
+    /// As [`Instance::set_reals`], and any mode but configuration mode.
+    pub fn set_sizes(&mut self, values: impl Iterator<Item = (u32, u64)>) -> Result<(), Error> {
+        let mut points = self.points;
+        for (reference, value) in values {
+            let variable = self.variable(reference)?;
+            let ValueType::Size { range: (min, max) } = variable.value else {
+                return Err(self.wrong_type(&variable, "UInt64"));
+            };
+            if self.mode != Mode::Configuration {
+                return Err(Error::Structural { name: variable.name });
+            }
+            if value < min || value > max {
+                let (name, value) = (variable.name, value as f64);
+                return Err(Error::Value(ParameterError { name, value, unit: "1", min: min as f64, max: max as f64 }));
+            }
+            points = value;
+        }
+        self.points = points;
+        Ok(())
     }
 
     /// Refuses to set what no variable of type `asked` allows.
@@ -105,9 +203,26 @@ impl Instance {
     pub fn refuse_to_set(&self, reference: u32, asked: &'static str) -> Error {
         match self.variable(reference) {
             Err(unknown) => unknown,
-            Ok(variable) if variable.value.name() != asked => wrong_type(&variable, asked),
+            Ok(variable) if variable.value.name(self.version) != asked => self.wrong_type(&variable, asked),
             Ok(variable) => read_only(&variable),
         }
+    }
+
+    /// Refuses to read what no variable of type `asked` has.
+    pub fn refuse_to_get(&self, reference: u32, asked: &'static str) -> Error {
+        match self.variable(reference) {
+            Err(unknown) => unknown,
+            Ok(variable) => self.wrong_type(&variable, asked),
+        }
+    }
+
+    /// What quantities are called in this version.
+    fn real_name(&self) -> &'static str {
+        ValueType::Real { unit: "1", range: None }.name(self.version)
+    }
+
+    fn wrong_type(&self, variable: &Variable, asked: &'static str) -> Error {
+        Error::Type { name: variable.name, is: variable.value.name(self.version), asked }
     }
 
     fn set(
@@ -120,7 +235,10 @@ impl Instance {
         for (reference, value) in values {
             let variable = self.variable(reference)?;
             if !fits(&variable.value) {
-                return Err(wrong_type(&variable, asked));
+                return Err(self.wrong_type(&variable, asked));
+            }
+            if self.mode == Mode::Configuration {
+                return Err(Error::Structural { name: variable.name });
             }
             self.set_one(&variable, value, &mut scenario, &mut inputs)?;
         }
@@ -148,10 +266,6 @@ impl Instance {
             _ => Err(read_only(variable)),
         }
     }
-}
-
-fn wrong_type(variable: &Variable, asked: &'static str) -> Error {
-    Error::Type { name: variable.name, is: variable.value.name(), asked }
 }
 
 fn read_only(variable: &Variable) -> Error {

@@ -1,8 +1,9 @@
-//! The table of FMI variables. It serves the getters, the setters and the model description alike.
+//! The table of FMI variables. It serves the getters, the setters and the model descriptions of both versions alike.
 //!
 //! Parameters and outputs come from the kernel's tables; only what a master sees and the kernel does not stands here:
 //! time, inputs, and what an instance knows about its model.
 
+pub mod profile;
 pub mod references;
 mod token;
 pub mod units;
@@ -12,7 +13,17 @@ use alloc::vec::Vec;
 use softanvil_kernel::parameter::Kind;
 use softanvil_kernel::{OUTPUTS, Output, PARAMETERS, Parameter, ParameterError, Scenario, preset};
 
+use profile::Profile;
 pub use token::token;
+
+/// A version of the standard.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Version {
+    /// FMI 2.0, which has no arrays.
+    Fmi2,
+    /// FMI 3.0.
+    Fmi3,
+}
 
 /// One variable.
 #[derive(Clone, Copy)]
@@ -50,17 +61,30 @@ pub enum ValueType {
     Boolean,
     /// Text.
     String,
+    /// A row of quantities, of the length that [`Source::Points`] has.
+    Array {
+        /// SI unit.
+        unit: &'static str,
+    },
+    /// The length of arrays.
+    Size {
+        /// Smallest and largest legal value.
+        range: (u64, u64),
+    },
 }
 
 impl ValueType {
-    /// Name of the type, for messages.
-    pub fn name(&self) -> &'static str {
-        match self {
-            Self::Real { .. } => "Real",
-            Self::Integer => "Integer",
-            Self::Enumeration { .. } => "Enumeration",
-            Self::Boolean => "Boolean",
-            Self::String => "String",
+    /// Name of the type in a version of the standard.
+    pub fn name(&self, version: Version) -> &'static str {
+        match (self, version) {
+            (Self::Real { .. }, Version::Fmi2) => "Real",
+            (Self::Real { .. } | Self::Array { .. }, _) => "Float64",
+            (Self::Integer, Version::Fmi2) => "Integer",
+            (Self::Integer, Version::Fmi3) => "Int32",
+            (Self::Size { .. }, _) => "UInt64",
+            (Self::Enumeration { .. }, _) => "Enumeration",
+            (Self::Boolean, _) => "Boolean",
+            (Self::String, _) => "String",
         }
     }
 }
@@ -80,6 +104,12 @@ pub enum Source {
     TimeStep,
     /// Number of elements.
     Elements,
+    /// Number of nodes along the surface.
+    SurfaceNodes,
+    /// Number of points of a profile.
+    Points,
+    /// A profile along the surface.
+    Profile(Profile),
     /// Whether the impactor touches the layer.
     ContactActive,
     /// Digest of the force samples.
@@ -157,22 +187,30 @@ pub static INPUTS: &[Input] = &[
 ];
 
 impl Variable {
+    /// Whether `version` has the variable.
+    pub fn is_in(&self, version: Version) -> bool {
+        version == Version::Fmi3 || !matches!(self.value, ValueType::Array { .. } | ValueType::Size { .. })
+    }
+
     /// FMI's name for the role of the variable.
     pub fn causality(&self) -> &'static str {
         match self.source {
             Source::Time => "independent",
             Source::Parameter(_) => "parameter",
             Source::Input(_) => "input",
-            Source::TimeStep | Source::Elements => "calculatedParameter",
-            Source::Output(_) | Source::ContactActive | Source::TraceHash => "output",
+            Source::Points => "structuralParameter",
+            Source::TimeStep | Source::Elements | Source::SurfaceNodes => "calculatedParameter",
+            Source::Output(_) | Source::Profile(_) | Source::ContactActive | Source::TraceHash => "output",
         }
     }
 
     /// FMI's name for when the value can change.
     pub fn variability(&self) -> &'static str {
         match self.source {
-            Source::Time | Source::Input(_) | Source::Output(_) => "continuous",
-            Source::Parameter(_) | Source::TimeStep | Source::Elements => "fixed",
+            Source::Time | Source::Input(_) | Source::Output(_) | Source::Profile(_) => "continuous",
+            Source::Parameter(_) | Source::Points | Source::TimeStep | Source::Elements | Source::SurfaceNodes => {
+                "fixed"
+            }
             Source::ContactActive | Source::TraceHash => "discrete",
         }
     }
@@ -181,7 +219,7 @@ impl Variable {
     pub fn initial(&self) -> Option<&'static str> {
         match self.source {
             Source::Time | Source::Input(_) => None,
-            Source::Parameter(_) => Some("exact"),
+            Source::Parameter(_) | Source::Points => Some("exact"),
             _ => Some("calculated"),
         }
     }
@@ -191,6 +229,7 @@ impl Variable {
         match self.source {
             Source::Parameter(parameter) => Some(parameter.get(&preset::study())),
             Source::Input(input) => Some(*(input.field)(&mut Inputs::start())),
+            Source::Points => Some(profile::START_POINTS as f64),
             _ => None,
         }
     }
@@ -240,7 +279,7 @@ static TIME: Variable = Variable {
 };
 
 /// What an instance knows about its model and state besides the kernel's outputs.
-static MODEL: [Variable; 4] = [
+static MODEL: [Variable; 5] = [
     Variable {
         reference: references::TIME_STEP,
         name: "model.time_step",
@@ -254,6 +293,13 @@ static MODEL: [Variable; 4] = [
         description: "number of elements of the mesh",
         value: ValueType::Integer,
         source: Source::Elements,
+    },
+    Variable {
+        reference: references::SURFACE_NODES,
+        name: "model.surface_nodes",
+        description: "number of nodes along the surface of the mesh",
+        value: ValueType::Integer,
+        source: Source::SurfaceNodes,
     },
     Variable {
         reference: references::CONTACT_ACTIVE,
@@ -285,6 +331,7 @@ impl Table {
             .chain(INPUTS.iter().map(Variable::of_input))
             .chain(OUTPUTS.iter().filter_map(Variable::of_output))
             .chain(MODEL)
+            .chain(profile::VARIABLES)
             .collect();
         rows.sort_by_key(|variable| variable.reference);
         let digest = token::digest(0, &rows);

@@ -8,7 +8,7 @@
 //! | 3000 to 3999 | scalar outputs                                |
 //! | 4000 to 4999 | calculated parameters                         |
 //! | 5000 to 5999 | outputs that are no quantity (states, texts)  |
-//! | 6000 to 6999 | reserved for arrays                           |
+//! | 6000 to 6999 | arrays                                        |
 //!
 //! Within a range a group of names starts at a multiple of 100. A number is never given away twice: what leaves the
 //! kernel's tables leaves a gap here.
@@ -27,11 +27,22 @@ pub const DRIVEN_VELOCITY: u32 = 2002;
 pub const TIME_STEP: u32 = 4000;
 /// Number of elements of the mesh.
 pub const ELEMENTS: u32 = 4001;
+/// Number of nodes along the surface.
+pub const SURFACE_NODES: u32 = 4002;
 
 /// Whether the impactor touches the layer.
 pub const CONTACT_ACTIVE: u32 = 5000;
 /// Digest of the force samples.
 pub const TRACE_HASH: u32 = 5001;
+
+/// Number of points of the profiles.
+pub const SURFACE_POINTS: u32 = 1900;
+/// Distance of the surface from the centre line.
+pub const SURFACE_X: u32 = 6000;
+/// Height of the surface.
+pub const SURFACE_HEIGHT: u32 = 6001;
+/// Contact pressure along the surface.
+pub const SURFACE_CONTACT_PRESSURE: u32 = 6002;
 
 /// Reference of every row of the kernel's table of parameters.
 pub static PARAMETERS: &[(&str, u32)] = &[
@@ -54,6 +65,9 @@ pub static PARAMETERS: &[(&str, u32)] = &[
     ("impactor.drop_energy", 1107),
     ("impactor.drop_speed", 1108),
     ("impactor.offset", 1109),
+    ("impactor.prescribed_speed", 1110),
+    ("impactor.prescribed_depth", 1111),
+    ("impactor.prescribed_rise", 1112),
     ("silicone.density", 1200),
     ("silicone.moduli", 1201),
     ("silicone.c10", 1202),
@@ -107,6 +121,7 @@ pub static PARAMETERS: &[(&str, u32)] = &[
     ("time.step", 1602),
     ("time.duration", 1603),
     ("measurement.force_threshold", 1700),
+    ("measurement.channel_class", 1701),
     ("skin.density", 1800),
     ("skin.law", 1801),
     ("skin.moduli", 1802),
@@ -158,6 +173,7 @@ pub static OUTPUTS: &[(&str, u32)] = &[
     ("contact.force", 3000),
     ("contact.force_step", 3001),
     ("contact.half_width", 3002),
+    ("contact.force_filtered", 3003),
     ("core.reaction", 3100),
     ("impactor.position", 3200),
     ("impactor.velocity", 3201),

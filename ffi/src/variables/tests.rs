@@ -27,11 +27,12 @@ fn references_lie_in_the_range_of_their_kind() {
     for variable in Table::new().rows() {
         let range = match variable.source {
             Source::Time => 0..1,
-            Source::Parameter(_) => 1000..2000,
+            Source::Parameter(_) | Source::Points => 1000..2000,
             Source::Input(_) => 2000..3000,
             Source::Output(_) => 3000..4000,
-            Source::TimeStep | Source::Elements => 4000..5000,
+            Source::TimeStep | Source::Elements | Source::SurfaceNodes => 4000..5000,
             Source::ContactActive | Source::TraceHash => 5000..6000,
+            Source::Profile(_) => 6000..7000,
         };
         assert!(range.contains(&variable.reference), "{}", variable.name);
     }
@@ -43,7 +44,7 @@ fn lookup_finds_every_variable_and_nothing_else() {
     for variable in table.rows() {
         assert_eq!(table.find(variable.reference).map(|found| found.name), Some(variable.name));
     }
-    for unknown in [1, 999, 1999, 6000, u32::MAX] {
+    for unknown in [1, 999, 1999, 6999, u32::MAX] {
         assert!(table.find(unknown).is_none());
     }
 }
@@ -51,7 +52,7 @@ fn lookup_finds_every_variable_and_nothing_else() {
 #[test]
 fn every_unit_is_defined() {
     for variable in Table::new().rows() {
-        if let ValueType::Real { unit, .. } = variable.value {
+        if let ValueType::Real { unit, .. } | ValueType::Array { unit } = variable.value {
             assert!(units::find(unit).is_some(), "{}: unit {unit} needs a row in units.rs", variable.name);
         }
     }
@@ -72,4 +73,10 @@ fn the_token_is_stable_and_has_the_form_of_a_guid() {
     assert_eq!(token, super::token());
     assert_eq!(token.len(), 38);
     assert_eq!(token.char_indices().filter(|(_, c)| *c == '-').map(|(i, _)| i).collect::<Vec<_>>(), [9, 14, 19, 24]);
+}
+
+#[test]
+fn profiles_begin_with_the_nodes_of_the_presets_surface() {
+    let simulation = softanvil_kernel::Simulation::new(&preset::study()).unwrap();
+    assert_eq!(simulation.constants().grid.n_u as u64 + 1, profile::START_POINTS);
 }

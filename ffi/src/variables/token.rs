@@ -5,7 +5,7 @@ use alloc::string::String;
 
 use softanvil_kernel::digest::Digest;
 
-use super::{Table, ValueType, Variable};
+use super::{Table, ValueType, Variable, Version};
 
 /// Digest of the table in the form of a GUID: the same variables, ranges and start values give the same token.
 pub fn token() -> String {
@@ -37,7 +37,7 @@ fn row(digest: &mut Digest, variable: &Variable) {
     for item in [
         variable.name,
         variable.description,
-        variable.value.name(),
+        variable.value.name(Version::Fmi3),
         variable.causality(),
         variable.variability(),
         variable.initial().unwrap_or_default(),
@@ -53,6 +53,8 @@ fn row(digest: &mut Digest, variable: &Variable) {
             digest.number(max);
         }
         ValueType::Enumeration { labels } => labels.iter().for_each(|label| text(digest, label)),
+        ValueType::Array { unit } => text(digest, unit),
+        ValueType::Size { range: (min, max) } => [min, max].into_iter().for_each(|limit| digest.word(limit)),
         ValueType::Integer | ValueType::Boolean | ValueType::String => {}
     }
 }

@@ -29,6 +29,7 @@ pub static UNITS: &[Unit] = &[
     unit("m", [0, 1, 0], Some(("mm", 1e3)), 1e-3),
     unit("m/s", [0, 1, -1], None, 1.0),
     unit("m/s2", [0, 1, -2], None, 1e3),
+    unit("Hz", [0, 0, -1], None, 1e3),
     unit("1/s", [0, 0, -1], None, 1e3),
     unit("s", [0, 0, 1], Some(("ms", 1e3)), 1e-3),
     unit("N", [1, 1, -2], Some(("kN", 1e-3)), 1e3),

@@ -5,32 +5,51 @@
 
 use std::io;
 
-use softanvil::variables::Table;
+use softanvil::variables::{Variable, Version};
 
 use super::Xml;
 
-pub(super) fn write(xml: &mut Xml, table: &Table) -> io::Result<()> {
-    xml.create_element("ModelStructure").write_inner_content(|xml| {
-        xml.create_element("Outputs").write_inner_content(|xml| {
-            for index in indices(table, |causality| causality == "output") {
-                let attributes = [("index", index.as_str()), ("dependencies", "")];
-                xml.create_element("Unknown").with_attributes(attributes).write_empty()?;
-            }
+/// Causalities of what is computed at the start.
+const COMPUTED: [&str; 2] = ["output", "calculatedParameter"];
+
+pub(super) fn write(xml: &mut Xml, rows: &[&Variable], version: Version) -> io::Result<()> {
+    xml.create_element("ModelStructure").write_inner_content(|xml| match version {
+        Version::Fmi2 => {
+            xml.create_element("Outputs").write_inner_content(|xml| {
+                // Positions of variables in the model description, counted from 1.
+                unknowns(xml, "Unknown", "index", &["output"], rows, |row, _| row as u32 + 1)
+            })?;
+            xml.create_element("InitialUnknowns").write_inner_content(|xml| {
+                unknowns(xml, "Unknown", "index", &COMPUTED, rows, |row, _| row as u32 + 1)
+            })?;
             Ok(())
-        })?;
-        xml.create_element("InitialUnknowns").write_inner_content(|xml| {
-            for index in indices(table, |causality| matches!(causality, "output" | "calculatedParameter")) {
-                xml.create_element("Unknown").with_attribute(("index", index.as_str())).write_empty()?;
-            }
-            Ok(())
-        })?;
-        Ok(())
+        }
+        Version::Fmi3 => {
+            let reference = |_, variable: &Variable| variable.reference;
+            unknowns(xml, "Output", "valueReference", &["output"], rows, reference)?;
+            unknowns(xml, "InitialUnknown", "valueReference", &COMPUTED, rows, reference)
+        }
     })?;
     Ok(())
 }
 
-/// Positions of variables in the model description, counted from 1.
-fn indices(table: &Table, wanted: impl Fn(&str) -> bool) -> Vec<String> {
-    let rows = table.rows().iter().enumerate();
-    rows.filter(|(_, variable)| wanted(variable.causality())).map(|(row, _)| (row + 1).to_string()).collect()
+/// One element for each variable of the given causalities; what is an output alone depends on nothing.
+fn unknowns(
+    xml: &mut Xml,
+    element: &str,
+    attribute: &str,
+    causalities: &[&str],
+    rows: &[&Variable],
+    number: impl Fn(usize, &Variable) -> u32,
+) -> io::Result<()> {
+    let chosen = rows.iter().enumerate().filter(|(_, variable)| causalities.contains(&variable.causality()));
+    for (row, variable) in chosen {
+        let number = number(row, variable).to_string();
+        let written = xml.create_element(element).with_attribute((attribute, number.as_str()));
+        match causalities {
+            ["output"] => written.with_attribute(("dependencies", "")).write_empty()?,
+            _ => written.write_empty()?,
+        };
+    }
+    Ok(())
 }

@@ -1,6 +1,8 @@
 //! The program as its users meet it.
 
 mod common;
+mod golden;
+mod quasi_static;
 mod report;
 mod run;
 mod wrong_input;

@@ -1,7 +1,8 @@
 //! The study's drops: conservation of energy and momentum, impenetrability, convergence, repeatability.
 
+use softanvil_kernel::cfc::{Coefficients, Filter};
 use softanvil_kernel::snapshot::{restore, save, snapshot_size};
-use softanvil_kernel::{Simulation, StepInput, preset, step};
+use softanvil_kernel::{Output, SAMPLING_INTERVAL, Simulation, StepInput, preset, step};
 use softanvil_verification::scenes::{ENERGIES, study_drop};
 use softanvil_verification::tolerance::{ENERGY_RESIDUAL, MESH, MOMENTUM, PENETRATION, relative_error};
 
@@ -146,4 +147,22 @@ fn reset_starts_anew() {
     let steps = first.step_index;
     simulation.step(steps, &StepInput::default()).expect("a stable run");
     assert_eq!(*simulation.scalars(), first);
+}
+
+/// Source: the definition; the filter itself is checked beside it, against SciPy and the standard's corridor.
+#[test]
+fn the_filtered_force_is_the_forward_pass_over_the_samples() {
+    let mut scenario = preset::study();
+    scenario.measurement.channel_class = 180.0;
+    let mut simulation = Simulation::new(&scenario).expect("a legal scenario");
+    let per_sample = u64::from(simulation.constants().steps_per_sample);
+    let coefficients = Coefficients::new(180.0, SAMPLING_INTERVAL).expect("a legal class");
+    let mut filter = Filter::settled(0.0);
+    for _ in 0..300 {
+        simulation.step(per_sample, &StepInput::default()).expect("a stable run");
+        let expected = filter.take(&coefficients, simulation.scalars().sampler.last.contact_force);
+        let output = Output::find("contact.force_filtered").expect("an output");
+        assert_eq!((output.read)(simulation.constants(), simulation.scalars()).to_bits(), expected.to_bits());
+    }
+    assert!(filter.value() != simulation.scalars().sampler.last.contact_force);
 }

@@ -1,0 +1,51 @@
+//! The types of the FMI 3.0 headers.
+
+use core::ffi::c_void;
+
+use crate::foreign::{Handle, Slot};
+use crate::instance::SavedState;
+use crate::session::Session;
+
+/// `fmi3Instance`.
+pub type Instance = Handle<Session>;
+/// `fmi3FMUState`.
+pub type FmuState = Handle<SavedState>;
+/// `fmi3FMUState*`.
+pub type FmuStateSlot = Slot<SavedState>;
+/// `fmi3InstanceEnvironment`.
+pub type InstanceEnvironment = *mut c_void;
+/// `fmi3ValueReference`.
+pub type ValueReference = u32;
+/// `fmi3Float64`.
+pub type Float64 = f64;
+/// `fmi3Int64`.
+pub type Int64 = i64;
+/// `fmi3UInt64`.
+pub type UInt64 = u64;
+/// `fmi3Int32`.
+pub type Int32 = i32;
+/// `fmi3Boolean` as an argument: a byte, because a master can pass any.
+pub type Flag = u8;
+/// `fmi3Boolean` as a result.
+pub type Boolean = bool;
+/// `fmi3Clock`, of which none is ever read.
+pub type Clock = u8;
+/// `fmi3Binary`.
+pub type Binary = *const u8;
+/// `fmi3DependencyKind` and `fmi3IntervalQualifier` as results, of which none is ever given.
+pub type Kind = u32;
+
+/// `fmi3IntermediateUpdateCallback`.
+pub type IntermediateUpdate = unsafe extern "C" fn(
+    environment: InstanceEnvironment,
+    time: Float64,
+    variable_set_requested: Boolean,
+    variable_get_allowed: Boolean,
+    step_finished: Boolean,
+    can_return_early: Boolean,
+    early_return_requested: *mut Flag,
+    early_return_time: *mut Float64,
+);
+
+/// A callback that is never called.
+pub type UnusedCallback = Option<unsafe extern "C" fn()>;

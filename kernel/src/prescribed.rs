@@ -1,0 +1,90 @@
+//! The prescribed motion of the face: down from the gap to a depth at a speed, with a smooth start and a smooth stop,
+//! then hold. Slow enough it is a quasi-static test, at any speed a ramp-and-hold relaxation test.
+//!
+//! The velocity rises over `prescribed_rise` as s^2 (3 - 2 s), stays, and falls the same way, so neither end has a jump of
+//! velocity or of acceleration to ring the layer. Between the two the speed is exactly `prescribed_speed`, and the whole
+//! travel of gap + depth takes travel / speed + rise.
+
+use crate::scenario::Impactor;
+
+/// Height of the face above the undeformed anvil's top, m, `time` s after the start.
+pub fn height(impactor: &Impactor, time: f64) -> f64 {
+    let (speed, travel) = (impactor.prescribed_speed, impactor.gap + impactor.prescribed_depth);
+    let rise = rise(impactor);
+    let end = travel / speed + rise;
+    if time < rise {
+        impactor.gap - speed * smooth_start(time, rise)
+    } else if time < end - rise {
+        impactor.gap - speed * (time - 0.5 * rise)
+    } else if time < end {
+        -impactor.prescribed_depth + speed * smooth_start(end - time, rise)
+    } else {
+        -impactor.prescribed_depth
+    }
+}
+
+/// Time at which the face comes to rest, s.
+pub fn end(impactor: &Impactor) -> f64 {
+    (impactor.gap + impactor.prescribed_depth) / impactor.prescribed_speed + rise(impactor)
+}
+
+/// Time over which the speed rises and falls, s: as asked, and at most so long that the speed is reached.
+fn rise(impactor: &Impactor) -> f64 {
+    let longest = (impactor.gap + impactor.prescribed_depth) / impactor.prescribed_speed;
+    if impactor.prescribed_rise < longest { impactor.prescribed_rise } else { longest }
+}
+
+/// Integral over time of s^2 (3 - 2 s), s = time / rise, from rest, s; `time` is from 0 to `rise`.
+fn smooth_start(time: f64, rise: f64) -> f64 {
+    let s = if rise > 0.0 { time / rise } else { 0.0 };
+    rise * (s * s * s) * (1.0 - 0.5 * s)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::preset;
+
+    fn impactor(gap: f64, depth: f64, speed: f64, rise: f64) -> Impactor {
+        Impactor {
+            gap,
+            prescribed_depth: depth,
+            prescribed_speed: speed,
+            prescribed_rise: rise,
+            ..preset::study().impactor
+        }
+    }
+
+    #[test]
+    fn starts_at_the_gap_and_holds_at_the_depth() {
+        for rise in [0.0, 5e-3, 1e3] {
+            let impactor = impactor(2e-3, 5e-3, 0.1, rise);
+            assert_eq!(height(&impactor, 0.0), 2e-3);
+            for later in [0.0, 1e-9, 1.0, 1e6] {
+                assert_eq!(height(&impactor, end(&impactor) + later), -5e-3);
+            }
+        }
+    }
+
+    #[test]
+    fn moves_at_the_speed_without_a_jump_and_never_back() {
+        for (depth, rise) in [(5e-3, 5e-3), (5e-3, 0.05), (1e-4, 5e-3), (5e-3, 0.0)] {
+            let impactor = impactor(0.0, depth, 0.1, rise);
+            let (n, dt) = (10_000, end(&impactor) / 10_000.0);
+            let mut fastest: f64 = 0.0;
+            for k in 0..n {
+                let fall = height(&impactor, f64::from(k) * dt) - height(&impactor, f64::from(k + 1) * dt);
+                assert!(fall >= 0.0 && fall <= 0.1 * dt * (1.0 + 1e-9), "{k}: {fall}");
+                fastest = fastest.max(fall);
+            }
+            assert!(fastest > 0.1 * dt * (1.0 - 1e-6));
+        }
+    }
+
+    #[test]
+    fn no_travel_is_rest() {
+        let impactor = impactor(0.0, 0.0, 0.1, 5e-3);
+        assert_eq!(end(&impactor), 0.0);
+        assert_eq!(height(&impactor, 1.0), 0.0);
+    }
+}

@@ -1,0 +1,61 @@
+//! Memory of a simulation whose material may change its times on the way.
+
+use softanvil_kernel::element::{CellConstants, CellHistory, HoopConstants};
+use softanvil_kernel::lanes::Deviator;
+use softanvil_kernel::{
+    Model, ModelMemory, SAMPLING_INTERVAL, Scalars, Scenario, Size, State, StateMemory, StepInput, step,
+};
+
+use crate::{Error, Recorder};
+
+/// The state of a test between its parts.
+pub(crate) struct Rig {
+    nodes: Vec<f64>,
+    cells: Vec<CellConstants>,
+    hoops: Vec<HoopConstants>,
+    state_nodes: Vec<f64>,
+    state_cells: Vec<CellHistory>,
+    viscous: Vec<Deviator>,
+    /// None before the first part.
+    scalars: Option<Scalars>,
+}
+
+impl Rig {
+    /// Memory for `scenario` and for the same with other relaxation times.
+    pub(crate) fn new(scenario: &Scenario) -> Result<Self, Error> {
+        let size = Size::of(scenario)?;
+        Ok(Self {
+            nodes: vec![0.0; size.model_nodes],
+            cells: vec![CellConstants::ZERO; size.model_cells],
+            hoops: vec![HoopConstants::ZERO; size.model_hoops],
+            state_nodes: vec![0.0; size.state_nodes],
+            state_cells: vec![CellHistory::REST; size.state_cells],
+            viscous: vec![Deviator::ZERO; size.state_viscous],
+            scalars: None,
+        })
+    }
+
+    /// Goes on for `duration` s with the constants of `scenario`, from where the last part ended.
+    ///
+    /// The relaxation times are no part of the stability limit, so every part has the same time step.
+    pub(crate) fn run(&mut self, scenario: &Scenario, duration: f64, record: &mut Recorder) -> Result<(), Error> {
+        let memory = ModelMemory { nodes: &mut self.nodes, cells: &mut self.cells, hoops: &mut self.hoops };
+        let model = Model::new(scenario, memory)?;
+        let memory =
+            StateMemory { nodes: &mut self.state_nodes, cells: &mut self.state_cells, viscous: &mut self.viscous };
+        let mut state = match self.scalars {
+            None => State::new(&model, memory)?,
+            Some(scalars) => State::view(&model, scalars, memory)?,
+        };
+        for _ in 0..(duration / SAMPLING_INTERVAL).ceil() as u64 {
+            let before = state.scalars.impactor.deformation();
+            for _ in 0..model.constants.steps_per_sample {
+                step(&model, &mut state, &StepInput::default())?;
+            }
+            let after = state.scalars.impactor.deformation();
+            record.take(state.scalars.sampler.last.contact_force, [before, after]);
+        }
+        self.scalars = Some(state.scalars);
+        Ok(())
+    }
+}
