@@ -25,6 +25,7 @@ compile_error!("x86 without SSE2 is excluded: x87 registers hold more bits than 
 #[cfg(feature = "alloc")]
 extern crate alloc;
 
+pub(crate) mod cell_bound;
 pub mod cfc;
 pub mod core_contact;
 pub mod decimal;
