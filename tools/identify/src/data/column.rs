@@ -97,7 +97,7 @@ impl Column {
         let measure = measure_of(&words).map_err(|reason| format!("column \"{title}\" {reason}"))?;
         let unit = unit.filter(|unit| Some(unit.dimension) == kind.dimension());
         if let (Some(bracket), None, Some(_)) = (&bracket, unit, kind.dimension()) {
-            let known = Unit::parse(bracket).is_some() || bracket.contains(|c: char| matches!(c, '/' | '%'));
+            let known = Unit::parse(bracket).is_some() || bracket.contains(['/', '%']);
             if known {
                 let (name, example) = kind.example();
                 return Err(format!("column \"{title}\" has no unit of {name}: legal is such as \"{example}\""));

@@ -26,7 +26,7 @@ pub struct Unit {
     pub si: f64,
 }
 
-const PSI: f64 = 6894.757_293_168;
+const PSI: f64 = 6_894.757_293_168;
 const POUND_FORCE: f64 = 4.448_221_615_260_5;
 const KILOGRAM_FORCE: f64 = 9.806_65;
 

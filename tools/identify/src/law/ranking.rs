@@ -142,11 +142,11 @@ fn alternatives(chosen: &Fit, all: &[Fit]) -> Vec<String> {
             first.law.label, chosen.law.label
         ));
     }
-    if !chosen.is_stable {
-        if let Some(stable) = all.iter().find(|fit| fit.is_stable && fit.shear_modulus() > 0.0) {
-            let ratio = (stable.statistics.residual_sum / chosen.statistics.residual_sum).sqrt();
-            caveats.push(format!("{} is stable, with {ratio:.2} times the root of the residual sum", stable.law.label));
-        }
+    if !chosen.is_stable
+        && let Some(stable) = all.iter().find(|fit| fit.is_stable && fit.shear_modulus() > 0.0)
+    {
+        let ratio = (stable.statistics.residual_sum / chosen.statistics.residual_sum).sqrt();
+        caveats.push(format!("{} is stable, with {ratio:.2} times the root of the residual sum", stable.law.label));
     }
     caveats
 }

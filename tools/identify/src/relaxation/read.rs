@@ -92,7 +92,7 @@ struct Row {
     strain: Option<f64>,
 }
 
-fn one<'a>(table: &'a Table, kind: Kind) -> Result<Option<&'a Column>, ReadError> {
+fn one(table: &Table, kind: Kind) -> Result<Option<&Column>, ReadError> {
     let found: Vec<&Column> = table.of(kind).collect();
     // Of the same quantity in two measures the engineering one counts.
     let engineering = found.iter().copied().filter(|column| column.measure != Some(Measure::True));
