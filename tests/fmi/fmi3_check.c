@@ -43,7 +43,7 @@ static void load(const char *path)
 }
 
 enum {
-    TIME = 0, SHAPE = 1000, MASS = 1101, SAFETY = 1601, POINTS = 1900, PUSH = 2000, HEIGHT = 2001, FORCE = 3000,
+    TIME = 0, SHAPE = 1000, MASS = 1101, SAFETY = 1601, N_POINTS = 1900, PUSH = 2000, HEIGHT = 2001, FORCE = 3000,
     PEAK = 3300, STEP = 4000, ELEMENTS = 4001, ACTIVE = 5000, HASH = 5001, PROFILE = 6001, UNKNOWN = 999
 };
 
@@ -108,7 +108,7 @@ static char expected[17];
 
 static void whole_life(const char *token)
 {
-    const fmi3ValueReference points = POINTS, profile[2] = {FORCE, PROFILE}, active = ACTIVE, elements = ELEMENTS, shape = SHAPE;
+    const fmi3ValueReference points = N_POINTS, profile[2] = {FORCE, PROFILE}, active = ACTIVE, elements = ELEMENTS, shape = SHAPE;
     fmi3UInt64 n = 7;
     fmi3Float64 values[8];
     fmi3Boolean boolean = fmi3False;
@@ -289,7 +289,7 @@ static size_t saved(fmi3Instance c, fmi3Byte **bytes)
 
 static void refusals(const char *token)
 {
-    const fmi3ValueReference points = POINTS, push[2] = {PUSH, HEIGHT}, profile = PROFILE, active = ACTIVE;
+    const fmi3ValueReference points = N_POINTS, push[2] = {PUSH, HEIGHT}, profile = PROFILE, active = ACTIVE;
     const fmi3UInt64 seven = 7;
     const fmi3Float64 pair[2] = {5.0, NAN};
     const fmi3Boolean yes = fmi3True;
@@ -376,8 +376,8 @@ static void no_instances(const char *token)
 
 int main(int argc, char **argv)
 {
-    if (argc != 3) {
-        fprintf(stderr, "usage: %s LIBRARY TOKEN\n", argv[0]);
+    if (argc != 3 && argc != 4) {
+        fprintf(stderr, "usage: %s LIBRARY TOKEN [brief]\n", argv[0]);
         return 2;
     }
     load(argv[1]);
@@ -385,8 +385,8 @@ int main(int argc, char **argv)
     no_instances(argv[2]);
     errors_logged = 0;
     whole_life(argv[2]);
-    interrupted(argv[2]);
+    if (argc == 3) interrupted(argv[2]);
     refusals(argv[2]);
-    unstable(argv[2]);
+    if (argc == 3) unstable(argv[2]);
     return failures != 0;
 }
