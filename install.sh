@@ -1,21 +1,22 @@
 #!/usr/bin/env bash
-# Builds and installs the library for C and C++: static and shared library, headers, softanvil.pc, CMake package.
+# Builds and installs the library for C and C++: shared and static library, headers, packages for CMake and pkg-config.
 #
-#     ./install.sh --prefix DIR        (and what else `cargo cinstall` takes: --libdir, --destdir, --target, ...)
+#     ./install.sh --prefix DIR        (further arguments go to CMake, as -DCMAKE_INSTALL_LIBDIR=lib)
 #
-# DESTDIR is respected. The work is that of cargo-c, which is built into target/cargo-c first if there is none; that
-# takes some minutes and needs pkg-config and the headers of OpenSSL.
+# Needs cargo, CMake and a C compiler. DESTDIR is respected. The build is kept in target/install.
 set -euo pipefail
 cd "$(dirname "$0")"
 
-# The newest version that builds with the Rust version of Cargo.toml.
-version=0.10.18
-tools=${CARGO_TARGET_DIR:-target}/cargo-c
-PATH=$PATH:$tools/bin
-if ! command -v cargo-cinstall >/dev/null; then
-    # Speed of the tool does not matter, that of its compilation does.
-    CARGO_PROFILE_RELEASE_OPT_LEVEL=0 CARGO_PROFILE_RELEASE_LTO=false CARGO_PROFILE_RELEASE_CODEGEN_UNITS=64 \
-        cargo install cargo-c --locked --version "=$version" --root "$tools" --target-dir "$tools/build"
-    rm -rf "$tools/build"
-fi
-cargo cinstall --release --package softanvil-ffi ${DESTDIR:+--destdir "$DESTDIR"} "$@"
+prefix=/usr/local
+case ${1:-} in
+    --prefix) prefix=${2:?--prefix needs a folder}; shift 2 ;;
+    --prefix=*) prefix=${1#*=}; shift ;;
+    -h | --help) sed -n '2,6s/^# \{0,1\}//p' "$0"; exit ;;
+esac
+case $prefix in /*) ;; *) prefix=$OLDPWD/$prefix ;; esac
+build=${CARGO_TARGET_DIR:-target}/install
+# What an earlier installation was told does not count; what cargo has built does.
+rm -f "$build/CMakeCache.txt"
+cmake -S . -B "$build" -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX="$prefix" "$@"
+cmake --build "$build"
+cmake --install "$build"

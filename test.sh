@@ -65,13 +65,26 @@ run "Rust tests" cargo test -q --profile checked --workspace
 run "same trace in debug and release" same_hashes
 run "main job" main_job
 
+# A Cortex-M7 without an operating system, in QEMU.
+if command -v rustup >/dev/null && need arm-none-eabi-gcc gcc-arm-none-eabi && need qemu-system-arm qemu-system-arm; then
+    run "firmware on a Cortex-M7" tests/firmware/run.sh
+else
+    skip "firmware on a Cortex-M7" "rustup, arm-none-eabi-gcc or qemu-system-arm is missing and cannot be installed"
+fi
+
 export SOFTANVIL_CLI=$PWD/target/release/softanvil
 if need gcc gcc libc6-dev && need g++ g++ && need valgrind valgrind libc6-dbg; then
     for profile in release debug; do
         run "C and C++ rigs, $profile library" tests/c/run.sh "target/$profile"
     done
+    if need cmake cmake && need pkg-config pkg-config; then
+        run "installed package" tests/c/package.sh
+    else
+        skip "installed package" "cmake or pkg-config is missing and cannot be installed"
+    fi
 else
     skip "C and C++ rigs" "gcc, g++ or valgrind is missing and cannot be installed"
+    skip "installed package" "gcc, g++ or valgrind is missing and cannot be installed"
 fi
 
 # have_venv: whether python3 makes virtual environments, which Debian packs apart.

@@ -18,15 +18,18 @@ use crate::stretch::IsochoricStretch;
 /// Constants of the triangles of a block of cells; all zero in padding.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CellConstants {
-    /// First and second triangle of each cell.
+    /// 1 where the diagonal runs from corner 0 to corner 2, 0 where it runs from corner 1 to corner 3.
+    pub rising: Lane,
+    /// First and second triangle of each cell: the first has the bottom edge, the second the top edge.
     pub triangle: [TriangleConstants; 2],
 }
 
 /// Constants of one triangle of each cell of a block.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TriangleConstants {
-    /// dN_a/dX_j of corners a = 1, 2, 3, shape (3 x 2), 1/m; corner 0 has minus their sum.
-    pub shape_gradient: [[Lane; 2]; 3],
+    /// dN/dX_j for the two edges that the triangle shares with its cell, shape (2 x 2), 1/m: the one along the row, then
+    /// the one across. F = I + sum (difference of u along the edge, as x and y grow) (x) gradient.
+    pub shape_gradient: [[Lane; 2]; 2],
     /// V0, m3.
     pub reference_volume: Lane,
     /// Part of the cell's volume.
@@ -65,7 +68,8 @@ pub struct TriangleHistory {
 impl CellConstants {
     /// Padding: no volume.
     pub const ZERO: Self = Self {
-        triangle: [TriangleConstants { shape_gradient: [[ZERO; 2]; 3], reference_volume: ZERO, patch_weight: ZERO }; 2],
+        rising: ZERO,
+        triangle: [TriangleConstants { shape_gradient: [[ZERO; 2]; 2], reference_volume: ZERO, patch_weight: ZERO }; 2],
     };
 }
 
@@ -113,12 +117,13 @@ pub struct Kinematics {
 }
 
 impl Kinematics {
-    /// Deformation of triangle `t` from the corner displacements.
+    /// Deformation of a triangle from the differences of displacement along its two edges and, in rings, those of its
+    /// corners.
     #[inline(always)]
-    pub fn new(constants: &TriangleConstants, hoop: Option<&[Lane; 4]>, corners: &Corners) -> Self {
+    pub fn new(constants: &TriangleConstants, edges: &[[Lane; 2]; 2], hoop: Option<(&[Lane; 4], &Corners)>) -> Self {
         let mut k =
             Self { cos: ZERO, sin: ZERO, u11: ONE, u22: ONE, u12: ZERO, u33: ONE, jacobian: ONE, inverse_cbrt_j: ONE };
-        if let Some(weight) = hoop {
+        if let Some((weight, corners)) = hoop {
             for l in 0..LANES {
                 k.u33[l] = 1.0
                     + weight[0][l] * corners[0][0][l]
@@ -127,16 +132,14 @@ impl Kinematics {
                     + weight[3][l] * corners[3][0][l];
             }
         }
-        let g = &constants.shape_gradient;
+        let rings = hoop.is_some();
+        let [g, h] = &constants.shape_gradient;
+        let [[ax, ay], [bx, by]] = edges;
         for l in 0..LANES {
-            let (x0, y0) = (corners[0][0][l], corners[0][1][l]);
-            let (x1, y1) = (corners[1][0][l] - x0, corners[1][1][l] - y0);
-            let (x2, y2) = (corners[2][0][l] - x0, corners[2][1][l] - y0);
-            let (x3, y3) = (corners[3][0][l] - x0, corners[3][1][l] - y0);
-            let f11 = 1.0 + (x1 * g[0][0][l] + x2 * g[1][0][l] + x3 * g[2][0][l]);
-            let f12 = x1 * g[0][1][l] + x2 * g[1][1][l] + x3 * g[2][1][l];
-            let f21 = y1 * g[0][0][l] + y2 * g[1][0][l] + y3 * g[2][0][l];
-            let f22 = 1.0 + (y1 * g[0][1][l] + y2 * g[1][1][l] + y3 * g[2][1][l]);
+            let f11 = 1.0 + (ax[l] * g[0][l] + bx[l] * h[0][l]);
+            let f12 = ax[l] * g[1][l] + bx[l] * h[1][l];
+            let f21 = ay[l] * g[0][l] + by[l] * h[0][l];
+            let f22 = 1.0 + (ay[l] * g[1][l] + by[l] * h[1][l]);
             // R maximises tr(R^T F), so its angle is that of (F11 + F22, F21 - F12).
             let (a, b) = (f11 + f22, f21 - f12);
             let inverse_length = math::inverse_sqrt(a * a + b * b);
@@ -146,8 +149,10 @@ impl Kinematics {
             k.u11[l] = cos * f11 + sin * f21;
             k.u22[l] = cos * f22 - sin * f12;
             k.u12[l] = cos * f12 + sin * f22;
-            k.jacobian[l] = (f11 * f22 - f12 * f21) * k.u33[l];
-            k.inverse_cbrt_j[l] = math::inverse_cbrt(k.jacobian[l]);
+            let section = f11 * f22 - f12 * f21;
+            let jacobian = if rings { section * k.u33[l] } else { section };
+            k.jacobian[l] = jacobian;
+            k.inverse_cbrt_j[l] = math::inverse_cbrt(jacobian);
         }
         k
     }
@@ -179,28 +184,30 @@ impl Kinematics {
 
     /// dev sym(delta U U^-1) against the stretch of the last step, at the mean stretch; then remembers this stretch.
     #[inline(always)]
-    fn strain_increment(&self, stretch_prev: &mut [Lane; 4]) -> Deviator {
+    fn strain_increment(&self, stretch_prev: &mut [Lane; 4], rings: bool) -> Deviator {
         let mut increment = Deviator::ZERO;
         let [p11, p22, p12, p33] = stretch_prev;
         for l in 0..LANES {
-            let (d11, d22) = (self.u11[l] - p11[l], self.u22[l] - p22[l]);
-            let (d12, d33) = (self.u12[l] - p12[l], self.u33[l] - p33[l]);
-            let (m11, m22) = (0.5 * (self.u11[l] + p11[l]), 0.5 * (self.u22[l] + p22[l]));
-            let (m12, m33) = (0.5 * (self.u12[l] + p12[l]), 0.5 * (self.u33[l] + p33[l]));
-            let inverse = 1.0 / ((m11 * m22 - m12 * m12) * m33);
-            let section = m33 * inverse;
-            let xx = (d11 * m22 - d12 * m12) * section;
-            let yy = (d22 * m11 - d12 * m12) * section;
-            let zz = d33 * (m11 * m22 - m12 * m12) * inverse;
-            let mean = (xx + yy + zz) * (1.0 / 3.0);
+            let (u11, u22, u12) = (self.u11[l], self.u22[l], self.u12[l]);
+            let (d11, d22, d12) = (u11 - p11[l], u22 - p22[l], u12 - p12[l]);
+            // Twice the mean stretch, whose inverse is twice its adjugate over its determinant.
+            let (s11, s22, s12) = (u11 + p11[l], u22 + p22[l], u12 + p12[l]);
+            let double_inverse = 2.0 / (s11 * s22 - s12 * s12);
+            let shear = d12 * s12;
+            let xx = (d11 * s22 - shear) * double_inverse;
+            let yy = (d22 * s11 - shear) * double_inverse;
+            let zz = if rings { 2.0 * (self.u33[l] - p33[l]) / (self.u33[l] + p33[l]) } else { 0.0 };
+            let mean = (if rings { xx + yy + zz } else { xx + yy }) * (1.0 / 3.0);
             increment.xx[l] = xx - mean;
             increment.yy[l] = yy - mean;
-            increment.xy[l] = 0.5 * (d12 * (m11 + m22) - m12 * (d11 + d22)) * section;
+            increment.xy[l] = (d12 * (s11 + s22) - s12 * (d11 + d22)) * (0.5 * double_inverse);
+            p11[l] = u11;
+            p22[l] = u22;
+            p12[l] = u12;
         }
-        *p11 = self.u11;
-        *p22 = self.u22;
-        *p12 = self.u12;
-        *p33 = self.u33;
+        if rings {
+            *p33 = self.u33;
+        }
         increment
     }
 }
@@ -262,31 +269,83 @@ pub fn internal_force(
     viscous: &mut [Deviator],
     energy: &mut ElementEnergy,
 ) -> Result<Corners, (usize, usize)> {
-    let weights = [hoop.map(|h| &h.weight[0]), hoop.map(|h| &h.weight[1])];
-    let kinematics = [
-        Kinematics::new(&constants.triangle[0], weights[0], corners),
-        Kinematics::new(&constants.triangle[1], weights[1], corners),
-    ];
+    let rings = hoop.is_some();
+    let kinematics = cell_kinematics(constants, hoop, corners);
     for (t, k) in kinematics.iter().enumerate() {
         if let Some(l) = k.inverted_lane() {
             return Err((l, t));
         }
     }
     let pressure = patch_pressure(laws, constants, &kinematics, energy);
-    let mut force = [[ZERO; 2]; 4];
+    let mut edge_force = [[[ZERO; 2]; 2]; 2];
+    let mut hoop_stress = [ZERO; 2];
     let (first, second) = viscous.split_at_mut_checked(laws.n_term()).unwrap_or_default();
     for (t, terms) in [first, second].into_iter().enumerate() {
-        let stress = deviatoric_stress(
-            laws,
-            &kinematics[t],
-            &constants.triangle[t].reference_volume,
-            &mut history.triangle[t],
-            terms,
-            energy,
-        );
-        add_force(&kinematics[t], &stress, &pressure, &constants.triangle[t], weights[t], &mut force);
+        let (k, triangle) = (&kinematics[t], &constants.triangle[t]);
+        let volume = &triangle.reference_volume;
+        let stress = deviatoric_stress(laws, k, rings, volume, &mut history.triangle[t], terms, energy);
+        edge_forces(k, &stress, &pressure, triangle, rings, &mut edge_force[t], &mut hoop_stress[t]);
+    }
+    let mut force = corner_forces(&constants.rising, &edge_force);
+    if let Some(hoop) = hoop {
+        for t in 0..2 {
+            add_hoop_force(&kinematics[t].u33, &hoop_stress[t], &hoop.weight[t], &mut force);
+        }
     }
     Ok(force)
+}
+
+/// Deformation of the two triangles of each cell.
+#[inline(always)]
+pub(crate) fn cell_kinematics(
+    constants: &CellConstants,
+    hoop: Option<&HoopConstants>,
+    corners: &Corners,
+) -> [Kinematics; 2] {
+    let [first, second] = triangle_edges(&constants.rising, corners);
+    let [a, b] = &constants.triangle;
+    match hoop {
+        Some(HoopConstants { weight: [v, w] }) => {
+            [Kinematics::new(a, &first, Some((v, corners))), Kinematics::new(b, &second, Some((w, corners)))]
+        }
+        None => [Kinematics::new(a, &first, None), Kinematics::new(b, &second, None)],
+    }
+}
+
+/// Differences of displacement along the edges of the two triangles of each cell: along the row, then across.
+#[inline(always)]
+fn triangle_edges(rising: &Lane, [c0, c1, c2, c3]: &Corners) -> [[[Lane; 2]; 2]; 2] {
+    let mut edges = [[[ZERO; 2]; 2]; 2];
+    for i in 0..2 {
+        for l in 0..LANES {
+            let (left, right) = (c3[i][l] - c0[i][l], c2[i][l] - c1[i][l]);
+            let first_has_right = rising[l] > 0.0;
+            edges[0][0][i][l] = c1[i][l] - c0[i][l];
+            edges[0][1][i][l] = if first_has_right { right } else { left };
+            edges[1][0][i][l] = c2[i][l] - c3[i][l];
+            edges[1][1][i][l] = if first_has_right { left } else { right };
+        }
+    }
+    edges
+}
+
+/// Forces on the corners from those on the edges of the two triangles, which pull an edge's end and push its start.
+#[inline(always)]
+fn corner_forces(rising: &Lane, [first, second]: &[[[Lane; 2]; 2]; 2]) -> Corners {
+    let mut force = [[ZERO; 2]; 4];
+    for i in 0..2 {
+        for l in 0..LANES {
+            let (bottom, top) = (first[0][i][l], second[0][i][l]);
+            let first_has_right = rising[l] > 0.0;
+            let right = if first_has_right { first[1][i][l] } else { second[1][i][l] };
+            let left = if first_has_right { second[1][i][l] } else { first[1][i][l] };
+            force[0][i][l] = -(bottom + left);
+            force[1][i][l] = bottom - right;
+            force[2][i][l] = top + right;
+            force[3][i][l] = left - top;
+        }
+    }
+    force
 }
 
 /// Pressure of each cell from the volume-weighted mean Jacobian of its two triangles.
@@ -316,34 +375,29 @@ fn patch_pressure(
 fn deviatoric_stress(
     laws: &Laws,
     kinematics: &Kinematics,
+    rings: bool,
     volume: &Lane,
     history: &mut TriangleHistory,
     viscous: &mut [Deviator],
     energy: &mut ElementEnergy,
 ) -> Deviator {
-    let strain_increment = kinematics.strain_increment(&mut history.stretch_prev);
+    let strain_increment = kinematics.strain_increment(&mut history.stretch_prev, rings);
     let (elastic, stored_elastic) = laws.elastic.stress(kinematics);
-    let mut overstress = Overstress::NONE;
+    let mut overstress = Overstress::beside(&elastic);
     let (quasi_linear, additive) = viscous.split_at_mut_checked(laws.prony.n_term()).unwrap_or_default();
     laws.prony.update(&elastic, &history.elastic_prev, quasi_linear, &mut overstress);
     laws.maxwell.update(&strain_increment, additive, &mut overstress);
-    let dissipation = laws.slider.update(&strain_increment, &mut history.slider_stress);
-    let mut double_mean = overstress.before;
-    double_mean.add(&overstress.after);
     history.elastic_prev = elastic;
-    let mut total = elastic;
-    total.add(&overstress.after);
-    total.add(&history.slider_stress);
-    let mut density = ElementEnergy {
-        elastic: stored_elastic,
-        slider_stored: laws.slider.stored_energy(&history.slider_stress),
-        viscous_increment: ZERO,
-        viscous_power: overstress.power,
-        slider_increment: dissipation,
-        tear_increment: ZERO,
-    };
+    let mut density = ElementEnergy { elastic: stored_elastic, viscous_power: overstress.power, ..ElementEnergy::ZERO };
     for l in 0..LANES {
-        density.viscous_increment[l] = 0.5 * double_mean.contract(&strain_increment, l);
+        density.viscous_increment[l] = 0.5 * overstress.double_mean.contract(&strain_increment, l);
+    }
+    let mut total = overstress.total;
+    if laws.slider.active() {
+        let spring = laws.slider.update(&strain_increment, &mut history.slider_stress);
+        density.slider_increment = spring.dissipation;
+        density.slider_stored = spring.stored;
+        total.add(&history.slider_stress);
     }
     if laws.tear.active() {
         // Copies, so that the address of the numbers that all materials need is not taken, which would cost them time.
@@ -384,50 +438,49 @@ fn tear(
     }
 }
 
-/// Adds V P dN/dX of one triangle of each cell to the corner forces.
+/// V P dN/dX of one triangle of each cell for its two edges, and in rings the hoop stress times V and the hoop stretch.
 #[inline(always)]
-fn add_force(
+fn edge_forces(
     k: &Kinematics,
     stress: &Deviator,
     pressure: &Lane,
     constants: &TriangleConstants,
-    hoop: Option<&[Lane; 4]>,
-    force: &mut Corners,
+    rings: bool,
+    force: &mut [[Lane; 2]; 2],
+    hoop_stress: &mut Lane,
 ) {
-    let g = &constants.shape_gradient;
-    let mut hoop_stress = ZERO;
+    let [g, h] = &constants.shape_gradient;
     for l in 0..LANES {
         let volume = constants.reference_volume[l];
         let spherical = pressure[l] * k.jacobian[l];
         let (t11, t22, t12) = (stress.xx[l] + spherical, stress.yy[l] + spherical, stress.xy[l]);
-        // U^-1 of the section is the adjugate over J / U33, and 1/J is the cube of J^(-1/3).
+        // U^-1 of the section is the adjugate over J / U33, and 1/J is the cube of J^(-1/3). The volume joins it here.
         let root = k.inverse_cbrt_j[l];
-        let inverse = k.u33[l] * (root * root * root);
-        let (i11, i22, i12) = (k.u22[l] * inverse, k.u11[l] * inverse, -k.u12[l] * inverse);
-        let (b11, b12) = (t11 * i11 + t12 * i12, t11 * i12 + t12 * i22);
-        let (b21, b22) = (t12 * i11 + t22 * i12, t12 * i12 + t22 * i22);
-        let (cos, sin) = (volume * k.cos[l], volume * k.sin[l]);
+        let cube = volume * (root * root * root);
+        let inverse = if rings { k.u33[l] * cube } else { cube };
+        let (i11, i22, i12) = (k.u22[l] * inverse, k.u11[l] * inverse, k.u12[l] * inverse);
+        let (b11, b12) = (t11 * i11 - t12 * i12, t12 * i22 - t11 * i12);
+        let (b21, b22) = (t12 * i11 - t22 * i12, t22 * i22 - t12 * i12);
+        let (cos, sin) = (k.cos[l], k.sin[l]);
         let (p11, p12) = (cos * b11 - sin * b21, cos * b12 - sin * b22);
         let (p21, p22) = (sin * b11 + cos * b21, sin * b12 + cos * b22);
-        let mut sum = [0.0; 2];
-        for a in 0..3 {
-            let x = p11 * g[a][0][l] + p12 * g[a][1][l];
-            let y = p21 * g[a][0][l] + p22 * g[a][1][l];
-            force[a + 1][0][l] += x;
-            force[a + 1][1][l] += y;
-            sum[0] += x;
-            sum[1] += y;
+        force[0][0][l] = p11 * g[0][l] + p12 * g[1][l];
+        force[0][1][l] = p21 * g[0][l] + p22 * g[1][l];
+        force[1][0][l] = p11 * h[0][l] + p12 * h[1][l];
+        force[1][1][l] = p21 * h[0][l] + p22 * h[1][l];
+        if rings {
+            hoop_stress[l] = volume * (spherical - (stress.xx[l] + stress.yy[l]));
         }
-        force[0][0][l] -= sum[0];
-        force[0][1][l] -= sum[1];
-        hoop_stress[l] = volume * (spherical - (stress.xx[l] + stress.yy[l]));
     }
-    if let Some(weight) = hoop {
-        for l in 0..LANES {
-            let p33 = hoop_stress[l] / k.u33[l];
-            for a in 0..4 {
-                force[a][0][l] += p33 * weight[a][l];
-            }
+}
+
+/// Adds the radial forces of the hoop stress to the corners.
+#[inline(always)]
+fn add_hoop_force(u33: &Lane, hoop_stress: &Lane, weight: &[Lane; 4], force: &mut Corners) {
+    for l in 0..LANES {
+        let p33 = hoop_stress[l] / u33[l];
+        for a in 0..4 {
+            force[a][0][l] += p33 * weight[a][l];
         }
     }
 }
@@ -464,10 +517,10 @@ impl Triangle {
 
     /// Writes the triangle into lane `l`.
     pub fn store(&self, l: usize, constants: &mut TriangleConstants, patch_volume: f64) {
-        for a in 0..3 {
-            for j in 0..2 {
-                constants.shape_gradient[a][j][l] = self.gradient[a + 1][j];
-            }
+        // Moving the end of an edge moves the corners beyond it, too: those on the right, those on top.
+        for j in 0..2 {
+            constants.shape_gradient[0][j][l] = self.gradient[1][j] + self.gradient[2][j];
+            constants.shape_gradient[1][j][l] = self.gradient[2][j] + self.gradient[3][j];
         }
         constants.reference_volume[l] = self.volume;
         constants.patch_weight[l] = self.volume / patch_volume;

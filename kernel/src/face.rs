@@ -8,6 +8,7 @@
 //! Friction stops a node within the limit of Coulomb's law in the same step: a sticking node has exactly no velocity.
 
 use crate::impactor::Prediction;
+use crate::lanes::{LANES, ZERO, load, store, subtract_at, sum};
 use crate::math;
 use crate::model::Model;
 use crate::state::State;
@@ -30,116 +31,122 @@ pub(crate) struct Contact {
 
 /// Adds the contact forces to the forces of the surface nodes and returns what they did.
 pub(crate) fn contact(model: &Model, state: &mut State, prediction: &Prediction) -> Contact {
-    let face = face_position(model, state, prediction);
-    let normal_force = normal_forces(model, state, face);
+    free_heights(model, state);
+    let top = model.constants.grid.n_v * model.constants.grid.stride();
+    let mass = model.nodes.nodal_mass.get(top..).unwrap_or_default();
+    let face = face_position(model.constants.section_mass(), mass, state.nodes.contact_normal, prediction);
+    let normal_force = normal_forces(model.constants.dt, mass, state, top, face);
     let before = state.scalars.impactor.velocity_half;
     state.scalars.impactor.advance(model, prediction, normal_force);
     let velocity = [before, state.scalars.impactor.velocity_half];
     let mut contact = Contact { normal_force, ..Contact::default() };
-    for column in 0..=model.constants.grid.n_u {
-        if slide(model, state, column, velocity, &mut contact).is_none() {
-            break;
-        }
-    }
+    slide(model, state, top, velocity, &mut contact);
     contact
 }
 
-/// A surface node as the normal contact sees it.
-struct SurfaceNode {
-    /// Index in the node arrays.
-    node: usize,
-    /// Height above the undeformed anvil's top at the end of a step without contact, m.
-    free_height: f64,
-    /// Lumped mass, kg.
-    mass: f64,
-}
-
-/// The surface node of a column if it is under the face.
-fn surface_node(model: &Model, state: &State, column: usize) -> Option<SurfaceNode> {
-    let (constants, fixed, nodes) = (&model.constants, &model.nodes, &state.nodes);
-    let node = constants.grid.n_v * constants.grid.stride() + column;
+/// Leaves in the row of normal forces, until they are known, the height of each surface node above the undeformed anvil's
+/// top at the end of a step without contact, m; far below where it is not under the face.
+fn free_heights(model: &Model, state: &mut State) {
+    let (constants, fixed, nodes) = (&model.constants, &model.nodes, &mut state.nodes);
     let impactor = &constants.scenario.impactor;
-    let x = fixed.reference_x.get(node)? + nodes.displacement_x.get(node)?;
-    if math::abs(x - impactor.offset) > 0.5 * impactor.face_diameter {
-        return None;
+    let (dt, half_width) = (constants.dt, 0.5 * impactor.face_diameter);
+    let stride = constants.grid.stride();
+    for index in (0..stride).step_by(LANES) {
+        let node = constants.grid.n_v * stride + index;
+        let (x, y) = (load(fixed.reference_x, node), load(fixed.reference_y, node));
+        let (ux, uy) = (load(nodes.displacement_x, node), load(nodes.displacement_y, node));
+        let (inverse_mass, force) = (load(fixed.inverse_mass_y, node), load(nodes.force_y, node));
+        let (velocity, mass) = (load(nodes.velocity_y, node), load(fixed.nodal_mass, node));
+        let mut height = ZERO;
+        for l in 0..LANES {
+            let velocity = velocity[l] + dt * (inverse_mass[l] * force[l]);
+            let under = math::abs(x[l] + ux[l] - impactor.offset) <= half_width && mass[l] > 0.0;
+            let free = (y[l] - constants.top_height + uy[l]) + dt * velocity;
+            height[l] = if under { free } else { FAR_BELOW };
+        }
+        store(nodes.contact_normal, index, &height);
     }
-    let acceleration = fixed.inverse_mass_y.get(node)? * nodes.force_y.get(node)?;
-    let velocity = nodes.velocity_y.get(node)? + constants.dt * acceleration;
-    let height = fixed.reference_y.get(node)? - constants.top_height + nodes.displacement_y.get(node)?;
-    Some(SurfaceNode { node, free_height: height + constants.dt * velocity, mass: *fixed.nodal_mass.get(node)? })
 }
 
-/// Height of the face at the end of the step, m.
+/// A height that no face reaches, m.
+const FAR_BELOW: f64 = -1e30;
+
+/// Height of the face at the end of the step, m, over surface nodes of `mass` and `free_height`.
 ///
 /// It is the root z of M (z - z_free) = sum m_i max(0, y_i - z), a concave rising function: Newton's method climbs to
 /// it from z_free through a shrinking set of touching nodes.
-fn face_position(model: &Model, state: &State, prediction: &Prediction) -> f64 {
+fn face_position(impactor_mass: f64, mass: &[f64], free_height: &[f64], prediction: &Prediction) -> f64 {
     let mut position = prediction.position;
     if !prediction.free {
         return position;
     }
     for _ in 0..PASSES {
-        let mut mass = model.constants.section_mass();
-        let mut moment = 0.0;
-        for column in 0..=model.constants.grid.n_u {
-            if let Some(surface) = surface_node(model, state, column)
-                && surface.free_height > position
-            {
-                mass += surface.mass;
-                moment += surface.mass * (surface.free_height - prediction.position);
+        let (mut masses, mut moments) = (ZERO, ZERO);
+        for index in (0..free_height.len()).step_by(LANES) {
+            let (mass, height) = (load(mass, index), load(free_height, index));
+            for l in 0..LANES {
+                let touching = height[l] > position;
+                masses[l] += if touching { mass[l] } else { 0.0 };
+                moments[l] += if touching { mass[l] * (height[l] - prediction.position) } else { 0.0 };
             }
         }
-        position = prediction.position + moment / mass;
+        position = prediction.position + sum(&moments) / (impactor_mass + sum(&masses));
     }
     position
 }
 
 /// The force that brings each penetrating node back to the face within the step; returns their sum in index order.
-fn normal_forces(model: &Model, state: &mut State, face: f64) -> f64 {
-    let inverse_dt_squared = 1.0 / (model.constants.dt * model.constants.dt);
-    let mut sum = 0.0;
-    for column in 0..=model.constants.grid.n_u {
-        let surface = surface_node(model, state, column);
-        let Some(normal) = state.nodes.contact_normal.get_mut(column) else { break };
-        *normal = 0.0;
-        if let Some(SurfaceNode { node, free_height, mass }) = surface
-            && free_height > face
-            && let Some(force) = state.nodes.force_y.get_mut(node)
-        {
-            *normal = mass * (free_height - face) * inverse_dt_squared;
-            *force -= *normal;
-            sum += *normal;
+fn normal_forces(dt: f64, mass: &[f64], state: &mut State, top: usize, face: f64) -> f64 {
+    let inverse_dt_squared = 1.0 / (dt * dt);
+    let mut total = ZERO;
+    for index in (0..state.nodes.contact_normal.len()).step_by(LANES) {
+        let (mass, height) = (load(mass, index), load(state.nodes.contact_normal, index));
+        let mut normal = ZERO;
+        for l in 0..LANES {
+            let force = mass[l] * (height[l] - face) * inverse_dt_squared;
+            normal[l] = if height[l] > face { force } else { 0.0 };
+            total[l] += normal[l];
         }
+        store(state.nodes.contact_normal, index, &normal);
+        subtract_at(state.nodes.force_y, top + index, &normal);
     }
-    sum
+    sum(&total)
 }
 
-/// Friction of one surface node, and the energy that it and the normal force take in this step.
-fn slide(model: &Model, state: &mut State, column: usize, face: [f64; 2], contact: &mut Contact) -> Option<()> {
-    let constants = &model.constants;
-    let dt = constants.dt;
-    let node = constants.grid.n_v * constants.grid.stride() + column;
-    let normal = *state.nodes.contact_normal.get(column)?;
-    let tangential = state.nodes.contact_tangential.get_mut(column)?;
-    let (force_x, force_y) = (state.nodes.force_x.get_mut(node)?, *state.nodes.force_y.get(node)?);
-    let (velocity_x, velocity_y) = (*state.nodes.velocity_x.get(node)?, *state.nodes.velocity_y.get(node)?);
-    let (inverse_x, inverse_y) = (*model.nodes.inverse_mass_x.get(node)?, *model.nodes.inverse_mass_y.get(node)?);
-    *tangential = 0.0;
-    if inverse_x > 0.0 {
-        let stick = -(velocity_x / dt + inverse_x * *force_x) / inverse_x;
-        *tangential = limited(stick, constants.scenario.face.friction_coefficient * normal);
-        *force_x += *tangential;
+/// Friction of the surface nodes, and the energy that it and the normal forces take in this step.
+fn slide(model: &Model, state: &mut State, top: usize, face: [f64; 2], contact: &mut Contact) {
+    let (fixed, nodes) = (&model.nodes, &mut state.nodes);
+    let dt = model.constants.dt;
+    let (inverse_dt, coefficient) = (1.0 / dt, model.constants.scenario.face.friction_coefficient);
+    let (mut catching, mut sliding) = ([ZERO; 2], [ZERO; 2]);
+    for index in (0..nodes.contact_normal.len()).step_by(LANES) {
+        let node = top + index;
+        let (normal, force_y) = (load(nodes.contact_normal, index), load(nodes.force_y, node));
+        let (velocity_x, velocity_y) = (load(nodes.velocity_x, node), load(nodes.velocity_y, node));
+        let (inverse_x, inverse_y) = (load(fixed.inverse_mass_x, node), load(fixed.inverse_mass_y, node));
+        let (mass, mut force_x, mut tangential) = (load(fixed.nodal_mass, node), load(nodes.force_x, node), ZERO);
+        for l in 0..LANES {
+            // The force that stops the node in this step, where it can move at all.
+            let stick = -(mass[l] * velocity_x[l] * inverse_dt + force_x[l]);
+            let limit = if inverse_x[l] > 0.0 { coefficient * normal[l] } else { 0.0 };
+            tangential[l] = limited(stick, limit);
+            force_x[l] += tangential[l];
+            let after_x = velocity_x[l] + dt * (inverse_x[l] * force_x[l]);
+            let after_y = velocity_y[l] + dt * (inverse_y[l] * force_y[l]);
+            catching[0][l] += normal[l] * (velocity_y[l] - face[0]);
+            catching[1][l] += normal[l] * (after_y - face[1]);
+            sliding[0][l] -= tangential[l] * velocity_x[l];
+            sliding[1][l] -= tangential[l] * after_x;
+        }
+        store(nodes.contact_tangential, index, &tangential);
+        store(nodes.force_x, node, &force_x);
     }
-    let after_x = velocity_x + dt * inverse_x * *force_x;
-    let after_y = velocity_y + dt * inverse_y * force_y;
-    contact.catching[0] += 0.5 * dt * normal * (velocity_y - face[0]);
-    contact.catching[1] += 0.5 * dt * normal * (after_y - face[1]);
-    contact.sliding[0] -= 0.5 * dt * *tangential * velocity_x;
-    contact.sliding[1] -= 0.5 * dt * *tangential * after_x;
-    Some(())
+    contact.catching = catching.map(|lane| 0.5 * dt * sum(&lane));
+    contact.sliding = sliding.map(|lane| 0.5 * dt * sum(&lane));
 }
 
 /// `force`, its size limited to `limit`.
+#[inline(always)]
 pub(crate) fn limited(force: f64, limit: f64) -> f64 {
     if force > limit {
         limit

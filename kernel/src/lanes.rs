@@ -50,7 +50,8 @@ impl Deviator {
 /// a : b of two deviators given as (xx, yy, xy).
 #[inline(always)]
 pub fn contract(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + (a[0] + a[1]) * (b[0] + b[1]) + 2.0 * (a[2] * b[2])
+    let (sum, shear) = (b[0] + b[1], a[2] * b[2]);
+    a[0] * (b[0] + sum) + a[1] * (b[1] + sum) + (shear + shear)
 }
 
 /// The sum of a lane, in index order.
@@ -65,6 +66,14 @@ pub fn load(row: &[f64], index: usize) -> Lane {
     match row.get(index..).and_then(|tail| tail.first_chunk::<LANES>()) {
         Some(chunk) => *chunk,
         None => ZERO,
+    }
+}
+
+/// Writes `value` to the lane that starts at `index` of `row`.
+#[inline(always)]
+pub fn store(row: &mut [f64], index: usize, value: &Lane) {
+    if let Some(chunk) = row.get_mut(index..).and_then(|tail| tail.first_chunk_mut::<LANES>()) {
+        *chunk = *value;
     }
 }
 

@@ -19,9 +19,13 @@
 #![forbid(unsafe_code)]
 #![allow(clippy::needless_range_loop, reason = "loops over lanes read as what they compile to")]
 
+#[cfg(all(target_arch = "x86", not(target_feature = "sse2")))]
+compile_error!("x86 without SSE2 is excluded: x87 registers hold more bits than an f64");
+
 #[cfg(feature = "alloc")]
 extern crate alloc;
 
+pub(crate) mod cell_bound;
 pub mod cfc;
 pub mod core_contact;
 pub mod decimal;

@@ -76,9 +76,9 @@ impl Grid {
         self.blocks_per_row() * self.n_v_silicone
     }
 
-    /// Nodes from one row to the next, padding included.
+    /// Nodes from one row to the next, padding included: whole lanes, and one node more than cells.
     pub fn stride(&self) -> usize {
-        self.blocks_per_row() * LANES + 1
+        self.blocks_per_row() * LANES + LANES
     }
 
     /// Nodes of the whole mesh, padding included.

@@ -124,7 +124,7 @@ impl<'a> Model<'a> {
         let hoops = take(memory.hoops, size.model_hoops, "model hoops")?;
         build_cells(scenario, &grid, position, cells, hoops)?;
         build_nodes(scenario, &grid, position, cells, nodes);
-        let steps_per_sample = time_step::steps_per_sample(scenario, &grid, cells)?;
+        let steps_per_sample = time_step::steps_per_sample(scenario, &grid, cells, hoops)?;
         let dt = SAMPLING_INTERVAL / f64::from(steps_per_sample);
         let channel = Coefficients::new(scenario.measurement.channel_class, SAMPLING_INTERVAL);
         let constants = Constants {
@@ -214,7 +214,9 @@ fn build_cells(
                 continue;
             }
             let corners = CORNERS.map(|(du, dv)| position(u + du, v + dv));
-            let pair = triangles(grid, u, v).map(|nodes| Triangle::new(scenario, &corners, nodes));
+            let nodes = triangles(grid, u, v);
+            cell.rising[l] = if nodes[0] == RISING { 1.0 } else { 0.0 };
+            let pair = nodes.map(|nodes| Triangle::new(scenario, &corners, nodes));
             let volume = pair[0].volume + pair[1].volume;
             for (t, triangle) in pair.iter().enumerate() {
                 if triangle.volume.is_nan() || triangle.volume <= 0.0 {
@@ -231,6 +233,9 @@ fn build_cells(
     }
     Ok(())
 }
+
+/// Corners of the first triangle of a cell whose diagonal rises.
+const RISING: [usize; 3] = [0, 1, 2];
 
 /// Offsets (u, v) of a cell's corners.
 const CORNERS: [(usize, usize); 4] = [(0, 0), (1, 0), (1, 1), (0, 1)];
@@ -275,20 +280,19 @@ fn fixed_directions(scenario: &Scenario, u: usize, v: usize) -> [bool; 2] {
     [centre || bonded, bonded]
 }
 
-/// A third of each triangle's mass to each of its corners.
+/// A quarter of each cell's mass to each of its corners, whichever way its diagonal runs: even masses have the lowest
+/// highest frequency.
 fn lump_mass(scenario: &Scenario, grid: &Grid, cells: &[CellConstants], mass: &mut [f64]) {
     let [silicone, skin] = scenario.layers().map(|layer| layer.material.density);
     for v in 0..grid.n_v {
         let density = if v < grid.n_v_silicone { silicone } else { skin };
         for u in 0..grid.n_u {
-            let corner = CORNERS.map(|(du, dv)| (v + dv) * grid.stride() + u + du);
             let Some(cell) = cells.get(v * grid.blocks_per_row() + u / LANES) else { continue };
-            for (t, nodes) in triangles(grid, u, v).into_iter().enumerate() {
-                let third = cell.triangle[t].reference_volume[u % LANES] * density / 3.0;
-                for a in nodes {
-                    if let Some(mass) = corner.get(a).and_then(|node| mass.get_mut(*node)) {
-                        *mass += third;
-                    }
+            let [a, b] = &cell.triangle;
+            let quarter = 0.25 * density * (a.reference_volume[u % LANES] + b.reference_volume[u % LANES]);
+            for (du, dv) in CORNERS {
+                if let Some(mass) = mass.get_mut((v + dv) * grid.stride() + u + du) {
+                    *mass += quarter;
                 }
             }
         }

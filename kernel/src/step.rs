@@ -6,7 +6,7 @@ use crate::energy::StepWork;
 use crate::error::StepError;
 use crate::face::{self, Contact};
 use crate::impactor::StepInput;
-use crate::lanes::subtract_at;
+use crate::lanes::{LANES, ZERO, load, store, subtract_at, sum};
 use crate::model::Model;
 use crate::state::{Forces, State, corner_indices};
 use crate::surface;
@@ -104,17 +104,20 @@ fn move_along(
     velocity: &mut [f64],
     displacement: &mut [f64],
 ) -> f64 {
-    let mut kinetic = 0.0;
-    let constants = mass.iter().zip(inverse_mass).zip(force);
-    for (((mass, inverse_mass), force), (velocity, displacement)) in
-        constants.zip(velocity.iter_mut().zip(displacement.iter_mut()))
-    {
-        let before = *velocity;
-        *velocity = before + dt * (inverse_mass * force);
-        *displacement += dt * *velocity;
-        kinetic += 0.5 * mass * before * *velocity;
+    let mut double_kinetic = ZERO;
+    for index in (0..mass.len()).step_by(LANES) {
+        let (mass, inverse_mass, force) = (load(mass, index), load(inverse_mass, index), load(force, index));
+        let (mut rate, mut moved) = (load(velocity, index), load(displacement, index));
+        for l in 0..LANES {
+            let before = rate[l];
+            rate[l] = before + dt * (inverse_mass[l] * force[l]);
+            moved[l] += dt * rate[l];
+            double_kinetic[l] += mass[l] * (before * rate[l]);
+        }
+        store(velocity, index, &rate);
+        store(displacement, index, &moved);
     }
-    kinetic
+    0.5 * sum(&double_kinetic)
 }
 
 /// Records the forces of the step and what the laboratory would read.

@@ -146,7 +146,7 @@ static void tables(void)
     REFUSE(UNKNOWN_ID, softanvil_field_info(softanvil_field_count(), &out.field_info));
     REFUSE(NULL_POINTER, softanvil_parameter_choice(SOFTANVIL_PARAMETER_IMPACTOR_MOTION, 0, NULL, 8));
     REFUSE(UNKNOWN_ID, softanvil_parameter_choice(SOFTANVIL_NONE, 0, out.text, sizeof out.text));
-    REFUSE(UNKNOWN_ID, softanvil_parameter_choice(SOFTANVIL_PARAMETER_IMPACTOR_MOTION, 2, out.text, sizeof out.text));
+    REFUSE(UNKNOWN_ID, softanvil_parameter_choice(SOFTANVIL_PARAMETER_IMPACTOR_MOTION, 3, out.text, sizeof out.text));
     REFUSE(UNKNOWN_ID, softanvil_parameter_choice(SOFTANVIL_PARAMETER_IMPACTOR_MASS, 0, out.text, sizeof out.text));
     REFUSE(SHORT_BUFFER, softanvil_parameter_choice(SOFTANVIL_PARAMETER_IMPACTOR_MOTION, 0, out.text, 4));
     REFUSE(SHORT_BUFFER, softanvil_parameter_choice(SOFTANVIL_PARAMETER_IMPACTOR_MOTION, 0, out.text, 0));

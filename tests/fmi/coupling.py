@@ -65,6 +65,9 @@ def plot(errors, path):
         axes.loglog([size * 1e6 for size in STEPS], [100 * error for error in errors[name]], "o-", label=label)
     first = errors["result.max_deformation"][0]
     axes.loglog([size * 1e6 for size in STEPS], [100 * first * size / STEPS[0] for size in STEPS], "k--", label="first order")
+    axes.minorticks_off()
+    axes.set_xticks([size * 1e6 for size in STEPS], [f"{size * 1e6:.0f}" for size in STEPS])
+    axes.set_yticks([0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50], ["0.1", "0.2", "0.5", "1", "2", "5", "10", "20", "50"])
     axes.set_xlabel("communication step [µs]")
     axes.set_ylabel("deviation from the drop with the impactor inside [%]")
     axes.set_title("A mass outside drives the anvil: convergence with the communication step (14.7 J)")

@@ -4,7 +4,7 @@ use std::ffi::OsString;
 
 use clap::{Parser, Subcommand};
 
-use crate::commands::{fmu, report, run, scenario, validate};
+use crate::commands::{calibrate, fit, fmu, golden, report, run, scenario, validate};
 use crate::failure::Failure;
 
 /// Drop-weight impact on a soft anvil, by explicit finite elements that give the same bits everywhere.
@@ -24,8 +24,11 @@ pub struct Cli {
 enum Command {
     Run(run::Options),
     Validate(validate::Options),
+    Calibrate(calibrate::Options),
     Scenario(scenario::Options),
+    Fit(fit::Options),
     Fmu(fmu::Options),
+    Golden(golden::Options),
 }
 
 impl Cli {
@@ -38,8 +41,11 @@ impl Cli {
             None => report::carry_out(&self.report),
             Some(Command::Run(options)) => run::carry_out(options),
             Some(Command::Validate(options)) => validate::carry_out(options),
+            Some(Command::Calibrate(options)) => calibrate::carry_out(options),
             Some(Command::Scenario(options)) => scenario::carry_out(options),
+            Some(Command::Fit(options)) => fit::carry_out(options),
             Some(Command::Fmu(options)) => fmu::carry_out(options),
+            Some(Command::Golden(options)) => golden::carry_out(options),
         }
     }
 }

@@ -6,11 +6,16 @@
 //! 2. [`report`] writes the report folder; [`plot`], [`table`] and [`trace`] draw, print and store results,
 //!    [`staging`] keeps half-written files away.
 //! 3. [`validation`] compares runs with the [`paper`], by the four [`quantity`]s of its table.
-//! 4. [`run`] simulates a drop; [`scenario_file`] and [`presets`] say which, [`progress`] how far it is.
+//! 4. [`golden`] compares this machine with the golden traces, [`identification`] fits a material to test data.
+//! 5. [`run`] simulates a drop; [`scenario_file`] and [`presets`] say which, [`progress`] how far it is.
 
+pub mod calibration;
 pub mod cli;
 pub mod commands;
+pub mod curve_score;
 pub mod failure;
+pub mod golden;
+pub mod identification;
 pub mod json;
 pub mod paper;
 pub mod plot;
@@ -20,6 +25,7 @@ pub mod quantity;
 pub mod report;
 pub mod run;
 pub mod scenario_file;
+pub mod series;
 pub mod staging;
 pub mod table;
 pub mod trace;

@@ -15,3 +15,13 @@ pub fn bar(steps: u64) -> ProgressBar {
     bar.enable_steady_tick(Duration::from_millis(100));
     bar
 }
+
+/// A bar over the evaluations of a search; hidden if standard error is no terminal.
+pub fn evaluations(count: u64) -> ProgressBar {
+    let style = ProgressStyle::with_template("[{bar:30}] {pos} of {len} evaluations, {eta} left; {msg}")
+        .unwrap_or_else(|_| ProgressStyle::default_bar())
+        .progress_chars("=> ");
+    let bar = ProgressBar::new(count).with_style(style).with_finish(ProgressFinish::AndClear);
+    bar.enable_steady_tick(Duration::from_millis(100));
+    bar
+}

@@ -65,6 +65,11 @@ impl Drop {
         self.steps
     }
 
+    /// Steps in a sampling interval of 50 us.
+    pub fn steps_per_sample(&self) -> u32 {
+        self.simulation.constants().steps_per_sample
+    }
+
     /// Runs to the end; `progress` hears of every completed sample how many steps it took.
     ///
     /// # Errors

@@ -67,8 +67,7 @@ fn case_row(case: &Comparison) -> [String; 7] {
 
 /// The results and the energies at the end of a run; fitted to the terminal, if there is one.
 pub fn of_run(run: &Run) -> String {
-    let mut table = new_table(&["result", "value", "unit", "meaning"]);
-    table.load_style(UTF8_HORIZONTAL_ONLY.row_separator(LineStyle::none()));
+    let mut table = new_plain_table(&["result", "value", "unit", "meaning"]);
     table.set_content_arrangement(ContentArrangement::Dynamic);
     for output in OUTPUTS {
         let name = match output.name.split_once('.') {
@@ -108,7 +107,7 @@ fn display_unit(output: &Output) -> (&'static str, f64) {
 }
 
 /// `value` with four significant digits, in powers of ten where it is small.
-fn four_digits(value: f64) -> String {
+pub fn four_digits(value: f64) -> String {
     let magnitude = value.abs();
     if magnitude > 0.0 && magnitude < 1e-2 {
         return format!("{value:.3e}");
@@ -117,7 +116,15 @@ fn four_digits(value: f64) -> String {
     format!("{value:.*}", usize::try_from(3 - power).unwrap_or_default())
 }
 
-fn new_table(header: &[&str]) -> Table {
+/// A table with these titles and no line between its rows.
+pub(crate) fn new_plain_table(header: &[&str]) -> Table {
+    let mut table = new_table(header);
+    table.load_style(UTF8_HORIZONTAL_ONLY.row_separator(LineStyle::none()));
+    table
+}
+
+/// An empty table with this header.
+pub fn new_table(header: &[&str]) -> Table {
     let mut table = Table::new();
     table.load_style(UTF8_HORIZONTAL_ONLY).set_header(header);
     // One space after each cell and one between the columns are enough.
@@ -128,7 +135,7 @@ fn new_table(header: &[&str]) -> Table {
 }
 
 /// Aligns columns of numbers to the right.
-fn align_right(table: &mut Table, columns: Range<usize>) {
+pub fn align_right(table: &mut Table, columns: Range<usize>) {
     for column in table.column_iter_mut().take(columns.end).skip(columns.start) {
         column.set_cell_alignment(CellAlignment::Right);
     }

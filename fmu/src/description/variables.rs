@@ -88,7 +88,7 @@ fn write_fmi3(xml: &mut Xml, variable: &Variable) -> io::Result<()> {
     Ok(())
 }
 
-fn borrowed<'a>(attributes: &'a Attributes) -> impl Iterator<Item = (&'a str, &'a str)> {
+fn borrowed(attributes: &Attributes) -> impl Iterator<Item = (&str, &str)> {
     attributes.iter().map(|(name, value)| (*name, value.as_str()))
 }
 

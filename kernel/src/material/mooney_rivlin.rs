@@ -67,20 +67,21 @@ impl MooneyRivlin {
         let mut energy = [0.0; LANES];
         for l in 0..LANES {
             let (u11, u22, u12, u33) = (kinematics.u11[l], kinematics.u22[l], kinematics.u12[l], kinematics.u33[l]);
-            let (c11, c22, c33) = (u11 * u11 + u12 * u12, u22 * u22 + u12 * u12, u33 * u33);
-            let c12 = u12 * (u11 + u22);
+            let shear = u12 * u12;
+            let (c11, c22, c12, c33) = (u11 * u11 + shear, u22 * u22 + shear, u12 * (u11 + u22), u33 * u33);
+            let det = u11 * u22 - shear;
             // J^(-2/3) scales C, J^(-4/3) its cofactors, which are C^-1 when det C-bar = 1.
             let scale = kinematics.inverse_cbrt_j[l] * kinematics.inverse_cbrt_j[l];
             let cofactor_scale = scale * scale;
-            let cof33 = c11 * c22 - c12 * c12;
-            let i1 = scale * (c11 + c22 + c33);
-            let i2 = cofactor_scale * ((c11 + c22) * c33 + cof33);
+            let section = c11 + c22;
+            let i1 = scale * (section + c33);
+            let i2 = cofactor_scale * (section * c33 + det * det);
             let (w1, w2) = self.derivatives(i1, i2);
-            let (a, b) = (2.0 * w1 * scale, 2.0 * w2 * cofactor_scale);
+            let (a, b) = (2.0 * w1 * scale, 2.0 * w2 * cofactor_scale * c33);
             let mean = (2.0 / 3.0) * (w1 * i1 - w2 * i2);
-            tau.xx[l] = a * c11 - b * (c22 * c33) - mean;
-            tau.yy[l] = a * c22 - b * (c11 * c33) - mean;
-            tau.xy[l] = a * c12 + b * (c12 * c33);
+            tau.xx[l] = a * c11 - b * c22 - mean;
+            tau.yy[l] = a * c22 - b * c11 - mean;
+            tau.xy[l] = (a + b) * c12;
             energy[l] = self.energy(i1, i2);
         }
         (tau, energy)

@@ -23,19 +23,22 @@ pub struct Branches {
     fluidity: [f64; MAX_BRANCHES],
 }
 
-/// Overstress of a block before and after a step, Pa, and the power that its dashpots dissipate after it, W/m3.
+/// Stress of a block with its overstress, and what the overstress does in a step.
 pub struct Overstress {
-    /// Sum over the branches before the step.
-    pub before: Deviator,
-    /// Sum over the branches after it.
-    pub after: Deviator,
-    /// Power dissipated after it.
+    /// Stress after the step with the sum over the branches, Pa.
+    pub total: Deviator,
+    /// Sum over the branches before the step and after it, Pa.
+    pub double_mean: Deviator,
+    /// Power that the dashpots dissipate after the step, W/m3.
     pub power: Lane,
 }
 
 impl Overstress {
-    /// No branch.
-    pub const NONE: Self = Self { before: Deviator::ZERO, after: Deviator::ZERO, power: ZERO };
+    /// No branch yet, beside the stress `rest`.
+    #[inline(always)]
+    pub fn beside(rest: &Deviator) -> Self {
+        Self { total: *rest, double_mean: Deviator::ZERO, power: ZERO }
+    }
 }
 
 impl Branches {
@@ -65,17 +68,25 @@ impl Branches {
     #[inline(always)]
     pub fn update(&self, increment: &Deviator, history: &mut [Deviator], overstress: &mut Overstress) {
         let constants = self.decay.iter().zip(&self.gain).zip(&self.fluidity);
+        let Overstress { total, double_mean, power } = overstress;
         for (stress, ((decay, gain), fluidity)) in history.iter_mut().zip(constants) {
-            overstress.before.add(stress);
             for l in 0..LANES {
-                stress.xx[l] = decay * stress.xx[l] + gain * increment.xx[l];
-                stress.yy[l] = decay * stress.yy[l] + gain * increment.yy[l];
-                stress.xy[l] = decay * stress.xy[l] + gain * increment.xy[l];
+                let before = [stress.xx[l], stress.yy[l], stress.xy[l]];
+                let xx = decay * before[0] + gain * increment.xx[l];
+                let yy = decay * before[1] + gain * increment.yy[l];
+                let xy = decay * before[2] + gain * increment.xy[l];
+                stress.xx[l] = xx;
+                stress.yy[l] = yy;
+                stress.xy[l] = xy;
+                total.xx[l] += xx;
+                total.yy[l] += yy;
+                total.xy[l] += xy;
+                double_mean.xx[l] += before[0] + xx;
+                double_mean.yy[l] += before[1] + yy;
+                double_mean.xy[l] += before[2] + xy;
                 // Half of H : H, with zz = -(xx + yy).
-                let (xx, yy, xy) = (stress.xx[l], stress.yy[l], stress.xy[l]);
-                overstress.power[l] += fluidity * (xx * (xx + yy) + yy * yy + xy * xy);
+                power[l] += fluidity * (xx * (xx + yy) + yy * yy + xy * xy);
             }
-            overstress.after.add(stress);
         }
     }
 }

@@ -8,7 +8,7 @@
 //! stress, whatever its speed, and nothing drifts. The rate of Jaumann would oscillate in large simple shear and needs
 //! the rotation integrated.
 
-use crate::lanes::{Deviator, LANES, Lane, contract};
+use crate::lanes::{Deviator, LANES, Lane, ZERO, contract};
 use crate::math;
 
 /// Constants of the spring-slider.
@@ -20,18 +20,29 @@ pub struct Slider {
     pub yield_stress: f64,
 }
 
+/// Energies of a block's springs and sliders, J/m3.
+pub struct SliderEnergy {
+    /// Dissipated in the step, from the mean of the stresses before and after.
+    pub dissipation: Lane,
+    /// Stored in the spring after the step.
+    pub stored: Lane,
+}
+
 impl Slider {
-    /// Advances the `stress` of a block by the deviatoric strain increment; returns the energy dissipated in the step,
-    /// J/m3, from the mean of the stresses before and after.
+    /// Whether the material has one.
     #[inline(always)]
-    pub fn update(&self, strain_increment: &Deviator, stress: &mut Deviator) -> Lane {
-        let mut dissipation = [0.0; LANES];
-        if self.stiffness <= 0.0 {
-            return dissipation;
-        }
+    pub fn active(&self) -> bool {
+        self.stiffness > 0.0
+    }
+
+    /// Advances the `stress` of a block by the deviatoric strain increment.
+    #[inline(always)]
+    pub fn update(&self, strain_increment: &Deviator, stress: &mut Deviator) -> SliderEnergy {
+        let mut energy = SliderEnergy { dissipation: ZERO, stored: ZERO };
         let double_stiffness = 2.0 * self.stiffness;
-        let compliance = 1.0 / double_stiffness;
-        let yield_squared = self.yield_stress * self.yield_stress;
+        let (half_compliance, quarter_compliance) = (0.5 / double_stiffness, 0.25 / self.stiffness);
+        let squared_limit = self.yield_stress * self.yield_stress * (2.0 / 3.0);
+        let limit = self.yield_stress * SQRT_TWO_THIRDS;
         for l in 0..LANES {
             let before = [stress.xx[l], stress.yy[l], stress.xy[l]];
             let trial = [
@@ -39,30 +50,21 @@ impl Slider {
                 before[1] + double_stiffness * strain_increment.yy[l],
                 before[2] + double_stiffness * strain_increment.xy[l],
             ];
-            let mises_squared = 1.5 * contract(trial, trial);
-            let returned = self.yield_stress * math::inverse_sqrt(mises_squared);
-            let scale = if mises_squared > yield_squared { returned } else { 1.0 };
-            let after = [scale * trial[0], scale * trial[1], scale * trial[2]];
-            let mean = [0.5 * (before[0] + after[0]), 0.5 * (before[1] + after[1]), 0.5 * (before[2] + after[2])];
-            // The slip increment is (trial - after) / 2G = (1 - scale) / 2G trial.
-            dissipation[l] = (1.0 - scale) * compliance * contract(mean, trial);
-            stress.xx[l] = after[0];
-            stress.yy[l] = after[1];
-            stress.xy[l] = after[2];
-        }
-        dissipation
-    }
-
-    /// Energy stored in the spring, J/m3.
-    #[inline(always)]
-    pub fn stored_energy(&self, stress: &Deviator) -> Lane {
-        let mut energy = [0.0; LANES];
-        if self.stiffness > 0.0 {
-            let factor = 0.25 / self.stiffness;
-            for l in 0..LANES {
-                energy[l] = factor * stress.contract(stress, l);
-            }
+            // The von Mises stress is the root of 3/2 trial : trial.
+            let squared = contract(trial, trial);
+            let returned = limit * math::inverse_sqrt(squared);
+            let scale = if squared > squared_limit { returned } else { 1.0 };
+            // The slip increment is (trial - after) / 2G = (1 - scale) / 2G trial, and after = scale trial.
+            let double_mean = contract(before, trial) + scale * squared;
+            energy.dissipation[l] = (1.0 - scale) * half_compliance * double_mean;
+            energy.stored[l] = quarter_compliance * (scale * scale * squared);
+            stress.xx[l] = scale * trial[0];
+            stress.yy[l] = scale * trial[1];
+            stress.xy[l] = scale * trial[2];
         }
         energy
     }
 }
+
+/// The square root of 2/3, rounded once.
+const SQRT_TWO_THIRDS: f64 = 0.816_496_580_927_726;

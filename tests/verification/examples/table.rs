@@ -4,18 +4,21 @@ use std::error::Error;
 use std::fs;
 use std::path::Path;
 
-use softanvil_verification::table::{long_rows, markdown, regular_rows};
+use softanvil_verification::table::{long_rows, markdown, markdown_checks, material_checks, regular_rows};
 
 const HEAD: &str = "# Verification
 
-Every problem is a file in `tests/verification/tests/suite/problems/`, which names the source of its reference. Errors are relative.
+Every problem is a file in `tests/verification/tests/suite/`, which names the source of its reference. Errors are relative.
 `cargo run --release -p softanvil-verification --example table` writes this page.
 ";
 
 fn main() -> Result<(), Box<dyn Error>> {
     let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs");
     let (regular, long) = (markdown(&regular_rows()), markdown(&long_rows()));
-    let page = format!("{HEAD}\n## Regular meshes\n\n{regular}\n## Long studies\n\n{long}");
+    let materials = markdown_checks(&material_checks());
+    let page = format!(
+        "{HEAD}\n## Materials, through one element\n\n{materials}\n## Regular meshes\n\n{regular}\n## Long studies\n\n{long}"
+    );
     fs::create_dir_all(&docs)?;
     fs::write(docs.join("verification.md"), page)?;
     Ok(())

@@ -5,6 +5,7 @@
 pub mod body;
 pub mod deformation;
 pub mod element;
+pub mod memo;
 pub mod order;
 pub mod problems;
 pub mod relaxation;

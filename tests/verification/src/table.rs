@@ -5,8 +5,8 @@ use std::fmt::Write;
 use softanvil_kernel::scenario::Formulation;
 
 use crate::problems::{
-    bar_wave, bonded_strip, checkerboard, contact_convergence, cook, coulomb_block, hertz, lame, patch_distorted,
-    swinging_plate,
+    bar_wave, bonded_strip, checkerboard, closed_forms, contact_convergence, cook, coulomb_block, cylinder, harmonic,
+    hertz, lame, patch_distorted, slider, swinging_plate,
 };
 
 /// One row: the errors of a quantity over meshes.
@@ -23,6 +23,32 @@ pub struct Row {
     pub errors: Vec<f64>,
     /// Order of convergence, where one is measured.
     pub order: Option<f64>,
+}
+
+/// One line: the largest error of a quantity that has no mesh.
+pub struct Check {
+    /// File of the problem.
+    pub problem: &'static str,
+    /// What is compared, and for which case.
+    pub quantity: String,
+    /// What it is compared with.
+    pub reference: &'static str,
+    /// Relative error.
+    pub error: f64,
+}
+
+/// Lines of the materials, through one element.
+pub fn material_checks() -> Vec<Check> {
+    [closed_forms::checks(), harmonic::checks(), slider::checks()].into_iter().flatten().collect()
+}
+
+/// The lines as a table in Markdown.
+pub fn markdown_checks(checks: &[Check]) -> String {
+    let mut text = String::from("| problem | quantity | reference | largest error |\n|---|---|---|---|\n");
+    for Check { problem, quantity, reference, error } in checks {
+        let _ = writeln!(text, "| {problem} | {quantity} | {reference} | {} |", percent(*error));
+    }
+    text
 }
 
 /// A formulation in words.
@@ -44,6 +70,7 @@ pub fn regular_rows() -> Vec<Row> {
         bonded_strip::rows(),
         hertz::rows(&hertz::CELLS),
         coulomb_block::rows(),
+        cylinder::rows(),
         lame::rows(&lame::CELLS),
         checkerboard::rows(),
     ]

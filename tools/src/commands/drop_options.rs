@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use softanvil_kernel::preset::Preset;
-use softanvil_kernel::scenario::DropBy;
+use softanvil_kernel::scenario::{DropBy, Motion};
 use softanvil_kernel::{Parameter, Scenario};
 
 use crate::failure::Failure;
@@ -20,6 +20,9 @@ pub struct DropOptions {
     /// Scenario file (TOML, as `softanvil scenario` prints it); keys left out keep the preset's value
     #[arg(long, value_name = "FILE")]
     scenario: Option<PathBuf>,
+    /// Material file (TOML, as `softanvil fit --out` writes it); its values stand over those of the scenario
+    #[arg(long, value_name = "FILE")]
+    material: Option<PathBuf>,
     #[command(flatten)]
     start: StartOptions,
     /// Simulated time in s, instead of the scenario's
@@ -53,6 +56,9 @@ impl DropOptions {
             Some(path) => scenario_file::read(path, &preset)?,
             None => preset,
         };
+        if let Some(path) = &self.material {
+            scenario = scenario_file::read_material(path, &scenario)?;
+        }
         self.start.apply(&mut scenario)?;
         if let Some(duration) = self.duration {
             set(&mut scenario, "time.duration", duration)?;
@@ -63,13 +69,17 @@ impl DropOptions {
 
 impl StartOptions {
     fn apply(&self, scenario: &mut Scenario) -> Result<(), Failure> {
-        for (name, value, drop_by) in [
-            ("impactor.drop_energy", self.energy, DropBy::Energy),
-            ("impactor.drop_height", self.height, DropBy::Height),
-            ("impactor.drop_speed", self.speed, DropBy::Speed),
+        for (option, value, drop_by) in [
+            ("energy", self.energy, DropBy::Energy),
+            ("height", self.height, DropBy::Height),
+            ("speed", self.speed, DropBy::Speed),
         ] {
             if let Some(value) = value {
-                set(scenario, name, value)?;
+                if scenario.impactor.motion == Motion::Prescribed {
+                    let text = "is refused: impactor.motion = prescribed does not fall; legal is drop";
+                    return Err(Failure::Input(format!("--{option} {text}")));
+                }
+                set(scenario, &format!("impactor.drop_{option}"), value)?;
                 scenario.impactor.drop_by = drop_by;
             }
         }

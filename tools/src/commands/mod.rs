@@ -1,8 +1,11 @@
 //! The subcommands, one file each: an `Options` of arguments, and `carry_out`, which returns the text for standard
 //! output.
 
+pub mod calibrate;
 pub mod drop_options;
+pub mod fit;
 pub mod fmu;
+pub mod golden;
 pub mod report;
 pub mod run;
 pub mod scenario;

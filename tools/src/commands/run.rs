@@ -1,10 +1,11 @@
-//! `softanvil run`: one drop.
+//! `softanvil run`: one drop, or one slow press.
 
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 use softanvil_kernel::Scenario;
+use softanvil_kernel::scenario::Motion;
 
 use super::drop_options::DropOptions;
 use crate::failure::Failure;
@@ -12,7 +13,7 @@ use crate::plot::{self, Shown};
 use crate::run::{Drop, Run};
 use crate::{json, progress, staging, table, trace};
 
-/// Simulate one drop and print its results.
+/// Simulate one drop, or a press at a prescribed speed, and print its results.
 #[derive(Debug, Args)]
 pub struct Options {
     #[command(flatten)]
@@ -67,15 +68,19 @@ impl Options {
             files.push((path.as_path(), trace::csv(run)?));
         }
         if let Some(path) = &self.plot {
-            let shown = Shown { label: energy_label(run), run, experiment: None };
+            let shown = Shown { label: label(run), run, experiment: None };
             files.push((path.as_path(), plot::force_time_and_deformation(&[shown])?.into_bytes()));
         }
         Ok(files)
     }
 }
 
-/// The energy at the start, to a tenth of a millijoule.
-fn energy_label(run: &Run) -> String {
+/// The energy at the start, to a tenth of a millijoule, or the speed of a press.
+fn label(run: &Run) -> String {
+    let impactor = &run.constants.scenario.impactor;
+    if impactor.motion == Motion::Prescribed {
+        return format!("Softanvil, {} m/s", impactor.prescribed_speed);
+    }
     let energy = run.samples().first().map_or(0.0, |start| start.energy.impactor_kinetic);
     format!("Softanvil, {} J", (energy * 1e4).round() / 1e4)
 }

@@ -2,12 +2,16 @@
 
 mod axis;
 mod curve;
+mod identification;
 mod panel;
+mod span;
 mod style;
 
 use plotters::chart::SeriesLabelPosition;
 use plotters::drawing::IntoDrawingArea;
 use plotters::prelude::SVGBackend;
+
+pub use identification::pictures as identification;
 
 use crate::quantity::COUNT;
 use crate::run::Run;

@@ -4,8 +4,9 @@
 mod read;
 mod write;
 
-pub use read::{ScenarioFileError, parse, read};
-pub use write::to_toml;
+pub(crate) use read::suggestion;
+pub use read::{ScenarioFileError, parse, read, read_material};
+pub use write::{material_to_toml, to_toml};
 
 #[cfg(test)]
 mod tests;

@@ -66,6 +66,27 @@ pub fn read(path: &Path, base: &Scenario) -> Result<Scenario, Failure> {
     parse(&text, base).map_err(|error| refuse(&error))
 }
 
+/// Reads a material file upon `base`: a scenario file with materials alone.
+///
+/// # Errors
+/// As [`read`], and a section that is no material.
+pub fn read_material(path: &Path, base: &Scenario) -> Result<Scenario, Failure> {
+    let refuse = |error: &dyn std::fmt::Display| Failure::Input(format!("{}: {error}", path.display()));
+    let text = std::fs::read_to_string(path).map_err(|error| refuse(&error))?;
+    let document = Document::parse(text.as_str()).map_err(|error| refuse(&syntax(&text, &error)))?;
+    for (group, _) in document.iter().filter(|(group, _)| !MATERIALS.contains(group)) {
+        let line = line_of(&text, key_span(document.as_table(), group));
+        return Err(refuse(&format!(
+            "line {line}: {group} is refused: legal in a material is {}",
+            MATERIALS.join(" or ")
+        )));
+    }
+    parse(&text, base).map_err(|error| refuse(&error))
+}
+
+/// Groups of parameters that are materials.
+const MATERIALS: [&str; 2] = ["silicone", "skin"];
+
 /// The scenario that `text` makes of `base`.
 ///
 /// # Errors
@@ -150,7 +171,7 @@ fn quoted(labels: &[&str]) -> String {
 }
 
 /// The known name most like `name`, if one is like it.
-fn suggestion(name: &str) -> String {
+pub(crate) fn suggestion(name: &str) -> String {
     /// Below this similarity (0 to 1) a suggestion confuses more than it helps.
     const SIMILAR: f64 = 0.8;
     let groups = PARAMETERS.iter().map(|parameter| split(parameter.name).0);

@@ -12,9 +12,26 @@ const HEADER: &str = "\
 # A line left out keeps the preset's value.
 ";
 
+const MATERIAL_HEADER: &str = "\
+# A material of Softanvil, in SI units, for `softanvil run --material` and for a scenario file.
+# Every line: key = value, then its unit, its legal values (both ends included) and its meaning.
+";
+
 /// `scenario` as a scenario file with every parameter.
 pub fn to_toml(scenario: &Scenario) -> String {
-    let rows: Vec<Row> = PARAMETERS.iter().map(|parameter| Row::new(parameter, scenario)).collect();
+    format!("{HEADER}\n{}", sections(scenario, |_| true))
+}
+
+/// The material in `group` of `scenario` as a material file, under `comment`.
+pub fn material_to_toml(scenario: &Scenario, group: &str, comment: &str) -> String {
+    let comment: String = comment.lines().map(|line| format!("# {line}\n")).collect();
+    format!("{MATERIAL_HEADER}#\n{comment}\n{}", sections(scenario, |name| name == group))
+}
+
+/// The sections of `scenario` whose group is wanted.
+fn sections(scenario: &Scenario, wanted: impl Fn(&str) -> bool) -> String {
+    let parameters = PARAMETERS.iter().filter(|parameter| wanted(split(parameter.name).0));
+    let rows: Vec<Row> = parameters.map(|parameter| Row::new(parameter, scenario)).collect();
     let widths = Widths::of(&rows);
     let mut document = DocumentMut::new();
     for row in rows {
@@ -26,7 +43,7 @@ pub fn to_toml(scenario: &Scenario) -> String {
             section.insert(row.field, Item::Value(value));
         }
     }
-    format!("{HEADER}\n{document}")
+    document.to_string()
 }
 
 /// One line of the file.

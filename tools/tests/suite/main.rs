@@ -1,6 +1,9 @@
 //! The program as its users meet it.
 
 mod common;
+mod fit;
+mod golden;
+mod quasi_static;
 mod report;
 mod run;
 mod wrong_input;

@@ -4,6 +4,7 @@ use softanvil_kernel::scenario::{Formulation, Interface, Motion};
 use softanvil_kernel::{Scenario, Simulation};
 
 use crate::body::{Body, Pressure};
+use crate::memo::Memo;
 use crate::order::extrapolate;
 use crate::relaxation::press_slowly;
 use crate::scenes::{block, grid, neo_hookean};
@@ -121,6 +122,11 @@ pub const CELLS: [usize; 3] = [8, 16, 32];
 
 /// Apparent moduli over `CELLS`, with their limit and order.
 pub fn converged(formulation: Formulation, shape_factor: f64) -> ([f64; 3], f64, f64) {
+    static KNOWN: Memo<(Formulation, u64), ([f64; 3], f64, f64)> = Memo::new();
+    KNOWN.get((formulation, shape_factor.to_bits()), || computed(formulation, shape_factor))
+}
+
+fn computed(formulation: Formulation, shape_factor: f64) -> ([f64; 3], f64, f64) {
     let moduli = CELLS.map(|n| apparent_modulus(formulation, shape_factor, n));
     let (limit, order) = extrapolate(CELLS.map(|n| 1.0 / n as f64), moduli);
     (moduli, limit, order)

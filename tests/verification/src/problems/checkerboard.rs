@@ -4,6 +4,7 @@ use nalgebra::SymmetricEigen;
 use softanvil_kernel::scenario::Formulation;
 
 use crate::body::{Body, Pressure};
+use crate::memo::Memo;
 use crate::order::over_cells;
 use crate::problems::bonded_strip::{Compression, SHEAR_MODULUS, compression};
 use crate::scenes::{grid, neo_hookean};
@@ -28,6 +29,11 @@ fn bulk_modulus(nu: f64) -> f64 {
 /// The half thickness next to the free side is left out, because the pressure of the solution is singular in the corners
 /// of the bonds. In a smooth pressure the mode falls with the square of the element size; a checkerboard would stay.
 pub fn alternating_part(nu: f64, n: usize) -> f64 {
+    static KNOWN: Memo<(u64, usize), f64> = Memo::new();
+    KNOWN.get((nu.to_bits(), n), || computed_part(nu, n))
+}
+
+fn computed_part(nu: f64, n: usize) -> f64 {
     let Compression { body, equilibrium } = compression(Formulation::PlaneStrain, SHAPE_FACTOR, bulk_modulus(nu), n);
     let pressure = body.cell_pressures(&equilibrium.displacement);
     let [n_u, n_v] = body.cells();

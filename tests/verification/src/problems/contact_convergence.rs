@@ -5,6 +5,7 @@ use softanvil_kernel::scenario::{Formulation, Motion};
 use softanvil_kernel::{Scenario, Simulation, preset};
 
 use crate::body::{Body, Pressure};
+use crate::memo::Memo;
 use crate::order::against_last;
 use crate::relaxation::press_slowly;
 use crate::scenes::elastic;
@@ -62,6 +63,7 @@ pub fn settled_force(scenario: &Scenario) -> f64 {
 }
 
 /// Forces over element sizes.
+#[derive(Clone)]
 pub struct Study {
     /// Contact forces at the full deflection, N.
     pub forces: Vec<f64>,
@@ -76,6 +78,13 @@ pub struct Study {
 
 /// The study over `sizes`, m; the last one gives the reference.
 pub fn study(formulation: Formulation, bulk_modulus: f64, sizes: &[f64]) -> Study {
+    static KNOWN: Memo<(Formulation, u64, Vec<u64>), Study> = Memo::new();
+    KNOWN.get((formulation, bulk_modulus.to_bits(), sizes.iter().map(|size| size.to_bits()).collect()), || {
+        computed_study(formulation, bulk_modulus, sizes)
+    })
+}
+
+fn computed_study(formulation: Formulation, bulk_modulus: f64, sizes: &[f64]) -> Study {
     let curves: Vec<Vec<f64>> =
         sizes.iter().map(|size| static_forces(&scenario(formulation, bulk_modulus, *size))).collect();
     let reference = &curves[sizes.len() - 1];

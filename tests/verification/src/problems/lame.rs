@@ -5,6 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use softanvil_kernel::scenario::Formulation;
 
 use crate::body::{Body, Field, Pressure};
+use crate::memo::Memo;
 use crate::order::over_cells;
 use crate::scenes::{grid, neo_hookean};
 use crate::statics::{Supports, linear};
@@ -50,6 +51,11 @@ fn exact(formulation: Formulation, nu: f64, r: f64) -> [f64; 3] {
 
 /// Errors with Poisson's ratio `nu` and `n` cells through the wall.
 pub fn errors(formulation: Formulation, nu: f64, n: usize) -> Errors {
+    static KNOWN: Memo<(Formulation, u64, usize), Errors> = Memo::new();
+    KNOWN.get((formulation, nu.to_bits(), n), || computed_errors(formulation, nu, n))
+}
+
+fn computed_errors(formulation: Formulation, nu: f64, n: usize) -> Errors {
     let bulk = 2.0 * SHEAR_MODULUS * (1.0 + nu) / (3.0 * (1.0 - 2.0 * nu));
     let around = 2 * n;
     let mut scenario = grid(around, n, neo_hookean(SHEAR_MODULUS, bulk));

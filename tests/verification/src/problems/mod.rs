@@ -3,10 +3,14 @@
 pub mod bar_wave;
 pub mod bonded_strip;
 pub mod checkerboard;
+pub mod closed_forms;
 pub mod contact_convergence;
 pub mod cook;
 pub mod coulomb_block;
+pub mod cylinder;
+pub mod harmonic;
 pub mod hertz;
 pub mod lame;
 pub mod patch_distorted;
+pub mod slider;
 pub mod swinging_plate;

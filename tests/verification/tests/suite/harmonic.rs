@@ -3,78 +3,16 @@
 //! Source: G' = G_inf + sum G_k w^2 t_k^2 / (1 + w^2 t_k^2), G'' = sum G_k w t_k / (1 + w^2 t_k^2), and the energy
 //! dissipated per cycle pi G'' a^2, e.g. Ferry, Viscoelastic Properties of Polymers (1980).
 
-use softanvil_kernel::scenario::{Formulation, Material};
-use softanvil_verification::element::Cell;
-use softanvil_verification::scenes::elastic;
+use softanvil_verification::problems::harmonic::{SERIES, measured};
 use softanvil_verification::tolerance::{HARMONIC, relative_error};
-
-const TAU: [f64; 2] = [0.4e-3, 20e-3];
-const STEPS: u32 = 400;
-const AMPLITUDE: f64 = 1e-4;
-
-/// (material, G_inf, G_k).
-fn prony() -> (Material, f64, [f64; 2]) {
-    let mut material = elastic(0.1e6, 0.05e6, 1e6);
-    material.prony_g[..2].copy_from_slice(&[0.5, 0.3]);
-    material.prony_tau[..2].copy_from_slice(&TAU);
-    (material, 0.3e6, [0.3e6 * 0.5 / 0.2, 0.3e6 * 0.3 / 0.2])
-}
-
-fn maxwell() -> (Material, f64, [f64; 2]) {
-    let mut material = elastic(0.1e6, 0.05e6, 1e6);
-    material.maxwell_g[..2].copy_from_slice(&[0.7e6, 0.2e6]);
-    material.maxwell_beta[..2].copy_from_slice(&TAU.map(|tau| 1.0 / tau));
-    (material, 0.3e6, [0.7e6, 0.2e6])
-}
-
-/// One cycle at the end of a test long enough to forget its start.
-struct Cycle {
-    storage: f64,
-    loss: f64,
-    /// Viscous work and dissipation of the dashpots, J/m3.
-    work: [f64; 2],
-}
-
-fn measure(material: Material, omega: f64) -> Cycle {
-    let dt = 2.0 * std::f64::consts::PI / omega / f64::from(STEPS);
-    let mut cell = Cell::new(material, Formulation::PlaneStrain, dt);
-    let cycles = (12.0 * TAU[1] * omega / (2.0 * std::f64::consts::PI)).ceil() as u32 + 1;
-    let (mut storage, mut loss, mut before) = (0.0, 0.0, [0.0; 2]);
-    for n in 1..=cycles * STEPS {
-        let (sine, cosine) = (omega * f64::from(n) * dt).sin_cos();
-        let stress = cell.deform([[1.0, AMPLITUDE * sine], [0.0, 1.0]])[0][1];
-        if n > (cycles - 1) * STEPS {
-            storage += 2.0 / f64::from(STEPS) * stress * sine / AMPLITUDE;
-            loss += 2.0 / f64::from(STEPS) * stress * cosine / AMPLITUDE;
-        } else {
-            before = [cell.viscous_work, cell.viscous_dissipation];
-        }
-    }
-    Cycle { storage, loss, work: [cell.viscous_work - before[0], cell.viscous_dissipation - before[1]] }
-}
 
 #[test]
 fn storage_and_loss_modulus_over_three_decades() {
-    for (name, (material, long_term, moduli)) in [("Prony", prony()), ("Maxwell", maxwell())] {
-        for k in 0..=12 {
-            let omega = 10.0 * 10.0_f64.powf(f64::from(k) / 4.0);
-            let cycle = measure(material, omega);
-            let (mut storage, mut loss) = (long_term, 0.0);
-            for (modulus, tau) in moduli.into_iter().zip(TAU) {
-                let product = omega * tau;
-                storage += modulus * product * product / (1.0 + product * product);
-                loss += modulus * product / (1.0 + product * product);
-            }
-            let dissipated = std::f64::consts::PI * loss * AMPLITUDE * AMPLITUDE;
-            for (what, value, reference) in [
-                ("G'", cycle.storage, storage),
-                ("G''", cycle.loss, loss),
-                ("work per cycle", cycle.work[0], dissipated),
-                ("dissipation per cycle", cycle.work[1], dissipated),
-            ] {
-                let error = relative_error(value, reference);
-                assert!(error < HARMONIC, "{name} at {omega} 1/s: {what} {value} against {reference}, {error:e}");
-            }
+    for series in SERIES {
+        for m in measured(series) {
+            let error = relative_error(m.value, m.reference);
+            let (what, omega, value, reference) = (m.what, m.omega, m.value, m.reference);
+            assert!(error < HARMONIC, "{series} at {omega} 1/s: {what} {value} against {reference}, {error:e}");
         }
     }
 }

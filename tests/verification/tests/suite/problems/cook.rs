@@ -1,11 +1,11 @@
 //! Cook's membrane, nearly incompressible plane strain, with the kernel's mean dilatation and with plain triangles.
 //!
 //! Source of the geometry: Cook (1974). Linear reference 16.4326 at (48, 52) with lambda = 7500, G = 0.375 and load 1: the
-//! limit commonly quoted for mixed methods. Finite strain (neo-Hookean, E = 240.565, nu = 0.4999, shear traction 6.25):
-//! about 6.9 at (48, 60), the value commonly quoted with Simo and Armero (1992). It was not checked against the paper and
-//! was chosen after the coarse meshes had been run, so it is a weak reference: two elements that converge to the same
-//! limit are the stronger evidence. Values of 8.3 to 8.5 are quoted too; they exceed the linear answer under this load
-//! (7.68), and neither element comes near them.
+//! limit commonly quoted for mixed methods. Finite strain (neo-Hookean, E = 240.565, nu = 0.4999, shear traction 6.25 on
+//! the 16 mm of the loaded side): 6.932 at (48, 60), by `reference/cook.py` with an element that is not ours, biquadratic
+//! displacements and bilinear pressures (Taylor and Hood) in scikit-fem: 6.908, 6.927, 6.9307 and 6.9315 on 4, 8, 16 and
+//! 32 elements a side. It agrees with the 6.9 commonly quoted for plane strain. Values of 8.3 to 8.5 are quoted too: they
+//! are those of a three-dimensional block, which is free to widen out of its plane.
 
 use softanvil_verification::body::Pressure;
 use softanvil_verification::order::extrapolate;

@@ -6,6 +6,7 @@ mod checkerboard;
 mod contact_convergence;
 mod cook;
 mod coulomb_block;
+mod cylinder;
 mod hertz;
 mod lame;
 mod patch_distorted;

@@ -1,0 +1,32 @@
+#!/usr/bin/env bash
+# Builds the firmware in C and in Rust for a Cortex-M7 and runs the 14.7 J drop on it in QEMU, which counts instructions.
+# Needs rustup, gcc-arm-none-eabi and qemu-system-arm.
+#
+#     tests/firmware/run.sh
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+target=thumbv7em-none-eabihf
+out=target/firmware
+mkdir -p "$out"
+rustup target add "$target" >/dev/null 2>&1
+export CARGO_TARGET_THUMBV7EM_NONE_EABIHF_RUSTFLAGS='-C target-cpu=cortex-m7'
+
+# In C: the static library of the C ABI, and a program that links it.
+cargo rustc -q --release -p softanvil-ffi --crate-type staticlib --target "$target" --target-dir "$out"
+awk '!/^#/ { printf "    { %su, %s, %s, 0x%su },\n", $1, $2, $3, $4 }' tests/golden/traces/drop-14.7-J.txt >"$out/golden.inc"
+arm-none-eabi-gcc -std=c11 -Wall -Wextra -Werror -O2 -ffp-contract=off -ffreestanding -ffunction-sections -fdata-sections \
+    -mcpu=cortex-m7 -mthumb -mfpu=fpv5-d16 -mfloat-abi=hard -I include -I "$out" tests/firmware/c/*.c \
+    -nostdlib -T tests/firmware/c/board.ld -Wl,--gc-sections -Wl,--no-warn-rwx-segments \
+    "$out/$target/release/libsoftanvil.a" -lgcc -o "$out/drop-c.elf"
+
+# In Rust: the kernel itself.
+(cd tests/firmware/rust && cargo build -q --release --target "$target" --target-dir "$OLDPWD/$out")
+
+board() { timeout 300 qemu-system-arm -M mps2-an500 -nographic -semihosting -icount shift=0 -kernel "$1"; }
+echo "-- in C"
+board "$out/drop-c.elf" | tee "$out/c.txt"
+echo "-- in Rust"
+board "$out/$target/release/drop" | tee "$out/rust.txt"
+[ "$(grep -c '^the bits of the golden trace$' "$out/c.txt" "$out/rust.txt" | grep -c ':1$')" = 2 ]
+# Both have seen the same simulation.
+[ "$(grep '^state' "$out/c.txt")" = "$(grep '^state' "$out/rust.txt")" ]

@@ -1,0 +1,134 @@
+//! The study's drop with 14.7 J on a Cortex-M7 without an operating system or a heap: runs it, compares it with the golden
+//! trace on the device, and says what it took. The template for a program of your own: see the README beside.
+
+#![no_std]
+#![no_main]
+
+use core::mem::MaybeUninit;
+
+use cortex_m::{Peripherals, singleton};
+use cortex_m_rt::entry;
+use semihosting::println;
+use softanvil_firmware::{Counter, INSTRUCTIONS_PER_TICK, end, flash, stack_high_water, static_ram};
+use softanvil_golden::{Checker, Record, Scene, scenes::SAMPLES_PER_RECORD};
+use softanvil_kernel::element::{CellConstants, CellHistory, HoopConstants};
+use softanvil_kernel::lanes::Deviator;
+use softanvil_kernel::snapshot::state_digest;
+use softanvil_kernel::{Model, ModelMemory, Size, State, StateMemory, StepInput, step};
+
+/// The study's mesh: nodes with padding, nodes of the surface, blocks of cells, viscous terms. `Size::of` tells what a
+/// scenario needs; too little is an error that names the numbers.
+const NODES: usize = 6 * 25;
+const SURFACE: usize = 25;
+const BLOCKS: usize = 5 * 3;
+const TERMS: usize = 2;
+
+/// Arrays that live as long as the program, in RAM that the linker sets aside; filled in place, not by way of the stack.
+macro_rules! array {
+    ($count:expr, $type:ty, $start:expr) => {{
+        let place = singleton!(: [MaybeUninit<$type>; $count] = [const { MaybeUninit::uninit() }; $count]).unwrap();
+        place.iter_mut().for_each(|item| _ = item.write($start));
+        // SAFETY: every item was written.
+        unsafe { place.assume_init_mut() }
+    }};
+}
+
+#[entry]
+fn main() -> ! {
+    let model_memory = ModelMemory {
+        nodes: array!(5 * NODES, f64, 0.0),
+        cells: array!(BLOCKS, CellConstants, CellConstants::ZERO),
+        hoops: array!(0, HoopConstants, HoopConstants::ZERO),
+    };
+    let state_memory = StateMemory {
+        nodes: array!(6 * NODES + 2 * SURFACE, f64, 0.0),
+        cells: array!(BLOCKS, CellHistory, CellHistory::REST),
+        viscous: array!(2 * TERMS * BLOCKS, Deviator, Deviator::ZERO),
+    };
+    let same = run(model_memory, state_memory);
+    println!("{}", if same { "the bits of the golden trace" } else { "DIFFERENT from the golden trace" });
+    end(same)
+}
+
+fn run(model_memory: ModelMemory<'static>, state_memory: StateMemory<'static>) -> bool {
+    let scene = Scene::find("drop-14.7-J").unwrap();
+    let scenario = (scene.scenario)();
+    let size = Size::of(&scenario).unwrap();
+    let model = Model::new(&scenario, model_memory).unwrap();
+    let mut state = State::new(&model, state_memory).unwrap();
+    let steps = model.constants.steps_in(scenario.time.duration);
+    let stride = SAMPLES_PER_RECORD * u64::from(model.constants.steps_per_sample);
+
+    let mut golden = Checker::new(scene.trace);
+    let mut same = true;
+    let mut work = Work::new();
+    let mut counter = Counter::new(Peripherals::take().unwrap().SYST);
+    for _ in 0..steps {
+        counter.ticks();
+        step(&model, &mut state, &StepInput::default()).unwrap();
+        work.add(counter.ticks());
+        if state.scalars.step_index % stride == 0 && same {
+            let record = Record {
+                step: state.scalars.step_index,
+                force: state.scalars.force.contact,
+                position: state.scalars.impactor.position,
+                state: state_digest(&state),
+            };
+            golden.skip_to(record.step);
+            if let Err(difference) = golden.check(&record) {
+                println!("{difference}");
+                same = false;
+            }
+        }
+    }
+
+    let metrics = &state.scalars.metrics;
+    println!(
+        "peak force {:.1} N, deformation {:.3} mm, {steps} steps",
+        metrics.peak_force,
+        1e3 * metrics.max_deformation
+    );
+    println!("state {:016x}, trace {:016x}", state_digest(&state), state.scalars.sampler.trace_hash);
+    println!("flash {} bytes, static RAM {} bytes", flash(), static_ram());
+    println!("model {} bytes, state {} bytes", model_bytes(&size), state_bytes(&size));
+    println!("stack {} bytes at most", stack_high_water());
+    work.print(steps);
+    same
+}
+
+fn model_bytes(size: &Size) -> usize {
+    size.model_nodes * size_of::<f64>()
+        + size.model_cells * size_of::<CellConstants>()
+        + size.model_hoops * size_of::<HoopConstants>()
+}
+
+fn state_bytes(size: &Size) -> usize {
+    size.state_nodes * size_of::<f64>()
+        + size.state_cells * size_of::<CellHistory>()
+        + size.state_viscous * size_of::<Deviator>()
+}
+
+/// Ticks of the steps.
+struct Work {
+    least: u32,
+    most: u32,
+    sum: u64,
+}
+
+impl Work {
+    fn new() -> Self {
+        Self { least: u32::MAX, most: 0, sum: 0 }
+    }
+
+    fn add(&mut self, ticks: u32) {
+        self.least = self.least.min(ticks);
+        self.most = self.most.max(ticks);
+        self.sum += u64::from(ticks);
+    }
+
+    fn print(&self, steps: u64) {
+        let [least, most] = [self.least, self.most].map(|ticks| ticks * INSTRUCTIONS_PER_TICK);
+        let mean = self.sum * u64::from(INSTRUCTIONS_PER_TICK) / steps;
+        println!("instructions per step {mean}, from {least} to {most}");
+    }
+}

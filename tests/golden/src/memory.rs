@@ -1,0 +1,56 @@
+//! [`Memory`]: room for the model and the state of the largest scene, fixed at compile time.
+
+use softanvil_kernel::element::{CellConstants, CellHistory, HoopConstants};
+use softanvil_kernel::lanes::Deviator;
+use softanvil_kernel::{ModelMemory, StateMemory};
+
+/// Blocks of cells of the largest mesh: the full section.
+const BLOCKS: usize = 30;
+/// Nodes of the largest mesh, padding included.
+const NODES: usize = 336;
+/// Most viscous terms of a layer.
+const TERMS: usize = 3;
+/// Bytes of the longest snapshot.
+pub const SNAPSHOT: usize = 96 << 10;
+
+/// Room for a model and a state.
+pub struct Memory {
+    model_nodes: [f64; 5 * NODES],
+    model_cells: [CellConstants; BLOCKS],
+    model_hoops: [HoopConstants; BLOCKS],
+    state_nodes: [f64; 8 * NODES],
+    state_cells: [CellHistory; BLOCKS],
+    state_viscous: [Deviator; 2 * TERMS * BLOCKS],
+}
+
+impl Memory {
+    /// Memory for one scene after the other.
+    pub const fn new() -> Self {
+        Self {
+            model_nodes: [0.0; 5 * NODES],
+            model_cells: [CellConstants::ZERO; BLOCKS],
+            model_hoops: [HoopConstants::ZERO; BLOCKS],
+            state_nodes: [0.0; 8 * NODES],
+            state_cells: [CellHistory::REST; BLOCKS],
+            state_viscous: [Deviator::ZERO; 2 * TERMS * BLOCKS],
+        }
+    }
+
+    /// The parts of the model and of the state.
+    pub fn split(&mut self) -> (ModelMemory<'_>, StateMemory<'_>) {
+        (
+            ModelMemory { nodes: &mut self.model_nodes, cells: &mut self.model_cells, hoops: &mut self.model_hoops },
+            StateMemory {
+                nodes: &mut self.state_nodes,
+                cells: &mut self.state_cells,
+                viscous: &mut self.state_viscous,
+            },
+        )
+    }
+}
+
+impl Default for Memory {
+    fn default() -> Self {
+        Self::new()
+    }
+}

@@ -1,0 +1,231 @@
+//! The table of scenes. The drops of the study follow the preset; every other scene states its own numbers, so that it
+//! changes only with the mathematics.
+
+use softanvil_kernel::scenario::{
+    DropBy, ElasticLaw, Formulation, Interface, Layers, Material, Moduli, Motion, Section, StepBy, VolumetricBy,
+    VolumetricLaw,
+};
+use softanvil_kernel::{Constants, Scenario, StepInput, preset};
+
+/// Force samples from one record to the next: 0.25 ms.
+pub const SAMPLES_PER_RECORD: u64 = 5;
+
+/// Record up to which a slow target runs: 2.5 ms, of which the face has touched the layer for more than half.
+pub const SHORT: u64 = 10;
+
+/// Something to simulate, and what comes out of it.
+#[derive(Debug)]
+pub struct Scene {
+    /// Name of the scene and of its file in `traces`.
+    pub name: &'static str,
+    /// What it shows, one line.
+    pub description: &'static str,
+    /// Makes the scenario.
+    pub scenario: fn() -> Scenario,
+    /// What acts on the impactor in the step after so many steps.
+    pub input: fn(&Constants, u64) -> StepInput,
+    /// The trace as it stands in the repository.
+    pub trace: &'static str,
+}
+
+macro_rules! scene {
+    ($name:literal, $scenario:expr, $input:expr, $description:literal) => {
+        Scene {
+            name: $name,
+            description: $description,
+            scenario: $scenario,
+            input: $input,
+            trace: include_str!(concat!("../traces/", $name, ".txt")),
+        }
+    };
+}
+
+/// Every scene.
+pub static SCENES: &[Scene] = &[
+    scene!("drop-14.7-J", || study(14.7), nothing, "the study's drop with 14.7 J"),
+    scene!("drop-9.8-J", || study(9.8), nothing, "the study's drop with 9.8 J"),
+    scene!("drop-4.9-J", || study(4.9), nothing, "the study's drop with 4.9 J"),
+    scene!("ogden", ogden, nothing, "three Ogden terms, logarithmic volumetric law, two Prony terms"),
+    scene!("yeoh", yeoh, nothing, "three Yeoh terms as instantaneous moduli, one Prony term, slider"),
+    scene!(
+        "two-layers",
+        two_layers,
+        nothing,
+        "Mooney-Rivlin under a neo-Hookean skin that tears, additive Maxwell terms"
+    ),
+    scene!("axisymmetric", axisymmetric, nothing, "a hemisphere, Mooney-Rivlin with slider"),
+    scene!("driven", driven, press, "a face that presses and withdraws as prescribed"),
+    scene!(
+        "frictional-core",
+        frictional_core,
+        pull,
+        "full section, face off centre, core with friction, external force"
+    ),
+];
+
+impl Scene {
+    /// The scene called `name`.
+    pub fn find(name: &str) -> Option<&'static Self> {
+        SCENES.iter().find(|scene| scene.name == name)
+    }
+}
+
+fn study(energy: f64) -> Scenario {
+    let scenario = preset::study();
+    Scenario { impactor: scenario.impactor.with_energy(energy), ..scenario }
+}
+
+/// 5 J on a round anvil; the numbers that calibration and tuning may move in the preset are stated.
+fn base(silicone: Material) -> Scenario {
+    let mut scenario = preset::study();
+    scenario.geometry.length = 0.12;
+    scenario.impactor.drop_by = DropBy::Energy;
+    scenario.impactor.drop_energy = 5.0;
+    scenario.silicone = silicone;
+    scenario.core.interface = Interface::Bonded;
+    scenario.face.friction_coefficient = 0.3;
+    scenario.mesh.element_size = 3e-3;
+    scenario.time.step_by = StepBy::Given;
+    scenario.time.step = 2.5e-6;
+    scenario.time.duration = 6e-3;
+    scenario.measurement.force_threshold = 20.0;
+    scenario
+}
+
+/// Mooney-Rivlin with five coefficients and nothing else.
+fn rubber() -> Material {
+    Material {
+        density: 1070.0,
+        law: ElasticLaw::MooneyRivlin,
+        moduli: Moduli::LongTerm,
+        c10: 0.12e6,
+        c01: 0.06e6,
+        c11: 0.03e6,
+        c20: 2e3,
+        c02: 12e3,
+        c30: 0.0,
+        ogden_mu: [0.0; 3],
+        ogden_alpha: [2.0, -2.0, 4.0],
+        volumetric_law: VolumetricLaw::Quadratic,
+        volumetric_by: VolumetricBy::BulkModulus,
+        bulk_modulus: 2e6,
+        poissons_ratio: 0.45,
+        prony_g: [0.0; 5],
+        prony_tau: [1.0; 5],
+        maxwell_g: [0.0; 5],
+        maxwell_beta: [1e3; 5],
+        slider_stiffness: 0.0,
+        slider_yield_stress: 0.0,
+        tear_stretch: 0.0,
+        tear_width: 0.1,
+        tear_residual: 0.0,
+    }
+}
+
+fn ogden() -> Scenario {
+    base(Material {
+        law: ElasticLaw::Ogden,
+        ogden_mu: [0.3e6, 2e3, -0.02e6],
+        ogden_alpha: [1.3, 5.0, -2.0],
+        volumetric_law: VolumetricLaw::Simo,
+        prony_g: [0.3, 0.2, 0.0, 0.0, 0.0],
+        prony_tau: [0.5e-3, 20e-3, 1.0, 1.0, 1.0],
+        ..rubber()
+    })
+}
+
+fn yeoh() -> Scenario {
+    base(Material {
+        law: ElasticLaw::Yeoh,
+        moduli: Moduli::Instantaneous,
+        c10: 0.3e6,
+        c20: -4e3,
+        c30: 1e3,
+        volumetric_by: VolumetricBy::PoissonsRatio,
+        prony_g: [0.5, 0.0, 0.0, 0.0, 0.0],
+        prony_tau: [1e-3, 1.0, 1.0, 1.0, 1.0],
+        slider_stiffness: 10e6,
+        slider_yield_stress: 20e3,
+        ..rubber()
+    })
+}
+
+fn two_layers() -> Scenario {
+    let mut scenario = base(rubber());
+    scenario.geometry.layers = Layers::Two;
+    scenario.geometry.skin_thickness = 1.5e-3;
+    scenario.skin = Material {
+        density: 900.0,
+        law: ElasticLaw::NeoHookean,
+        c10: 0.5e6,
+        bulk_modulus: 8e6,
+        maxwell_g: [0.4e6, 0.2e6, 0.1e6, 0.0, 0.0],
+        maxwell_beta: [5e3, 500.0, 20.0, 1e3, 1e3],
+        tear_stretch: 1.02,
+        tear_width: 0.1,
+        tear_residual: 0.2,
+        ..rubber()
+    };
+    scenario.time.step = 1.25e-6;
+    scenario.time.duration = 4e-3;
+    scenario
+}
+
+fn axisymmetric() -> Scenario {
+    let mut scenario = base(Material { slider_stiffness: 10e6, slider_yield_stress: 30e3, ..rubber() });
+    scenario.geometry.formulation = Formulation::Axisymmetric;
+    scenario.impactor.drop_by = DropBy::Height;
+    scenario.impactor.drop_height = 0.05;
+    scenario
+}
+
+fn driven() -> Scenario {
+    let mut scenario = base(Material {
+        prony_g: [0.4, 0.1, 0.1, 0.0, 0.0],
+        prony_tau: [0.2e-3, 2e-3, 20e-3, 1.0, 1.0],
+        slider_stiffness: 5e6,
+        slider_yield_stress: 10e3,
+        ..rubber()
+    });
+    scenario.impactor.motion = Motion::Driven;
+    scenario.impactor.gap = 0.5e-3;
+    scenario
+}
+
+fn frictional_core() -> Scenario {
+    let mut scenario = base(rubber());
+    scenario.geometry.section = Section::Full;
+    scenario.impactor.offset = 4e-3;
+    scenario.impactor.drop_by = DropBy::Speed;
+    scenario.impactor.drop_speed = 1.8;
+    scenario.core.interface = Interface::Frictional;
+    scenario.core.friction_coefficient = 0.2;
+    scenario.face.friction_coefficient = 0.15;
+    scenario
+}
+
+fn nothing(_: &Constants, _: u64) -> StepInput {
+    StepInput::default()
+}
+
+/// Down by 3.5 mm and back, in 5 ms, and then at rest: p(s) = s^3 (10 - 15 s + 6 s^2) each way, which starts and ends
+/// without speed and acceleration.
+fn press(constants: &Constants, step_index: u64) -> StepInput {
+    const STROKE: f64 = 3.5e-3;
+    const EACH_WAY: f64 = 2.5e-3;
+    let s = constants.time(step_index + 1) / EACH_WAY;
+    let s = if s > 2.0 {
+        0.0
+    } else if s > 1.0 {
+        2.0 - s
+    } else {
+        s
+    };
+    let smooth = s * s * s * (10.0 - s * (15.0 - s * 6.0));
+    StepInput { external_force: 0.0, driven_position: constants.scenario.impactor.gap - STROKE * smooth }
+}
+
+/// Half a newton more upwards in every step.
+fn pull(_: &Constants, step_index: u64) -> StepInput {
+    StepInput { external_force: 0.5 * step_index as f64, driven_position: 0.0 }
+}

@@ -1,0 +1,424 @@
+//! From a table to stretches and nominal stresses.
+
+use super::ReadError;
+use super::column::{Column, Kind, Measure};
+use super::number::Decimal;
+use super::series::{Series, Table};
+use super::sheet;
+
+/// Which way the specimen was loaded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Direction {
+    /// Made longer: positive strain and stress.
+    Tension,
+    /// Made shorter, whatever signs the file uses.
+    Compression,
+}
+
+/// What the file leaves open.
+#[derive(Clone, Debug, Default)]
+pub struct Options {
+    /// Titles instead of the file's.
+    pub columns: Option<Vec<String>>,
+    /// Decimal sign of the numbers.
+    pub decimal: Option<Decimal>,
+    /// Cross-section of the specimen that a force acts on, m2.
+    pub area: Option<f64>,
+    /// Length or height of the specimen that a displacement changes, m.
+    pub height: Option<f64>,
+    /// Measure of strains whose title names none.
+    pub strain_measure: Option<Measure>,
+    /// Measure of stresses whose title names none.
+    pub stress_measure: Option<Measure>,
+    /// Which way the specimen was loaded.
+    pub direction: Option<Direction>,
+}
+
+/// A measured state.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Point {
+    /// Line of the file, from 1.
+    pub line: usize,
+    /// Load cycle, if a column tells.
+    pub cycle: Option<f64>,
+    /// Stretch of the loaded direction.
+    pub stretch: f64,
+    /// Nominal stress, Pa: force over original cross-section.
+    pub stress: f64,
+}
+
+/// One specimen, in the order of the file.
+#[derive(Clone, Debug)]
+pub struct Repeat {
+    /// Name of the specimen; empty if the file has one only.
+    pub name: String,
+    /// Its states.
+    pub points: Vec<Point>,
+}
+
+/// What a file holds.
+#[derive(Clone, Debug)]
+pub struct Curve {
+    /// The specimens.
+    pub repeats: Vec<Repeat>,
+    /// How the file was understood where it left a choice.
+    pub notes: Vec<String>,
+}
+
+/// Reads the curve in `bytes` of the file called `name`.
+///
+/// # Errors
+/// What cannot be understood, or in two ways.
+pub fn read(name: &str, bytes: &[u8], options: &Options) -> Result<Curve, ReadError> {
+    let table = Table::new(sheet::parse(bytes, options.decimal)?, options.columns.as_deref())?;
+    let mut notes = Vec::new();
+    let pairs = pairs(&table, options)?;
+    let mut repeats = Vec::new();
+    for series in &table.series {
+        for (index, pair) in pairs.iter().enumerate() {
+            let points = points(&table, series, pair, options)?;
+            let name = if pairs.len() > 1 { format!("{} {}", series.name, index + 1) } else { series.name.clone() };
+            if !points.is_empty() {
+                repeats.push(Repeat { name: name.trim().into(), points });
+            }
+        }
+    }
+    if let Some(pair) = pairs.first() {
+        notes.push(format!("{} over {}, {}", pair.load.title, pair.deformation.title, pair.measures()));
+    }
+    if repeats.iter().all(|repeat| repeat.points.len() < 3) {
+        return Err(ReadError::file("fewer than three points with strain and stress"));
+    }
+    let stretched = pairs.iter().any(|pair| pair.deformation.kind == Kind::Stretch);
+    let words = if stretched { None } else { Some(format!("{name}\n{}", table.words)) };
+    orient(words.as_deref(), options.direction, &mut repeats, &mut notes)?;
+    to_stretch(&pairs, &mut repeats)?;
+    Ok(Curve { repeats, notes })
+}
+
+/// The column of the deformation and that of the load, with their measures.
+struct Pair {
+    deformation: Column,
+    load: Column,
+    strain_measure: Measure,
+    stress_measure: Measure,
+}
+
+impl Pair {
+    fn measures(&self) -> String {
+        let name = |measure| if measure == Measure::True { "true" } else { "engineering" };
+        let stress = name(self.stress_measure);
+        match self.deformation.kind {
+            Kind::Stretch => format!("read as {stress} stress"),
+            _ => format!("read as {} strain and {stress} stress", name(self.strain_measure)),
+        }
+    }
+}
+
+fn pairs(table: &Table, options: &Options) -> Result<Vec<Pair>, ReadError> {
+    let strains = candidates(table, &[Kind::Stretch, Kind::Strain], Kind::Displacement, options.strain_measure);
+    let stresses = candidates(table, &[Kind::Stress], Kind::Force, options.stress_measure);
+    let titles = |columns: &[Column]| {
+        columns.iter().map(|column| format!("\"{}\"", column.title)).collect::<Vec<_>>().join(", ")
+    };
+    let missing = |what: &str| {
+        ReadError::file(format!(
+            "no column of {what} among {}: name the columns with --columns",
+            titles(&table.columns)
+        ))
+    };
+    if strains.is_empty() {
+        return Err(missing("strain, stretch or displacement"));
+    }
+    if stresses.is_empty() {
+        return Err(missing("stress or force"));
+    }
+    if strains.len() != 1 && strains.len() != stresses.len() {
+        let (strains, stresses) = (titles(&strains), titles(&stresses));
+        let reason =
+            format!("{strains} and {stresses} make no pairs: name two columns with --columns, \"-\" for the others");
+        return Err(ReadError::file(reason));
+    }
+    let pair = |(index, load): (usize, &Column)| {
+        let deformation = strains[if strains.len() == 1 { 0 } else { index }].clone();
+        let measure = |own: Option<Measure>, given: Option<Measure>| own.or(given).unwrap_or(Measure::Engineering);
+        Pair {
+            strain_measure: match deformation.kind {
+                Kind::Strain => measure(deformation.measure, options.strain_measure),
+                _ => Measure::Engineering,
+            },
+            stress_measure: match load.kind {
+                Kind::Stress => measure(load.measure, options.stress_measure),
+                _ => Measure::Engineering,
+            },
+            deformation,
+            load: load.clone(),
+        }
+    };
+    Ok(stresses.iter().enumerate().map(pair).collect())
+}
+
+/// The columns of the best class there is: engineering (or what is asked for), no measure told, another, the machine's.
+fn candidates(table: &Table, kinds: &[Kind], machine: Kind, wanted: Option<Measure>) -> Vec<Column> {
+    let wanted = wanted.unwrap_or(Measure::Engineering);
+    let of = |accept: &dyn Fn(&Column) -> bool| -> Vec<Column> {
+        // A strain and a stretch say the same: the first kind that is there counts.
+        let found = kinds.iter().map(|kind| table.of(*kind).filter(|c| accept(c)).cloned().collect::<Vec<_>>());
+        found.into_iter().find(|columns| !columns.is_empty()).unwrap_or_default()
+    };
+    let classes = [
+        of(&|column| column.measure == Some(wanted)),
+        of(&|column| column.measure.is_none()),
+        of(&|_| true),
+        table.of(machine).cloned().collect(),
+    ];
+    classes.into_iter().find(|columns| !columns.is_empty()).unwrap_or_default()
+}
+
+/// Strain as the file has it (in `stretch`) and stress in Pa.
+fn points(table: &Table, series: &Series, pair: &Pair, options: &Options) -> Result<Vec<Point>, ReadError> {
+    let strain_factor = strain_factor(table, series, &pair.deformation, options)?;
+    let stress_factor = match pair.load.kind {
+        Kind::Force => {
+            let area = options.area.ok_or_else(|| needs(&pair.load, "--area or --diameter of the specimen"))?;
+            table.si(&pair.load)? / area
+        }
+        _ => table.si(&pair.load)?,
+    };
+    let cycle = table.of(Kind::Cycle).next();
+    let mut points = Vec::new();
+    for row in &series.rows {
+        let values = (table.value(&pair.deformation, row)?, table.value(&pair.load, row)?);
+        if let (Some(strain), Some(load)) = values {
+            let offset = if pair.deformation.kind == Kind::Stretch { 1.0 } else { 0.0 };
+            let cycle = cycle.map(|column| table.value(column, row)).transpose()?.flatten();
+            let stretch = strain * strain_factor - offset;
+            points.push(Point { line: row.line, cycle, stretch, stress: load * stress_factor });
+        }
+    }
+    Ok(points)
+}
+
+fn needs(column: &Column, option: &str) -> ReadError {
+    ReadError::file(format!("column \"{}\" needs {option}", column.title))
+}
+
+/// A strain above this without a unit may be meant in percent: the softest silicones tear at about 17 (1700 %).
+const LARGEST_RATIO: f64 = 20.0;
+
+fn strain_factor(table: &Table, series: &Series, column: &Column, options: &Options) -> Result<f64, ReadError> {
+    if column.kind == Kind::Displacement {
+        let height =
+            options.height.ok_or_else(|| needs(column, "--height, the specimen's length in the loaded direction"))?;
+        return Ok(table.si(column)? / height);
+    }
+    if let Some(si) = column.si {
+        return Ok(si);
+    }
+    for row in &series.rows {
+        if let Some(value) = table.value(column, row)?.filter(|value| value.abs() > LARGEST_RATIO) {
+            let reason = format!(
+                "{} = {value} has no unit and may be a ratio or a percentage: write the unit in the title or give --columns, such as \"strain [%]\"",
+                column.title
+            );
+            return Err(ReadError::line(row.line, reason));
+        }
+    }
+    Ok(1.0)
+}
+
+/// Gives compression negative signs. Without `words` (a column of stretches) the signs of the strains are sure.
+fn orient(
+    words: Option<&str>,
+    given: Option<Direction>,
+    repeats: &mut [Repeat],
+    notes: &mut Vec<String>,
+) -> Result<(), ReadError> {
+    let points = || repeats.iter().flat_map(|repeat| &repeat.points);
+    let sign = |value: fn(&Point) -> f64| {
+        let (low, high) = points().map(value).fold((0.0_f64, 0.0_f64), |(l, h), v| (l.min(v), h.max(v)));
+        // A preload or noise around zero is no direction.
+        match (high > 0.05 * (high - low), -low > 0.05 * (high - low)) {
+            (true, true) => 0.0,
+            (false, true) => -1.0,
+            _ => 1.0,
+        }
+    };
+    let (strain, stress) = (sign(|point| point.stretch), sign(|point| point.stress));
+    let direction = match (given, strain < 0.0, words.and_then(hinted)) {
+        (Some(Direction::Tension), true, _) => {
+            return Err(ReadError::file(
+                "the strains are negative, which is no tension: legal is --direction compression",
+            ));
+        }
+        (Some(Direction::Compression), false, _) if words.is_none() && strain > 0.0 => {
+            return Err(ReadError::file(
+                "the stretches are above 1, which is no compression: legal is --direction tension",
+            ));
+        }
+        (Some(direction), ..) => direction,
+        (None, true, _) => Direction::Compression,
+        (None, false, _) if strain == 0.0 || words.is_none() => Direction::Tension,
+        (None, false, Some(direction)) => {
+            if direction == Direction::Compression {
+                notes
+                    .push("positive strains read as compression, which the file's name, titles or remarks name".into());
+            }
+            direction
+        }
+        (None, false, None) if stress < 0.0 => {
+            notes.push("positive strains read as compression, because the stresses are negative".into());
+            Direction::Compression
+        }
+        (None, false, None) => {
+            notes.push("positive strains read as tension; --direction compression says otherwise".into());
+            Direction::Tension
+        }
+    };
+    let negative = direction == Direction::Compression;
+    let flip = |sign: f64| if negative && sign > 0.0 { -1.0 } else { 1.0 };
+    let (strain_flip, mut stress_flip) = (flip(strain), flip(stress));
+    if !negative && strain > 0.0 && stress < 0.0 {
+        return Err(ReadError::file(
+            "positive strains with negative stresses are no tension: legal is --direction compression",
+        ));
+    }
+    if negative && stress == 0.0 {
+        // Loading and unloading with some tension at the end: the work of the loading tells the sign.
+        let work: f64 = points().map(|point| strain_flip * point.stretch * point.stress).sum();
+        stress_flip = if work < 0.0 { -1.0 } else { 1.0 };
+    }
+    for point in repeats.iter_mut().flat_map(|repeat| &mut repeat.points) {
+        point.stretch *= strain_flip;
+        point.stress *= stress_flip;
+    }
+    Ok(())
+}
+
+/// The direction that words name; none if they name both or neither.
+fn hinted(words: &str) -> Option<Direction> {
+    let text = words.to_lowercase();
+    let has = |parts: &[&str]| parts.iter().any(|part| text.contains(part));
+    match (has(&["compress", "stauch", "druckversuch"]), has(&["tension", "tensile", "zugversuch", "pull"])) {
+        (true, false) => Some(Direction::Compression),
+        (false, true) => Some(Direction::Tension),
+        _ => None,
+    }
+}
+
+/// From strains and stresses of any measure to stretches and nominal stresses.
+fn to_stretch(pairs: &[Pair], repeats: &mut [Repeat]) -> Result<(), ReadError> {
+    let Some(pair) = pairs.first() else { return Ok(()) };
+    for point in repeats.iter_mut().flat_map(|repeat| &mut repeat.points) {
+        let strain = point.stretch;
+        point.stretch = match pair.strain_measure {
+            Measure::Engineering => 1.0 + strain,
+            Measure::True => strain.exp(),
+        };
+        if point.stretch <= 0.0 || !point.stretch.is_finite() {
+            let legal = "legal is an engineering strain above -1 (is it in percent, or a stretch?)";
+            return Err(ReadError::line(point.line, format!("strain {strain} is refused: {legal}")));
+        }
+        if pair.stress_measure == Measure::True {
+            // sigma = P l in all three tests, because the volume stays.
+            point.stress /= point.stretch;
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn curve(name: &str, text: &str, options: &Options) -> Result<Curve, ReadError> {
+        read(name, text.as_bytes(), options)
+    }
+
+    fn pairs_of(text: &str) -> Vec<(f64, f64)> {
+        let curve = curve("x.csv", text, &Options::default()).unwrap();
+        curve.repeats.iter().flat_map(|r| &r.points).map(|p| (p.stretch, p.stress)).collect()
+    }
+
+    fn close(found: &[(f64, f64)], expected: &[(f64, f64)]) {
+        assert_eq!(found.len(), expected.len(), "{found:?}");
+        for (a, b) in found.iter().zip(expected) {
+            assert!((a.0 - b.0).abs() < 1e-9 && (a.1 - b.1).abs() < 1e-6 * b.1.abs().max(1.0), "{found:?}");
+        }
+    }
+
+    #[test]
+    fn the_same_curve_in_many_notations() {
+        let expected = [(1.1, 2e4), (1.2, 4e4), (1.3, 6e4)];
+        for text in [
+            "strain,stress [MPa]\n0.1,0.02\n0.2,0.04\n0.3,0.06\n",
+            "stretch;stress (kPa)\n1,1;20\n1,2;40\n1,3;60\n",
+            "stress(MPa)\tstrain(%)\n0.02\t10\n0.04\t20\n0.06\t30\n",
+            "Time (s);True Strain;True Stress (MPa);Engineering Strain;Engineering Stress (MPa)\n\
+             1;.09;.1;0.1;0.02\n2;.1;.1;0.2;0.04\n3;.1;.1;0.3;0.06\n",
+            "true strain,true stress [Pa]\n0.0953101798043249,22000\n0.182321556793955,48000\n0.262364264467491,78000\n",
+        ] {
+            close(&pairs_of(text), &expected);
+        }
+    }
+
+    #[test]
+    fn compression_has_negative_signs_whatever_the_file_has() {
+        let expected = [(0.9, -2e4), (0.8, -4e4), (0.7, -6e4)];
+        for text in [
+            "strain,stress [kPa]\n-0.1,-20\n-0.2,-40\n-0.3,-60\n",
+            "strain,stress [kPa]\n-0.1,20\n-0.2,40\n-0.3,60\n",
+            "strain,stress [kPa]\n0.1,-20\n0.2,-40\n0.3,-60\n",
+            "compressive strain,stress [kPa]\n0.1,20\n0.2,40\n0.3,60\n",
+            "# compression of a cylinder\nstrain,stress [kPa]\n0.1,20\n0.2,40\n0.3,60\n",
+            "stretch,stress [kPa]\n0.9,-20\n0.8,-40\n0.7,-60\n",
+            "stretch,stress [kPa]\n0.9,20\n0.8,40\n0.7,60\n",
+        ] {
+            close(&pairs_of(text), &expected);
+        }
+    }
+
+    #[test]
+    fn force_and_displacement_need_the_specimen() {
+        let text = "Weg [mm];Kraft [N]\n-1;-2\n-2;-4\n-3;-6\n";
+        let error = curve("x", text, &Options::default()).unwrap_err().to_string();
+        assert!(error.contains("--height"), "{error}");
+        let options = Options { height: Some(0.01), area: Some(1e-4), ..Options::default() };
+        let curve = curve("x", text, &options).unwrap();
+        let points: Vec<_> = curve.repeats[0].points.iter().map(|p| (p.stretch, p.stress)).collect();
+        close(&points, &[(0.9, -2e4), (0.8, -4e4), (0.7, -6e4)]);
+    }
+
+    #[test]
+    fn what_has_two_meanings_is_refused_with_the_option_that_settles_it() {
+        for (text, part) in [
+            ("0.1 0.2\n0.2 0.3\n0.3 0.4\n", "--columns"),
+            ("strain,stress\n0.1,0.2\n0.2,0.3\n0.3,0.4\n", "has no unit"),
+            ("strain,stress [kPa]\n10,1\n25,2\n50,3\n", "line 3: strain = 25 has no unit"),
+            ("strain,stress [kPa]\n0.1,1\n0.2,x2\n0.3,3\n", "line 3: stress [kPa] = \"x2\""),
+            ("strain [%],stress [kPa]\n-50,1\n-99,2\n-120,3\n", "line 4: strain -1.2"),
+            ("strain,force [N]\n0.1,1\n0.2,2\n0.3,3\n", "--area"),
+            ("a,b\n1,2\n3,4\n", "no two columns understood"),
+            ("elongation,stress [Pa]\n1,2\n3,4\n5,6\n", "% or mm"),
+            ("strain,strain,stress [Pa],stress [Pa],stress [Pa]\n1,1,1,1,1\n2,2,2,2,2\n3,3,3,3,3\n", "make no pairs"),
+        ] {
+            let error = curve("x", text, &Options::default()).unwrap_err().to_string();
+            assert!(error.contains(part), "{text}: {error}");
+        }
+    }
+
+    #[test]
+    fn specimens_are_told_apart() {
+        let names = |text: &str| -> Vec<(String, usize)> {
+            let curve = curve("x", text, &Options::default()).unwrap();
+            curve.repeats.into_iter().map(|repeat| (repeat.name, repeat.points.len())).collect()
+        };
+        let rows = "0.1,1\n0.2,2\n0.3,3\n";
+        let stacked = format!("strain,stress [Pa]\n{rows}strain,stress [Pa]\n{rows}");
+        assert_eq!(names(&stacked), [("1".into(), 3), ("2".into(), 3)]);
+        let wide = "strain1,stress1 [Pa],strain2,stress2 [Pa]\n0.1,1,0.1,2\n0.2,2,0.2,3\n0.3,3,,\n";
+        assert_eq!(names(wide), [("1".into(), 3), ("2".into(), 2)]);
+        let named = "specimen,strain,stress [Pa]\nA,0.1,1\nA,0.2,2\nA,0.3,2\nB,0.1,1\n";
+        assert_eq!(names(named), [("A".into(), 3), ("B".into(), 1)]);
+    }
+}

@@ -1,0 +1,43 @@
+//! From the files of a test machine to curves in SI units.
+//!
+//! [`text`] decodes a file, [`sheet`] finds its table of numbers, [`column`] says what the columns are (with [`unit`]
+//! and [`number`]), [`series`] tells specimens apart, [`curve`] makes stretches and nominal stresses of them, [`cycles`] tells loading from unloading and
+//! [`repeats`] makes one curve of several specimens.
+
+pub mod column;
+pub mod curve;
+pub mod cycles;
+pub mod number;
+pub mod repeats;
+pub mod series;
+pub mod sheet;
+pub mod text;
+pub mod unit;
+
+/// Why a file is refused.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum ReadError {
+    /// One line is wrong.
+    #[error("line {line}: {reason}")]
+    Line {
+        /// Line, from 1.
+        line: usize,
+        /// What is wrong there, and what is legal.
+        reason: String,
+    },
+    /// The whole is wrong, or has two meanings.
+    #[error("{0}")]
+    File(String),
+}
+
+impl ReadError {
+    /// `line` is refused for `reason`.
+    pub fn line(line: usize, reason: impl Into<String>) -> Self {
+        Self::Line { line, reason: reason.into() }
+    }
+
+    /// The file is refused for `reason`.
+    pub fn file(reason: impl Into<String>) -> Self {
+        Self::File(reason.into())
+    }
+}

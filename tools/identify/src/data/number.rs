@@ -1,0 +1,99 @@
+//! Numbers as test machines write them.
+
+/// Which sign stands before the fraction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Decimal {
+    /// 0.5
+    Point,
+    /// 0,5
+    Comma,
+}
+
+/// What a cell of a table holds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Cell {
+    /// A finite number.
+    Number(f64),
+    /// Nothing, or a word that says so.
+    Missing,
+    /// Anything else.
+    Text,
+}
+
+/// Reads a cell.
+///
+/// Groups of thousands are understood only where the number has a decimal sign as well; alone, 1,234 has two meanings.
+pub fn read(cell: &str, decimal: Decimal) -> Cell {
+    let text = cell.trim().trim_matches('\u{a0}');
+    if text.is_empty() || ["nan", "n/a", "na", "null", "none", "--"].iter().any(|word| text.eq_ignore_ascii_case(word))
+    {
+        return Cell::Missing;
+    }
+    let text = text.replace('−', "-");
+    let plain = match decimal {
+        Decimal::Point => ungrouped(&text, ',', '.'),
+        Decimal::Comma => ungrouped(&text, '.', ',').map(|number| number.replace(',', ".")),
+    };
+    match plain.map(|number| number.parse::<f64>()) {
+        Some(Ok(number)) if number.is_finite() && !text.contains(char::is_alphabetic) => Cell::Number(number),
+        Some(Ok(number)) if number.is_finite() && has_exponent(&text) => Cell::Number(number),
+        _ => Cell::Text,
+    }
+}
+
+/// `text` without its groups of thousands; none if a `group` sign stands anywhere else.
+fn ungrouped(text: &str, group: char, decimal: char) -> Option<String> {
+    if !text.contains(group) {
+        return Some(text.into());
+    }
+    let (whole, _) = text.split_once(decimal)?;
+    let mut groups = whole.trim_start_matches(['-', '+']).split(group);
+    let first = groups.next()?;
+    let grouped = (1..=3).contains(&first.len()) && groups.all(|digits| digits.len() == 3);
+    (grouped && text.rfind(group) < text.find(decimal)).then(|| text.replace(group, ""))
+}
+
+/// Whether the only letter is the e of an exponent ("inf" parses as a number, too).
+fn has_exponent(text: &str) -> bool {
+    text.chars().filter(|c| c.is_alphabetic()).all(|c| matches!(c, 'e' | 'E'))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_of_both_conventions() {
+        for (text, decimal, number) in [
+            ("0.5", Decimal::Point, 0.5),
+            (" -1.2E-3 ", Decimal::Point, -1.2e-3),
+            ("−3", Decimal::Point, -3.0),
+            ("1,234.5", Decimal::Point, 1234.5),
+            ("0,5", Decimal::Comma, 0.5),
+            ("1.234,5", Decimal::Comma, 1234.5),
+            ("1,2e-3", Decimal::Comma, 1.2e-3),
+            ("+7", Decimal::Comma, 7.0),
+        ] {
+            assert_eq!(read(text, decimal), Cell::Number(number), "{text}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_number_is_not_taken_for_one() {
+        for (text, decimal) in [
+            ("1,234", Decimal::Point),
+            ("1.234", Decimal::Comma),
+            ("1;0", Decimal::Point),
+            ("inf", Decimal::Point),
+            ("12 mm", Decimal::Point),
+            ("1,23,4.5", Decimal::Point),
+            ("infinity", Decimal::Comma),
+        ] {
+            assert_eq!(read(text, decimal), Cell::Text, "{text}");
+        }
+        for text in ["", "  ", "NaN", "n/a", "-"] {
+            let cell = read(text, Decimal::Point);
+            assert!(cell == Cell::Missing || text == "-", "{text}: {cell:?}");
+        }
+    }
+}

@@ -1,0 +1,43 @@
+//! A C header that gives a scenario the material.
+
+use std::fmt::Write;
+
+use softanvil_kernel::scenario::Material;
+
+use super::{Layer, label, rows};
+
+/// The header; `comment` says where the numbers come from.
+pub fn text(comment: &str, material: &Material, layer: Layer) -> String {
+    let mut text = String::from("/*\n");
+    for line in comment.lines() {
+        // A comment cannot hold its own end.
+        let _ = writeln!(text, " * {}", line.replace("*/", "* /"));
+    }
+    let guard = format!("SOFTANVIL_MATERIAL_{}_H", layer.group().to_uppercase());
+    let _ =
+        write!(text, " */\n#ifndef {guard}\n#define {guard}\n\n#include <stddef.h>\n\n#include \"softanvil.h\"\n\n");
+    let _ = writeln!(
+        text,
+        "/** Sets the material of the {0} in `scenario`; the first refusal ends it, details in `error` if it is not NULL. */",
+        layer.group()
+    );
+    let _ = writeln!(
+        text,
+        "static inline SoftanvilStatus softanvil_material_{}(SoftanvilScenario *scenario, SoftanvilError *error)\n{{",
+        layer.group()
+    );
+    text += "    static const struct {\n        uint32_t parameter;\n        double value;\n    } rows[] = {\n";
+    for (parameter, value) in rows(material, layer) {
+        let id = parameter.name.replace('.', "_").to_uppercase();
+        let value = match label(parameter, value) {
+            Some(label) => format!("SOFTANVIL_{id}_{}", label.to_uppercase()),
+            None => format!("{value:e}"),
+        };
+        let _ = writeln!(text, "        {{ SOFTANVIL_PARAMETER_{id}, {value} }},");
+    }
+    text += "    };\n    size_t i;\n    for (i = 0; i < sizeof rows / sizeof rows[0]; i++) {\n";
+    text +=
+        "        SoftanvilStatus status = softanvil_scenario_set(scenario, rows[i].parameter, rows[i].value, error);\n";
+    text += "        if (status != SOFTANVIL_STATUS_OK) return status;\n    }\n    return SOFTANVIL_STATUS_OK;\n}\n\n#endif\n";
+    text
+}

@@ -1,0 +1,55 @@
+//! A material as other programs read it.
+
+pub mod abaqus;
+pub mod c_source;
+pub mod ls_dyna;
+pub mod ssv;
+
+use softanvil_kernel::parameter::Kind;
+use softanvil_kernel::scenario::Material;
+use softanvil_kernel::{PARAMETERS, Parameter, preset};
+
+/// Which layer of the anvil the material is for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Layer {
+    /// Parameters `silicone.*`.
+    #[default]
+    Silicone,
+    /// Parameters `skin.*`.
+    Skin,
+}
+
+impl Layer {
+    /// Group of its parameters.
+    pub fn group(self) -> &'static str {
+        match self {
+            Self::Silicone => "silicone",
+            Self::Skin => "skin",
+        }
+    }
+}
+
+/// Every parameter of the material of `layer` with its value; a choice as its index.
+fn rows(material: &Material, layer: Layer) -> Vec<(&'static Parameter, f64)> {
+    let mut scenario = preset::study();
+    match layer {
+        Layer::Silicone => scenario.silicone = *material,
+        Layer::Skin => scenario.skin = *material,
+    }
+    let of_layer =
+        |parameter: &&Parameter| parameter.name.split_once('.').is_some_and(|(group, _)| group == layer.group());
+    PARAMETERS.iter().filter(of_layer).map(|parameter| (parameter, parameter.get(&scenario))).collect()
+}
+
+/// The label of a choice; none for a number.
+fn label(parameter: &Parameter, value: f64) -> Option<&'static str> {
+    match parameter.kind {
+        Kind::Choice { labels, .. } => labels.get(value as usize).copied(),
+        Kind::Real { .. } => None,
+    }
+}
+
+/// The terms of a Prony series that are on: (g_i, tau_i).
+fn prony_terms(material: &Material) -> impl Iterator<Item = (f64, f64)> {
+    material.prony_g.into_iter().zip(material.prony_tau).filter(|(g, _)| *g > 0.0)
+}

@@ -1,0 +1,135 @@
+//! A law fitted to the data of several tests.
+
+use nalgebra::{DMatrix, DVector};
+use softanvil_kernel::material::Elastic;
+
+use super::stability::Stability;
+use super::statistics::Statistics;
+use super::{DataSet, Family, LAWS, Law, linear, ogden, stress};
+
+/// How residuals count.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Weighting {
+    /// In Pa: large stresses rule.
+    #[default]
+    Absolute,
+    /// Divided by the stress: all stretches count alike.
+    Relative,
+}
+
+/// A relative residual is never taken of less than this part of the largest stress of its test, because a stress near
+/// zero is mostly its own error.
+pub const SMALLEST_RELATIVE: f64 = 0.01;
+
+/// What to fit and how.
+#[derive(Clone, Copy, Debug)]
+pub struct Settings {
+    /// How residuals count.
+    pub weighting: Weighting,
+    /// Stretches over which stability is asked for.
+    pub stability_range: (f64, f64),
+    /// Only stable laws.
+    pub demand_stability: bool,
+}
+
+/// A fitted law.
+#[derive(Clone, Debug)]
+pub struct Fit {
+    /// The law.
+    pub law: &'static Law,
+    /// Values of its parameters, in their units.
+    pub values: Vec<f64>,
+    /// How well it describes the data.
+    pub statistics: Statistics,
+    /// Where it is stable.
+    pub stability: Stability,
+    /// Whether it is stable over the stretches asked for.
+    pub is_stable: bool,
+}
+
+impl Fit {
+    /// `law` fitted to `data`; none if it cannot be made stable where that is demanded, or there are fewer points than
+    /// parameters.
+    pub fn new(law: &'static Law, data: &[DataSet], settings: &Settings) -> Option<Self> {
+        let stresses: Vec<f64> = data.iter().flat_map(|set| set.points.iter().map(|point| point.1)).collect();
+        if stresses.len() < law.parameters.len() {
+            return None;
+        }
+        let weights = weights(data, settings.weighting);
+        let values = values(law, data, &stresses, &weights, settings)?;
+        let fitted = predict(law, &values, data);
+        let residuals: Vec<f64> = fitted.iter().zip(&stresses).map(|(a, b)| a - b).collect();
+        let jacobian =
+            if law.family == Family::Ogden { ogden::jacobian(&values, data) } else { linear::design(law, data) };
+        let statistics = Statistics::new(&stresses, &residuals, &weights, &jacobian);
+        let stability = Stability::new(&Elastic::new(&law.material(&values)));
+        let is_stable = stability.covers(settings.stability_range);
+        if !statistics.residual_sum.is_finite() || settings.demand_stability && !is_stable {
+            return None;
+        }
+        Some(Self { law, values, statistics, stability, is_stable })
+    }
+
+    /// The fitted law in the kernel.
+    pub fn elastic(&self) -> Elastic {
+        Elastic::new(&self.law.material(&self.values))
+    }
+
+    /// Shear modulus at rest, Pa.
+    pub fn shear_modulus(&self) -> f64 {
+        self.elastic().shear_modulus()
+    }
+}
+
+fn values(law: &Law, data: &[DataSet], stresses: &[f64], weights: &[f64], settings: &Settings) -> Option<Vec<f64>> {
+    if law.family == Family::Ogden {
+        return Some(ogden::fit(law.parameters.len() / 2, data, weights, settings.demand_stability));
+    }
+    let design = linear::design(law, data);
+    let a = DMatrix::from_fn(design.nrows(), design.ncols(), |i, j| weights[i] * design[(i, j)]);
+    let b = DVector::from_fn(stresses.len(), |i, _| weights[i] * stresses[i]);
+    if settings.demand_stability {
+        return stable_values(law, &a, &b, settings);
+    }
+    let solution = linear::solve(&a, &b);
+    Some(solution.as_slice().to_vec())
+}
+
+/// The best stable coefficients that are found: of the law, or of a smaller one of its family with zeros for the rest,
+/// where the rounds of [`linear::solve_stable`] do not end or their rounding leaves an unstable law.
+fn stable_values(law: &Law, a: &DMatrix<f64>, b: &DVector<f64>, settings: &Settings) -> Option<Vec<f64>> {
+    let family = LAWS.iter().rev().filter(|other| other.family == law.family);
+    let smaller = family.filter(|other| other.parameters.len() <= law.parameters.len());
+    let solve = |part: &Law| {
+        let columns = a.columns(0, part.parameters.len()).into_owned();
+        let mut values = linear::solve_stable(part, &columns, b, settings.stability_range)?.as_slice().to_vec();
+        values.resize(law.parameters.len(), 0.0);
+        let stability = Stability::new(&Elastic::new(&law.material(&values)));
+        stability.covers(settings.stability_range).then_some(values)
+    };
+    smaller.filter_map(solve).next()
+}
+
+/// Nominal stress of the law at every point of `data`, Pa.
+pub fn predict(law: &Law, values: &[f64], data: &[DataSet]) -> Vec<f64> {
+    let elastic = Elastic::new(&law.material(values));
+    let of_set = |set: &DataSet| {
+        let stretches: Vec<f64> = set.points.iter().map(|point| point.0).collect();
+        stress::nominal(&elastic, set.mode, &stretches)
+    };
+    data.iter().flat_map(of_set).collect()
+}
+
+/// Weight of each residual, 1/Pa or 1.
+fn weights(data: &[DataSet], weighting: Weighting) -> Vec<f64> {
+    let of_set = |set: &DataSet| {
+        let largest = set.points.iter().fold(0.0, |largest, point| f64::max(largest, point.1.abs()));
+        let floor = SMALLEST_RELATIVE * largest;
+        let weight = move |point: &(f64, f64)| match weighting {
+            Weighting::Absolute => 1.0,
+            Weighting::Relative => 1.0 / point.1.abs().max(floor),
+        };
+        set.points.iter().map(weight).collect::<Vec<_>>()
+    };
+    data.iter().flat_map(of_set).collect()
+}

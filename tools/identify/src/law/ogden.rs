@@ -1,0 +1,272 @@
+//! Ogden's law, by Levenberg-Marquardt from several starts.
+//!
+//! The exponents are bounded by the kernel's range through alpha = A t / sqrt(1 + t^2). Starts are all combinations of
+//! exponents of a fixed grid, with the coefficients that are best for them (a linear problem); the best starts are
+//! refined on a part of the points, the best of those on all. Nothing is random, so a fit can be repeated to the bit.
+
+use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt};
+use nalgebra::{DMatrix, DVector, Dyn, Owned};
+
+use super::linear;
+use super::stress::stretches;
+use super::{DataSet, Mode};
+
+/// Largest exponent, as in the kernel's table of parameters.
+pub const LARGEST_ALPHA: f64 = 30.0;
+/// An exponent nearer to zero makes a coefficient of more than the kernel takes.
+const SMALLEST_ALPHA: f64 = 1e-3;
+
+/// Exponents of the starts, denser where rubbers are.
+const GRID: [f64; 14] = [-20.0, -12.0, -8.0, -5.0, -3.0, -2.0, -1.0, 1.0, 2.0, 3.0, 5.0, 8.0, 12.0, 20.0];
+/// Starts that are refined.
+const REFINED: usize = 16;
+/// Refined starts that are finished on all points.
+const FINISHED: usize = 3;
+/// Points of which starts are judged, at most.
+const START_POINTS: usize = 150;
+
+/// A point with its weight.
+#[derive(Clone, Copy)]
+struct Target {
+    /// Stretches of the loaded and of the free direction.
+    loaded: f64,
+    free: f64,
+    stress: f64,
+    weight: f64,
+}
+
+/// Powers that a term of exponent alpha adds to the nominal stress, per mu.
+fn basis(alpha: f64, target: &Target) -> f64 {
+    (target.loaded.powf(alpha) - target.free.powf(alpha)) / target.loaded
+}
+
+/// Derivative of [`basis`] by alpha.
+fn basis_slope(alpha: f64, target: &Target) -> f64 {
+    let part = |l: f64| l.powf(alpha) * l.ln();
+    (part(target.loaded) - part(target.free)) / target.loaded
+}
+
+/// Parameters mu_1, alpha_1, mu_2, ... of the law with `n_term` terms nearest to `data`, exponents in falling order.
+///
+/// With `stable`, every mu alpha is positive, which makes the law stable at all stretches.
+pub fn fit(n_term: usize, data: &[DataSet], weights: &[f64], stable: bool) -> Vec<f64> {
+    let all = targets(data, weights);
+    let few = thinned(&all);
+    let refine = |targets: &[Target], start: &[f64]| minimise(targets, start, stable);
+    let mut refined: Vec<(f64, Vec<f64>)> =
+        starts(n_term, &few, stable).iter().map(|start| refine(&few, start)).collect();
+    refined.sort_by(|a, b| a.0.total_cmp(&b.0));
+    refined.dedup_by(|a, b| (a.0 - b.0).abs() <= 1e-6 * b.0);
+    let finished = refined.iter().take(FINISHED).map(|(_, start)| refine(&all, start));
+    let best = finished.min_by(|a, b| a.0.total_cmp(&b.0)).map_or_else(Vec::new, |(_, values)| values);
+    let mut terms: Vec<&[f64]> = best.chunks(2).collect();
+    terms.sort_by(|a, b| b[1].total_cmp(&a[1]));
+    terms.concat()
+}
+
+/// Derivative of the nominal stress by each parameter at each point, n_point x n_parameter.
+pub fn jacobian(values: &[f64], data: &[DataSet]) -> DMatrix<f64> {
+    let count = data.iter().map(|set| set.points.len()).sum();
+    let targets = targets(data, &vec![1.0; count]);
+    DMatrix::from_fn(count, values.len(), |i, j| {
+        let (mu, alpha) = (values[j - j % 2], values[j - j % 2 + 1]);
+        if j % 2 == 0 { basis(alpha, &targets[i]) } else { mu * basis_slope(alpha, &targets[i]) }
+    })
+}
+
+fn targets(data: &[DataSet], weights: &[f64]) -> Vec<Target> {
+    let points = data.iter().flat_map(|set| set.points.iter().map(|point| (set.mode, *point)));
+    let target = |((mode, (stretch, stress)), weight): ((Mode, (f64, f64)), &f64)| {
+        let [loaded, free, _] = stretches(mode, stretch);
+        Target { loaded, free, stress, weight: *weight }
+    };
+    points.zip(weights).map(target).collect()
+}
+
+/// Evenly chosen points, at most [`START_POINTS`].
+fn thinned(targets: &[Target]) -> Vec<Target> {
+    let count = targets.len().min(START_POINTS);
+    (0..count).map(|k| targets[k * (targets.len() - 1) / (count - 1).max(1)]).collect()
+}
+
+/// The best combinations of the grid, as parameters.
+fn starts(n_term: usize, targets: &[Target], stable: bool) -> Vec<Vec<f64>> {
+    let columns: Vec<DVector<f64>> = GRID
+        .iter()
+        .map(|&alpha| DVector::from_iterator(targets.len(), targets.iter().map(|t| t.weight * basis(alpha, t))))
+        .collect();
+    let stresses = DVector::from_iterator(targets.len(), targets.iter().map(|t| t.weight * t.stress));
+    let mut found: Vec<(f64, Vec<f64>)> = combinations(n_term)
+        .into_iter()
+        .map(|choice| {
+            let signs: Vec<f64> = choice.iter().map(|&k| if stable { GRID[k].signum() } else { 1.0 }).collect();
+            let chosen: Vec<DVector<f64>> = choice.iter().zip(&signs).map(|(&k, sign)| &columns[k] * *sign).collect();
+            let a = DMatrix::from_columns(&chosen);
+            let mu = if stable { linear::non_negative(&a, &stresses) } else { linear::solve(&a, &stresses) };
+            let cost = (&a * &mu - &stresses).norm();
+            let values = choice.iter().enumerate().flat_map(|(i, &k)| [signs[i] * mu[i], GRID[k]]).collect();
+            (cost, values)
+        })
+        .collect();
+    found.sort_by(|a, b| a.0.total_cmp(&b.0));
+    found.into_iter().take(REFINED).map(|(_, values)| values).collect()
+}
+
+/// Every choice of `n_term` different indices of [`GRID`], in order.
+fn combinations(n_term: usize) -> Vec<Vec<usize>> {
+    let mut choices = vec![Vec::new()];
+    for _ in 0..n_term {
+        let longer = choices.iter().flat_map(|choice: &Vec<usize>| {
+            let next = choice.last().map_or(0, |last| last + 1);
+            (next..GRID.len()).map(move |k| [choice.as_slice(), &[k]].concat())
+        });
+        choices = longer.collect();
+    }
+    choices
+}
+
+/// The parameters that Levenberg-Marquardt reaches from `start`, and their sum of squares.
+fn minimise(targets: &[Target], start: &[f64], stable: bool) -> (f64, Vec<f64>) {
+    let scale = targets.iter().fold(0.0, |largest, t| f64::max(largest, t.stress.abs()));
+    let problem = Problem { targets, scale, stable, inner: to_inner(start, scale, stable) };
+    let (problem, _) = LevenbergMarquardt::new().with_tol(1e-13).with_patience(200).minimize(problem);
+    let cost = problem.residuals().map_or(f64::INFINITY, |r| r.norm_squared());
+    (if cost.is_finite() { cost } else { f64::INFINITY }, problem.values())
+}
+
+/// The problem in unbounded parameters: for each term mu / scale (or sqrt(mu alpha / scale) where it must be positive),
+/// and t of the exponent.
+struct Problem<'a> {
+    targets: &'a [Target],
+    scale: f64,
+    stable: bool,
+    inner: DVector<f64>,
+}
+
+fn to_inner(values: &[f64], scale: f64, stable: bool) -> DVector<f64> {
+    let pairs = values.chunks(2).flat_map(|term| {
+        let ratio = (term[1] / LARGEST_ALPHA).clamp(-0.999, 0.999);
+        let t = ratio / (1.0 - ratio * ratio).sqrt();
+        // A coefficient of exactly zero would never move.
+        let product = (term[0] * term[1] / scale).max(1e-6);
+        [if stable { product.sqrt() } else { term[0] / scale }, t]
+    });
+    DVector::from_iterator(values.len(), pairs)
+}
+
+impl Problem<'_> {
+    /// mu_1, alpha_1, mu_2, ...
+    fn values(&self) -> Vec<f64> {
+        let term = |k: usize| {
+            let (a, t) = (self.inner[2 * k], self.inner[2 * k + 1]);
+            let alpha = LARGEST_ALPHA * t / (1.0 + t * t).sqrt();
+            let alpha = if alpha.abs() < SMALLEST_ALPHA { SMALLEST_ALPHA.copysign(alpha) } else { alpha };
+            [if self.stable { a * a * self.scale / alpha } else { a * self.scale }, alpha]
+        };
+        (0..self.inner.len() / 2).flat_map(term).collect()
+    }
+}
+
+impl LeastSquaresProblem<f64, Dyn, Dyn> for Problem<'_> {
+    type ResidualStorage = Owned<f64, Dyn>;
+    type JacobianStorage = Owned<f64, Dyn, Dyn>;
+    type ParameterStorage = Owned<f64, Dyn>;
+
+    fn set_params(&mut self, x: &DVector<f64>) {
+        self.inner.copy_from(x);
+    }
+
+    fn params(&self) -> DVector<f64> {
+        self.inner.clone()
+    }
+
+    fn residuals(&self) -> Option<DVector<f64>> {
+        let values = self.values();
+        let residual = |target: &Target| {
+            let stress: f64 = values.chunks(2).map(|term| term[0] * basis(term[1], target)).sum();
+            target.weight * (stress - target.stress)
+        };
+        Some(DVector::from_iterator(self.targets.len(), self.targets.iter().map(residual)))
+    }
+
+    fn jacobian(&self) -> Option<DMatrix<f64>> {
+        let values = self.values();
+        Some(DMatrix::from_fn(self.targets.len(), self.inner.len(), |i, j| {
+            let target = &self.targets[i];
+            let (k, t) = (j - j % 2, self.inner[j - j % 2 + 1]);
+            let (mu, alpha) = (values[k], values[k + 1]);
+            if j % 2 == 0 {
+                let by_inner = if self.stable { 2.0 * self.inner[k] * self.scale / alpha } else { self.scale };
+                return target.weight * by_inner * basis(alpha, target);
+            }
+            // With mu = a^2 / alpha the coefficient moves with the exponent.
+            let through_mu = if self.stable { -mu / alpha * basis(alpha, target) } else { 0.0 };
+            let slope = LARGEST_ALPHA * (1.0 + t * t).powf(-1.5);
+            target.weight * slope * (mu * basis_slope(alpha, target) + through_mu)
+        }))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::law::MODES;
+
+    fn data(values: &[f64]) -> Vec<DataSet> {
+        let set = |mode: Mode| {
+            let point = |l: f64| {
+                let [loaded, free, _] = stretches(mode, l);
+                let target = Target { loaded, free, stress: 0.0, weight: 1.0 };
+                (l, values.chunks(2).map(|term| term[0] * basis(term[1], &target)).sum::<f64>())
+            };
+            DataSet { mode, points: (1..25).map(|k| point(0.8 + 0.1 * f64::from(k))).collect() }
+        };
+        MODES.iter().map(|mode| set(*mode)).collect()
+    }
+
+    #[test]
+    fn exact_data_give_their_coefficients_back() {
+        for (values, tolerance) in [
+            (&[0.4e6, 2.7][..], 1e-9),
+            (&[0.02e6, 6.0, 0.5e6, 1.4], 1e-6),
+            (&[0.0012e6, 5.0, 0.63e6, 1.3, -0.01e6, -2.0], 1e-3),
+        ] {
+            let data = data(values);
+            let found = fit(values.len() / 2, &data, &[1.0; 72], false);
+            for (a, b) in found.iter().zip(values) {
+                assert!((a / b - 1.0).abs() < tolerance, "{found:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn demanded_products_are_positive() {
+        let mut data = data(&[0.4e6, 1.5, 0.2e6, -3.0]);
+        data.truncate(1);
+        for n_term in 1..=3 {
+            let found = fit(n_term, &data, &[1.0; 24], true);
+            assert!(found.chunks(2).all(|term| term[0] * term[1] >= 0.0), "{found:?}");
+        }
+    }
+
+    #[test]
+    fn the_inner_jacobian_is_that_of_the_residuals() {
+        let data = data(&[0.4e6, 1.5, 0.2e6, -3.0]);
+        let targets = targets(&data, &[1.0; 72]);
+        for stable in [false, true] {
+            let inner = to_inner(&[0.3e6, 2.0, -0.1e6, -4.0], 1e6, stable);
+            let mut problem = Problem { targets: &targets, scale: 1e6, stable, inner: inner.clone() };
+            let jacobian = problem.jacobian().unwrap();
+            for j in 0..inner.len() {
+                let mut at = |by: f64| {
+                    problem.inner = inner.clone();
+                    problem.inner[j] += by;
+                    problem.residuals().unwrap()
+                };
+                let difference = (at(1e-6) - at(-1e-6)) / 2e-6;
+                let error = (difference - jacobian.column(j)).norm() / jacobian.column(j).norm();
+                assert!(error < 1e-7, "{stable} {j}: {error:e}");
+            }
+        }
+    }
+}

@@ -1,0 +1,152 @@
+//! Which law: the lowest residual within each family, then across, as in the study; and what to think of before
+//! believing it.
+
+use super::fit::Fit;
+use super::ogden::LARGEST_ALPHA;
+use super::{DataSet, Family, Mode};
+
+/// Fits in the order of the study: the best of each family by residual, then the others by residual. Laws that the
+/// kernel refuses, because their shear modulus at rest is not positive, come last.
+pub fn rank(mut fits: Vec<Fit>) -> Vec<Fit> {
+    let order = |fit: &Fit| (fit.shear_modulus() <= 0.0, fit.statistics.residual_sum);
+    fits.sort_by(|a, b| {
+        let (a, b) = (order(a), order(b));
+        a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
+    });
+    let mut families: Vec<Family> = Vec::new();
+    let (mut winners, mut others) = (Vec::new(), Vec::new());
+    for fit in fits {
+        if families.contains(&fit.law.family) {
+            others.push(fit);
+        } else {
+            families.push(fit.law.family);
+            winners.push(fit);
+        }
+    }
+    winners.append(&mut others);
+    winners
+}
+
+/// Index of the law to use, unless the user says otherwise: the first of the ranking that is stable over the stretches
+/// asked for, or the first of all if none is.
+pub fn choose(ranked: &[Fit]) -> usize {
+    ranked.iter().position(|fit| fit.is_stable && fit.shear_modulus() > 0.0).unwrap_or_default()
+}
+
+/// Correlation of two parameters above which their values mean little apart.
+const CORRELATED: f64 = 0.99;
+/// Condition of the scaled problem above which a small error of the data is a large one of the coefficients.
+const ILL_CONDITIONED: f64 = 1e3;
+/// Points a parameter should have, at least.
+const POINTS_PER_PARAMETER: usize = 5;
+
+/// What a user of `chosen` should know, most important first.
+pub fn caveats(chosen: &Fit, all: &[Fit], data: &[DataSet], range: (f64, f64)) -> Vec<String> {
+    let mut caveats = Vec::new();
+    let label = chosen.law.label;
+    if chosen.shear_modulus() <= 0.0 {
+        caveats.push(format!(
+            "{label} has the shear modulus {:.4} MPa at rest; the simulation refuses it",
+            chosen.shear_modulus() * 1e-6
+        ));
+    }
+    if !chosen.is_stable {
+        caveats.push(format!("{label} is unstable {}: --stable demands a stable law", unstable(chosen, range)));
+    }
+    caveats.extend(coverage(data));
+    caveats.extend(determination(chosen));
+    caveats.extend(alternatives(chosen, all));
+    caveats
+}
+
+/// Where within `range` the law is unstable.
+fn unstable(fit: &Fit, range: (f64, f64)) -> String {
+    let mut places = Vec::new();
+    for (mode, stable) in super::MODES.iter().zip(&fit.stability.0) {
+        if stable.0 > range.0 {
+            places.push(format!("in {} compression below stretch {:.2}", mode.name(), stable.0));
+        }
+        if stable.1 < range.1 {
+            places.push(format!("in {} tension above stretch {:.2}", mode.name(), stable.1));
+        }
+    }
+    places.join(", ")
+}
+
+fn coverage(data: &[DataSet]) -> Vec<String> {
+    let mut caveats = Vec::new();
+    let stretches = || data.iter().flat_map(|set| set.points.iter().map(|point| point.0));
+    let (low, high) = stretches().fold((f64::MAX, f64::MIN), |(low, high), l| (low.min(l), high.max(l)));
+    let modes: Vec<Mode> = data.iter().map(|set| set.mode).collect();
+    if modes.iter().all(|mode| *mode == Mode::Uniaxial) {
+        let reach = if low < 0.95 && high > 1.05 { "tension and compression" } else { "one way" };
+        caveats.push(format!(
+            "only uniaxial data, {reach}: terms of I1 and I2 are hardly told apart, and other states of strain are a guess"
+        ));
+    }
+    // Equibiaxial tension is uniaxial compression, l_c = l^-2.
+    let compressed = data.iter().any(|set| set.points.iter().any(|p| p.0 < 0.95 || set.mode == Mode::Equibiaxial));
+    if !compressed {
+        caveats.push("no compression in the data, which a drop test is: compression is extrapolated".into());
+    }
+    caveats.push(format!("outside the stretches of the data, {low:.2} to {high:.2}, every law is a guess"));
+    caveats
+}
+
+fn determination(fit: &Fit) -> Vec<String> {
+    let (statistics, law) = (&fit.statistics, fit.law);
+    let (n, k) = (statistics.n_point, statistics.n_parameter);
+    let mut caveats = Vec::new();
+    if n < POINTS_PER_PARAMETER * k {
+        caveats.push(format!("{n} points for {k} parameters of {} are few", law.label));
+    }
+    if statistics.condition > ILL_CONDITIONED {
+        caveats.push(format!("the data determine the coefficients badly: condition {:.1e}", statistics.condition));
+    }
+    let pairs = (0..k).flat_map(|i| (0..i).map(move |j| (j, i)));
+    let mut correlated: Vec<_> =
+        pairs.map(|(j, i)| (statistics.correlation[(i, j)], j, i)).filter(|pair| pair.0.abs() > CORRELATED).collect();
+    correlated.sort_by(|a, b| b.0.abs().total_cmp(&a.0.abs()));
+    if let Some(&(correlation, j, i)) = correlated.first() {
+        let (a, b) = (law.parameters[j], law.parameters[i]);
+        let others = match correlated.len() - 1 {
+            0 => String::new(),
+            1 => ", nor another pair".into(),
+            n => format!(", nor {n} other pairs"),
+        };
+        caveats.push(format!("{a} and {b} cannot be told apart (correlation {correlation:.4}){others}"));
+    }
+    if law.family == Family::Ogden {
+        for alpha in fit.values.iter().skip(1).step_by(2).filter(|alpha| alpha.abs() > 0.95 * LARGEST_ALPHA) {
+            caveats.push(format!("an exponent is at its bound: {alpha:.1}"));
+        }
+    }
+    caveats
+}
+
+fn alternatives(chosen: &Fit, all: &[Fit]) -> Vec<String> {
+    let mut caveats = Vec::new();
+    let better =
+        all.iter().filter(|fit| fit.shear_modulus() > 0.0).min_by(|a, b| a.statistics.aic.total_cmp(&b.statistics.aic));
+    if let Some(better) = better.filter(|better| better.statistics.aic < chosen.statistics.aic - 2.0) {
+        caveats.push(format!(
+            "{} has the lower AIC ({:.1} against {:.1}): the parameters that it saves are worth more than the residual",
+            better.law.label, better.statistics.aic, chosen.statistics.aic
+        ));
+    }
+    if let Some(first) = all.first().filter(|first| first.law != chosen.law) {
+        let ratio = (chosen.statistics.residual_sum / first.statistics.residual_sum).sqrt();
+        let why = if first.is_stable { "" } else { " and is unstable" };
+        caveats.push(format!(
+            "{} has the lowest residual{why}; the root of the residual sum of {} is {ratio:.2} times that",
+            first.law.label, chosen.law.label
+        ));
+    }
+    if !chosen.is_stable
+        && let Some(stable) = all.iter().find(|fit| fit.is_stable && fit.shear_modulus() > 0.0)
+    {
+        let ratio = (stable.statistics.residual_sum / chosen.statistics.residual_sum).sqrt();
+        caveats.push(format!("{} is stable, with {ratio:.2} times the root of the residual sum", stable.law.label));
+    }
+    caveats
+}

@@ -1,0 +1,113 @@
+//! Nominal stress of the kernel's laws in the three tests.
+//!
+//! The free direction carries no stress, so the loaded one carries P = (tau_loaded - tau_free) / l, in which the
+//! pressure of the incompressible specimen drops out.
+
+use softanvil_kernel::element::Kinematics;
+use softanvil_kernel::lanes::{Deviator, LANES, Lane, ZERO};
+use softanvil_kernel::material::Elastic;
+
+use super::Mode;
+
+const ONE: Lane = [1.0; LANES];
+
+/// Stretches (x, y, z) of a test at the stretch `l`, the loaded direction first.
+pub fn stretches(mode: Mode, l: f64) -> [f64; 3] {
+    match mode {
+        Mode::Uniaxial => [l, l.powf(-0.5), l.powf(-0.5)],
+        Mode::Planar => [l, 1.0 / l, 1.0],
+        Mode::Equibiaxial => [l, 1.0 / (l * l), l],
+    }
+}
+
+/// Deviatoric Kirchhoff stresses (x, y, z), Pa, at up to [`LANES`] isochoric triples of principal stretches.
+pub fn kirchhoff(elastic: &Elastic, states: &[[f64; 3]]) -> [[f64; 3]; LANES] {
+    let mut lanes = [ONE; 3];
+    for (index, state) in states.iter().take(LANES).enumerate() {
+        for (lane, stretch) in lanes.iter_mut().zip(state) {
+            lane[index] = *stretch;
+        }
+    }
+    let kinematics = Kinematics {
+        cos: ONE,
+        sin: ZERO,
+        u11: lanes[0],
+        u22: lanes[1],
+        u12: ZERO,
+        u33: lanes[2],
+        jacobian: ONE,
+        inverse_cbrt_j: ONE,
+    };
+    let (stress, _): (Deviator, Lane) = elastic.stress(&kinematics);
+    std::array::from_fn(|index| {
+        let (x, y) = (stress.xx[index], stress.yy[index]);
+        [x, y, -(x + y)]
+    })
+}
+
+/// Nominal stress, Pa, at each of `points` (stretches of the loaded direction).
+pub fn nominal(elastic: &Elastic, mode: Mode, points: &[f64]) -> Vec<f64> {
+    let mut stresses = Vec::with_capacity(points.len());
+    for chunk in points.chunks(LANES) {
+        let states: Vec<_> = chunk.iter().map(|&l| stretches(mode, l)).collect();
+        let stress = kirchhoff(elastic, &states);
+        // The free direction is the second in all three tests.
+        stresses.extend(chunk.iter().zip(stress).map(|(l, tau)| (tau[0] - tau[1]) / l));
+    }
+    stresses
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::law::{LAWS, Law, MODES};
+
+    /// Source: Ogden, Non-linear Elastic Deformations (1984): W of the invariants in uniaxial, planar and equibiaxial
+    /// extension; written here with the derivatives of W, not with the kernel's.
+    #[test]
+    fn the_closed_forms_of_the_three_tests() {
+        let (c10, c01, c11, c20, c02) = (0.11e6, 0.07e6, 0.02e6, 0.003e6, 0.005e6);
+        let elastic = Elastic::new(&Law::find("mooney_rivlin_5").unwrap().material(&[c10, c01, c11, c20, c02]));
+        for mode in MODES {
+            for l in [0.3_f64, 0.7, 0.999, 1.001, 1.5, 3.0] {
+                let s = stretches(mode, l);
+                let (i1, i2) =
+                    (s.iter().map(|l| l * l).sum::<f64>() - 3.0, s.iter().map(|l| 1.0 / (l * l)).sum::<f64>() - 3.0);
+                let (w1, w2) = (c10 + 2.0 * c20 * i1 + c11 * i2, c01 + 2.0 * c02 * i2 + c11 * i1);
+                let expected = match mode {
+                    Mode::Uniaxial => 2.0 * (l - l.powi(-2)) * (w1 + w2 / l),
+                    Mode::Planar => 2.0 * (l - l.powi(-3)) * (w1 + w2),
+                    Mode::Equibiaxial => 2.0 * (l - l.powi(-5)) * (w1 + l * l * w2),
+                };
+                let found = nominal(&elastic, mode, &[l])[0];
+                assert!((found - expected).abs() < 1e-11 * c10.max(expected.abs()), "{mode:?} {l}: {found} {expected}");
+            }
+        }
+    }
+
+    /// Source: Ogden (1972): P = sum mu_k (l^(alpha_k - 1) - l_free^alpha_k / l).
+    #[test]
+    fn the_closed_form_of_ogden() {
+        let values = [0.63e6, 1.3, 0.0012e6, 5.0, -0.01e6, -2.0];
+        let elastic = Elastic::new(&Law::find("ogden_3").unwrap().material(&values));
+        for mode in MODES {
+            for l in [0.4_f64, 0.9, 1.1, 2.0, 6.0] {
+                let free = stretches(mode, l)[1];
+                let expected: f64 =
+                    values.chunks(2).map(|term| term[0] * (l.powf(term[1]) - free.powf(term[1])) / l).sum();
+                let found = nominal(&elastic, mode, &[l])[0];
+                assert!((found - expected).abs() < 1e-11 * expected.abs(), "{mode:?} {l}: {found} {expected}");
+            }
+        }
+    }
+
+    #[test]
+    fn many_points_give_what_one_gives() {
+        let elastic = Elastic::new(&LAWS[3].material(&[1.0, 2.0, 3.0, 4.0, 5.0]));
+        let points: Vec<f64> = (1..30).map(|k| 0.5 + 0.1 * f64::from(k)).collect();
+        let together = nominal(&elastic, Mode::Uniaxial, &points);
+        for (l, stress) in points.iter().zip(together) {
+            assert_eq!(nominal(&elastic, Mode::Uniaxial, &[*l])[0], stress);
+        }
+    }
+}

@@ -1,0 +1,6 @@
+//! Identification against numbers that others published, and against truths that were made up.
+
+mod closed_loop;
+mod recovery;
+mod tolerance;
+mod treloar;

@@ -1,0 +1,18 @@
+//! Calibration: the parameters with which simulated impacts come closest to measured ones.
+//!
+//! 1. [`problem`] is the file that says what is searched for; [`variable`] a parameter with its bounds, [`target`] the
+//!    measured impacts, [`prior`] what quasi-static tests say about the material.
+//! 2. [`objective`] turns values into a score: it simulates the impacts and compares.
+//! 3. [`search`] looks for the lowest score with CMA-ES and restarts; every evaluation goes to the [`log`], from which an
+//!    interrupted search continues.
+//! 4. [`result`] is what came out: the best values, and the [`spread`] of those that are about as good.
+
+pub mod log;
+pub mod objective;
+pub mod prior;
+pub mod problem;
+pub mod result;
+pub mod search;
+pub mod spread;
+pub mod target;
+pub mod variable;

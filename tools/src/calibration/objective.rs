@@ -1,0 +1,170 @@
+//! The score of values: how far simulated impacts are from the measured ones.
+//!
+//! Every number that counts gives a relative error, %; a trace gives the root mean square of its difference over the
+//! measured peak, %. The score is (1 - s) mean |e| + s sqrt(mean e^2), weighted means with the share s of the root mean
+//! square, plus the mean excess over the limits, plus the penalty of the prior. Lower is better; values that cannot be
+//! simulated score more than any that are worth anything.
+
+use rayon::prelude::*;
+use softanvil_kernel::Scenario;
+
+use super::problem::Problem;
+use super::variable;
+use crate::curve_score::CurveScore;
+use crate::quantity::{COUNT, MAX_DEFORMATION};
+use crate::run::{Drop, Run, RunError};
+use crate::series::{Sensor, Series};
+use crate::validation::error_percent;
+
+/// Score of values that cannot be simulated.
+pub const REFUSED: f64 = 1e3;
+
+/// One impact, simulated.
+#[derive(Clone, Debug)]
+pub struct Simulated {
+    /// The four numbers, in SI.
+    pub values: [f64; COUNT],
+    /// Comparison with the measured trace, if there is one.
+    pub curve: Option<CurveScore>,
+}
+
+/// What an evaluation gives.
+#[derive(Clone, Debug)]
+pub struct Evaluation {
+    /// The score.
+    pub score: f64,
+    /// Mean of the absolute errors of all measured numbers, %, whether they count or not; NaN if not simulated.
+    pub mean_error: f64,
+    /// The impacts in the order of the targets; none if they could not be simulated.
+    pub impacts: Vec<Simulated>,
+    /// Why not.
+    pub refusal: Option<String>,
+}
+
+/// Evaluates one set of values.
+pub fn evaluate(problem: &Problem, values: &[f64]) -> Evaluation {
+    match attempt(problem, values) {
+        Ok(evaluation) => evaluation,
+        Err((score, reason)) => Evaluation { score, mean_error: f64::NAN, impacts: Vec::new(), refusal: Some(reason) },
+    }
+}
+
+/// The scenario of `values`.
+///
+/// # Errors
+/// A value that the kernel refuses.
+pub fn scenario(problem: &Problem, values: &[f64]) -> Result<Scenario, String> {
+    let mut scenario = problem.scenario;
+    variable::apply(&problem.variables, values, &mut scenario)?;
+    Ok(scenario)
+}
+
+fn attempt(problem: &Problem, values: &[f64]) -> Result<Evaluation, (f64, String)> {
+    let refuse = |reason: String| (REFUSED, reason);
+    let scenario = scenario(problem, values).map_err(refuse)?;
+    let drops = prepare(problem, &scenario)?;
+    let runs: Vec<Run> = drops
+        .into_par_iter()
+        .map(|drop| drop.run(|_| {}))
+        .collect::<Result<_, RunError>>()
+        .map_err(|error| refuse(error.to_string()))?;
+    let impacts: Vec<Simulated> = runs.iter().zip(0..).map(|(run, i)| measure(problem, i, run)).collect();
+    let penalty = problem.prior.map_or(0.0, |prior| prior.penalty(&scenario.silicone));
+    let score = score(problem, &impacts) + penalty;
+    Ok(Evaluation { score, mean_error: mean_error(problem, &impacts), impacts, refusal: None })
+}
+
+/// The drops of all targets.
+fn prepare(problem: &Problem, scenario: &Scenario) -> Result<Vec<Drop>, (f64, String)> {
+    let mut drops = Vec::new();
+    for target in &problem.targets {
+        let mut scenario = *scenario;
+        scenario.impactor = scenario.impactor.with_energy(target.energy);
+        let drop = Drop::new(&scenario).map_err(|error| (REFUSED, error.to_string()))?;
+        let (steps, most) = (drop.steps_per_sample(), problem.objective.steps_per_sample);
+        if most > 0 && steps > most {
+            // A slope that leads back to where steps are large enough.
+            let score = REFUSED * 0.5 + f64::from(steps - most);
+            return Err((score, format!("{steps} steps in 50 us; at most {most} are allowed")));
+        }
+        drops.push(drop);
+    }
+    Ok(drops)
+}
+
+/// The numbers of `run`, an impact of target `index`, read as the problem says.
+fn measure(problem: &Problem, index: usize, run: &Run) -> Simulated {
+    let options = &problem.objective;
+    let threshold = run.constants.scenario.measurement.force_threshold;
+    let series = read(run, options.force, options.cfc);
+    let mut values = [series.peak(), 0.0, series.duration(threshold), series.impulse(0.0)];
+    values[MAX_DEFORMATION] = run.end().metrics.max_deformation;
+    let trace = problem.targets[index].trace.as_ref();
+    Simulated { values, curve: trace.and_then(|trace| CurveScore::new(trace, &series, threshold)) }
+}
+
+/// The force of `run`; unfiltered where the sampling does not carry the class, which [`Problem`] has checked.
+fn read(run: &Run, sensor: Sensor, cfc: Option<f64>) -> Series {
+    let series = Series::of_run(run, sensor);
+    match cfc {
+        Some(class) => series.clone().filtered(class).unwrap_or(series),
+        None => series,
+    }
+}
+
+/// Errors of all impacts, %, with whether they count.
+fn errors<'a>(problem: &'a Problem, impacts: &'a [Simulated]) -> impl Iterator<Item = (usize, f64, bool)> + 'a {
+    problem.targets.iter().zip(impacts).flat_map(|(target, simulated)| {
+        (0..COUNT).filter_map(|i| Some((i, error_percent(simulated.values[i], target.measured[i]?), target.counts[i])))
+    })
+}
+
+fn mean_error(problem: &Problem, impacts: &[Simulated]) -> f64 {
+    crate::validation::mean_absolute(errors(problem, impacts).map(|(_, error, _)| error))
+}
+
+fn score(problem: &Problem, impacts: &[Simulated]) -> f64 {
+    let options = &problem.objective;
+    let (weights, limits) = (options.weights(), options.limits());
+    let mut sums = Sums::default();
+    for (i, error, _) in errors(problem, impacts).filter(|(_, _, counts)| *counts) {
+        sums.add(error, weights[i]);
+        sums.excess += (error.abs() - limits[i]).max(0.0);
+    }
+    for (target, simulated) in problem.targets.iter().zip(impacts).filter(|(target, _)| !target.predict) {
+        if target.trace.is_some() {
+            // No contact at all differs by about the peak.
+            let difference = simulated.curve.map_or(1.0, |curve| curve.difference);
+            sums.add(100.0 * difference, options.trace_weight());
+        }
+    }
+    sums.score(options.root_mean_square)
+}
+
+/// Weighted sums of errors.
+#[derive(Default)]
+struct Sums {
+    weight: f64,
+    absolute: f64,
+    square: f64,
+    excess: f64,
+    count: f64,
+}
+
+impl Sums {
+    fn add(&mut self, error: f64, weight: f64) {
+        self.weight += weight;
+        self.absolute += weight * error.abs();
+        self.square += weight * error * error;
+        self.count += 1.0;
+    }
+
+    fn score(&self, root_mean_square: f64) -> f64 {
+        if self.weight <= 0.0 {
+            return 0.0;
+        }
+        (1.0 - root_mean_square) * self.absolute / self.weight
+            + root_mean_square * (self.square / self.weight).sqrt()
+            + self.excess / self.count
+    }
+}

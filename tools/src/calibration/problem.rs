@@ -1,0 +1,277 @@
+//! The problem file: what is searched for, where, and by which score.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use serde::Deserialize;
+use softanvil_kernel::cfc::Coefficients;
+use softanvil_kernel::parameter::Kind;
+use softanvil_kernel::preset::Preset;
+use softanvil_kernel::{Parameter, SAMPLING_INTERVAL, Scenario};
+
+use super::prior::Prior;
+use super::target::{Impact, Target, read_impacts};
+use super::variable::{Range, Variable};
+use crate::failure::Failure;
+use crate::quantity::{COUNT, QUANTITIES};
+use crate::series::Sensor;
+use crate::{presets, scenario_file};
+
+/// The file, as it is written.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct File {
+    #[serde(default = "study")]
+    preset: String,
+    scenario: Option<PathBuf>,
+    #[serde(default)]
+    fixed: toml::Table,
+    search: SearchOptions,
+    #[serde(default)]
+    objective: ObjectiveOptions,
+    prior: Option<Prior>,
+    parameters: toml::Table,
+    #[serde(default)]
+    impact: Vec<Impact>,
+    impacts: Option<PathBuf>,
+}
+
+fn study() -> String {
+    "study".into()
+}
+
+/// How to search.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct SearchOptions {
+    /// Seed of the random numbers.
+    #[serde(default = "one")]
+    pub seed: u64,
+    /// Evaluations to spend.
+    pub evaluations: usize,
+    /// Evaluations in a generation; 0 for 4 + 3 ln n of n parameters.
+    #[serde(default)]
+    pub population: usize,
+    /// First standard deviation, as a part of every range.
+    #[serde(default = "fifth")]
+    pub step: f64,
+}
+
+fn one() -> u64 {
+    1
+}
+
+fn fifth() -> f64 {
+    0.2
+}
+
+/// What the score is made of.
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct ObjectiveOptions {
+    /// Share of the root mean square of the errors in the score; the rest is the mean of their absolute values.
+    pub root_mean_square: f64,
+    /// Weights of the errors, by key of the number, and of the difference of a trace; 1 if left out.
+    pub weights: BTreeMap<String, f64>,
+    /// Errors, %, by key of the number, beyond which the excess counts once more in full.
+    pub limits: BTreeMap<String, f64>,
+    /// Which force is compared with the measured one.
+    pub force: Sensor,
+    /// Channel frequency class of the filter on it, Hz; none if left out.
+    pub cfc: Option<f64>,
+    /// Most steps per sampling interval of 50 us: stiffer materials are refused, for the sake of speed. 0 allows all.
+    pub steps_per_sample: u32,
+}
+
+/// Key of the weight of a trace's difference.
+pub const TRACE: &str = "trace";
+
+impl ObjectiveOptions {
+    /// Weights in the order of [`QUANTITIES`].
+    pub fn weights(&self) -> [f64; COUNT] {
+        QUANTITIES.each_ref().map(|quantity| self.weights.get(quantity.key).copied().unwrap_or(1.0))
+    }
+
+    /// Weight of a trace's difference.
+    pub fn trace_weight(&self) -> f64 {
+        self.weights.get(TRACE).copied().unwrap_or(1.0)
+    }
+
+    /// Limits, %, in the order of [`QUANTITIES`].
+    pub fn limits(&self) -> [f64; COUNT] {
+        QUANTITIES.each_ref().map(|quantity| self.limits.get(quantity.key).copied().unwrap_or(f64::INFINITY))
+    }
+
+    fn check(&self) -> Result<(), String> {
+        let known = |key: &String| QUANTITIES.iter().any(|quantity| quantity.key == key);
+        if let Some(key) = self.weights.keys().find(|key| !known(key) && *key != TRACE) {
+            return Err(format!("objective.weights: {key} is unknown"));
+        }
+        if let Some(key) = self.limits.keys().find(|key| !known(key)) {
+            return Err(format!("objective.limits: {key} is unknown"));
+        }
+        let bad = |value: &&f64| !(**value >= 0.0 && value.is_finite());
+        if self.weights.values().chain(self.limits.values()).any(|value| bad(&value)) {
+            return Err("objective: weights and limits have to be 0 or more".into());
+        }
+        if !(0.0..=1.0).contains(&self.root_mean_square) {
+            return Err("objective.root_mean_square has to be from 0 to 1".into());
+        }
+        if let Some(class) = self.cfc {
+            Coefficients::new(class, SAMPLING_INTERVAL).map_err(|error| format!("objective.cfc: {error}"))?;
+        }
+        Ok(())
+    }
+}
+
+/// A problem that is ready to be searched.
+pub struct Problem {
+    /// The scenario that the variables change.
+    pub scenario: Scenario,
+    /// What is varied.
+    pub variables: Vec<Variable>,
+    /// The impacts.
+    pub targets: Vec<Target>,
+    /// What the score is made of.
+    pub objective: ObjectiveOptions,
+    /// The demand of quasi-static tests.
+    pub prior: Option<Prior>,
+    /// How to search.
+    pub search: SearchOptions,
+}
+
+impl Problem {
+    /// Reads the file; what it names stands beside it.
+    ///
+    /// # Errors
+    /// What is refused, with the name of the file.
+    pub fn read(path: &Path) -> Result<Self, Failure> {
+        let refuse = |error: String| Failure::Input(format!("{}: {error}", path.display()));
+        let text = std::fs::read_to_string(path).map_err(|error| refuse(error.to_string()))?;
+        let folder = path.parent().unwrap_or(Path::new("."));
+        Self::parse(&text, folder).map_err(refuse)
+    }
+
+    /// The problem that `text` describes; the files that it names stand in `folder`.
+    ///
+    /// # Errors
+    /// The first thing that is refused.
+    pub fn parse(text: &str, folder: &Path) -> Result<Self, String> {
+        let file: File = toml::from_str(text).map_err(|error| one_line(text, &error))?;
+        let preset: &Preset =
+            presets::parse(&file.preset).map_err(|legal| format!("preset {}: {legal}", file.preset))?;
+        let mut scenario = (preset.scenario)();
+        if let Some(path) = &file.scenario {
+            scenario = scenario_file::read(&folder.join(path), &scenario).map_err(|error| error.to_string())?;
+        }
+        for (name, value) in &file.fixed {
+            fix(&mut scenario, name, value)?;
+        }
+        scenario.validate().map_err(|error| error.to_string())?;
+        let variables =
+            file.parameters.iter().map(|(name, range)| variable(name, range)).collect::<Result<Vec<_>, _>>()?;
+        if variables.is_empty() {
+            return Err("[parameters] is empty: there is nothing to search for".into());
+        }
+        let mut impacts = file.impact;
+        if let Some(path) = &file.impacts {
+            impacts.extend(read_impacts(&folder.join(path))?);
+        }
+        let targets = impacts.iter().map(|impact| Target::new(impact, folder)).collect::<Result<Vec<_>, _>>()?;
+        if !targets.iter().any(|target| !target.predict) {
+            return Err("no [[impact]] counts: there is nothing to aim at".into());
+        }
+        file.objective.check()?;
+        if let Some(prior) = &file.prior {
+            prior.check()?;
+        }
+        let search = file.search;
+        if search.evaluations == 0 || !(search.step > 0.0 && search.step <= 1.0) {
+            return Err("search: evaluations has to be above 0, step above 0 and at most 1".into());
+        }
+        Ok(Self { scenario, variables, targets, objective: file.objective, prior: file.prior, search })
+    }
+}
+
+fn variable(name: &str, range: &toml::Value) -> Result<Variable, String> {
+    let range: Range = range.clone().try_into().map_err(|error| {
+        let error: toml::de::Error = error;
+        format!("{name}: {}", error.message())
+    })?;
+    Variable::new(name, range)
+}
+
+/// Sets a parameter to what stands under [fixed]: a number, or the label of a choice.
+fn fix(scenario: &mut Scenario, name: &str, value: &toml::Value) -> Result<(), String> {
+    let Some(parameter) = Parameter::find(name) else {
+        return Err(format!("fixed: {name} is unknown{}", scenario_file::suggestion(name)));
+    };
+    let number = match (&parameter.kind, value) {
+        (Kind::Choice { labels, .. }, toml::Value::String(label)) => {
+            labels.iter().position(|known| known == label).map(|index| index as f64)
+        }
+        (Kind::Real { .. }, toml::Value::Float(number)) => Some(*number),
+        (Kind::Real { .. }, toml::Value::Integer(number)) => Some(*number as f64),
+        _ => None,
+    };
+    let legal = match &parameter.kind {
+        Kind::Choice { labels, .. } => labels.join(", "),
+        Kind::Real { unit, min, max, .. } => format!("{min} to {max} {unit}"),
+    };
+    let number = number.ok_or_else(|| format!("fixed: {name} = {value} is refused: legal is {legal}"))?;
+    parameter.set(scenario, number).map_err(|error| format!("fixed: {error}"))
+}
+
+/// Line and message of what is no TOML or not our kind of it.
+fn one_line(text: &str, error: &toml::de::Error) -> String {
+    let start = error.span().map_or(0, |span| span.start);
+    let line = 1 + text.bytes().take(start).filter(|byte| *byte == b'\n').count();
+    format!("line {line}: {}", error.message().split_whitespace().collect::<Vec<_>>().join(" "))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const GOOD: &str = "[search]\nevaluations = 10\n[parameters]\n\"silicone.c10\" = { min = 1e4, max = 1e6 }\n\
+                        [[impact]]\nenergy = 14.7\ntable_1 = true\n";
+
+    fn refused(text: &str) -> String {
+        Problem::parse(text, Path::new(".")).err().unwrap()
+    }
+
+    #[test]
+    fn what_is_left_out_has_defaults() {
+        let problem = Problem::parse(GOOD, Path::new(".")).unwrap();
+        assert_eq!((problem.search.seed, problem.objective.force), (1, Sensor::Contact));
+        assert_eq!(problem.objective.weights(), [1.0; COUNT]);
+        assert_eq!(problem.variables.len(), 1);
+    }
+
+    #[test]
+    fn choices_and_numbers_can_be_fixed() {
+        let text = format!("{GOOD}[fixed]\n\"core.interface\" = \"frictional\"\n\"core.friction_coefficient\" = 1\n");
+        let problem = Problem::parse(&text, Path::new(".")).unwrap();
+        assert_eq!(problem.scenario.core.friction_coefficient, 1.0);
+        assert!(refused(&text.replace("frictional\"", "glued\"")).contains("legal is bonded, frictional, sliding"));
+        assert!(refused(&text.replace("= 1\n", "= -1\n")).contains("legal is 0 to 10"));
+    }
+
+    #[test]
+    fn a_refused_problem_says_what_is_wrong() {
+        for (from, to, message) in [
+            ("evaluations = 10", "evalations = 10", "line 2: unknown field `evalations`"),
+            ("evaluations = 10", "evaluations = 0", "evaluations has to be above 0"),
+            ("min = 1e4, ", "", "silicone.c10: missing field `min`"),
+            ("silicone.c10", "silicone.c9", "silicone.c9 is unknown"),
+            ("14.7", "3", "14.7, 9.8 and 4.9"),
+            ("table_1 = true", "table_1 = true\npredict = true", "nothing to aim at"),
+            ("[search]", "[objective.limits]\npeak = 3\n[search]", "objective.limits: peak is unknown"),
+            ("[search]", "[prior]\nweight = -1\n[search]", "have to be above 0"),
+            ("[search]", "preset = \"other\"\n[search]", "preset other: legal is study"),
+        ] {
+            let error = refused(&GOOD.replacen(from, to, 1));
+            assert!(error.contains(message), "{error}");
+        }
+    }
+}

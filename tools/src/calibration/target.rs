@@ -1,0 +1,165 @@
+//! The measured impacts that a search aims at.
+
+use std::path::Path;
+
+use serde::Deserialize;
+
+use crate::paper::TABLE_1;
+use crate::quantity::{COUNT, QUANTITIES};
+use crate::series::Series;
+
+/// An impact as the problem file states it: by what was measured, or as a line of the study's table.
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Impact {
+    /// Impact energy, J.
+    pub energy: f64,
+    /// Take the four numbers from the study's Table 1.
+    #[serde(default)]
+    pub table_1: bool,
+    /// Peak force, N.
+    pub peak_force: Option<f64>,
+    /// Largest deformation, m.
+    pub max_deformation: Option<f64>,
+    /// Impact duration, s.
+    pub impact_duration: Option<f64>,
+    /// Impulse, N s.
+    pub impulse: Option<f64>,
+    /// Force trace: a CSV file beside the problem file, time in s and force in N.
+    pub trace: Option<String>,
+    /// Keys of numbers that are reported but do not count.
+    #[serde(default)]
+    pub ignore: Vec<String>,
+    /// Whether nothing of this impact counts: it is simulated and reported, as a prediction.
+    #[serde(default)]
+    pub predict: bool,
+}
+
+/// An impact to aim at.
+pub struct Target {
+    /// Impact energy, J.
+    pub energy: f64,
+    /// What was measured, in SI and in the order of [`QUANTITIES`].
+    pub measured: [Option<f64>; COUNT],
+    /// Which of them count.
+    pub counts: [bool; COUNT],
+    /// Measured force trace.
+    pub trace: Option<Series>,
+    /// Whether the impact is predicted only.
+    pub predict: bool,
+}
+
+impl Target {
+    /// The target that `impact` describes; its files stand in `folder`.
+    ///
+    /// # Errors
+    /// An energy that the table does not have, a number that is no positive one, an unknown key, or a trace that cannot
+    /// be read.
+    pub fn new(impact: &Impact, folder: &Path) -> Result<Self, String> {
+        let energy = impact.energy;
+        let refuse = |what: String| Err(format!("impact of {energy} J: {what}"));
+        if !(energy > 0.0 && energy.is_finite()) {
+            return refuse("legal is an energy above 0".into());
+        }
+        let given = [impact.peak_force, impact.max_deformation, impact.impact_duration, impact.impulse];
+        for (quantity, value) in QUANTITIES.iter().zip(given) {
+            if value.is_some_and(|value| !(value > 0.0 && value.is_finite())) {
+                return refuse(format!("{} has to be above 0", quantity.key));
+            }
+        }
+        let measured = match (impact.table_1, TABLE_1.iter().find(|case| case.energy == energy)) {
+            (false, _) => given,
+            (true, Some(case)) => std::array::from_fn(|i| given[i].or(Some(case.experiment[i]))),
+            (true, None) => return refuse("the study's table has 14.7, 9.8 and 4.9 J".into()),
+        };
+        let mut counts = measured.map(|value| value.is_some() && !impact.predict);
+        for key in &impact.ignore {
+            match QUANTITIES.iter().position(|quantity| quantity.key == key) {
+                Some(index) => counts[index] = false,
+                None => return refuse(format!("ignore: {key} is unknown; legal is {}", keys())),
+            }
+        }
+        let trace = match &impact.trace {
+            Some(file) => Some(Series::read(&folder.join(file)).map_err(|error| error.to_string())?),
+            None => None,
+        };
+        if measured.iter().all(Option::is_none) && trace.is_none() {
+            return refuse(format!("nothing was measured: give some of {}, trace, or table_1 = true", keys()));
+        }
+        Ok(Self { energy, measured, counts, trace, predict: impact.predict })
+    }
+}
+
+fn keys() -> String {
+    QUANTITIES.iter().map(|quantity| quantity.key).collect::<Vec<_>>().join(", ")
+}
+
+/// Impacts from a CSV file whose header names the keys of [`Impact`], those that it needs.
+///
+/// # Errors
+/// What cannot be read, with its line.
+pub fn read_impacts(path: &Path) -> Result<Vec<Impact>, String> {
+    let mut reader = csv::ReaderBuilder::new()
+        .trim(csv::Trim::All)
+        .from_path(path)
+        .map_err(|error| format!("{} cannot be read: {error}", path.display()))?;
+    let rows = reader.deserialize::<Row>();
+    let impacts = rows.map(|row| row.map(Impact::from)).collect::<Result<Vec<_>, _>>();
+    impacts.map_err(|error| format!("{}: {error}", path.display()))
+}
+
+/// A line of such a file.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Row {
+    energy: f64,
+    peak_force: Option<f64>,
+    max_deformation: Option<f64>,
+    impact_duration: Option<f64>,
+    impulse: Option<f64>,
+    trace: Option<String>,
+    predict: Option<bool>,
+}
+
+impl From<Row> for Impact {
+    fn from(row: Row) -> Self {
+        Self {
+            energy: row.energy,
+            peak_force: row.peak_force,
+            max_deformation: row.max_deformation,
+            impact_duration: row.impact_duration,
+            impulse: row.impulse,
+            trace: row.trace,
+            predict: row.predict.unwrap_or(false),
+            ..Self::default()
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_line_of_the_table_counts_but_for_what_is_ignored() {
+        let ignore = vec!["max_deformation".to_string()];
+        let impact = Impact { energy: 9.8, table_1: true, ignore, ..Impact::default() };
+        let target = Target::new(&impact, Path::new(".")).unwrap();
+        assert_eq!(target.measured, [Some(4071.0), Some(3.5e-3), Some(8.1e-3), Some(13.0)]);
+        assert_eq!(target.counts, [true, false, true, true]);
+        let target = Target::new(&Impact { predict: true, ..impact }, Path::new(".")).unwrap();
+        assert_eq!(target.counts, [false; COUNT]);
+    }
+
+    #[test]
+    fn an_impact_without_measurements_is_refused() {
+        let refused = |impact: Impact| Target::new(&impact, Path::new(".")).err().unwrap();
+        assert!(refused(Impact { energy: 5.0, ..Impact::default() }).contains("nothing was measured"));
+        assert!(refused(Impact { energy: 5.0, table_1: true, ..Impact::default() }).contains("14.7, 9.8 and 4.9"));
+        assert!(refused(Impact { energy: 5.0, impulse: Some(-1.0), ..Impact::default() }).contains("above 0"));
+        let ignore = vec!["peak".to_string()];
+        assert!(
+            refused(Impact { energy: 9.8, table_1: true, ignore, ..Impact::default() }).contains("peak is unknown")
+        );
+    }
+}

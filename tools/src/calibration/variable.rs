@@ -1,0 +1,201 @@
+//! What a search varies: a row of the kernel's table of parameters, or the overstress of a Prony term.
+
+use serde::Deserialize;
+use softanvil_kernel::material::MAX_PRONY_TERMS;
+use softanvil_kernel::parameter::Kind;
+use softanvil_kernel::scenario::Material;
+use softanvil_kernel::{Parameter, Scenario};
+
+/// How a range is searched.
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq)]
+#[serde(rename_all = "lowercase")]
+pub enum Scale {
+    /// Equal steps.
+    #[default]
+    Linear,
+    /// Equal factors; the range is above 0.
+    Log,
+}
+
+/// A range as the problem file states it, in SI.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Range {
+    /// Smallest value.
+    pub min: f64,
+    /// Largest value.
+    pub max: f64,
+    /// How it is searched.
+    #[serde(default)]
+    pub scale: Scale,
+    /// Where the search starts; without it the scenario's value.
+    pub start: Option<f64>,
+}
+
+/// What a variable changes.
+#[derive(Clone, Copy)]
+enum Place {
+    Row(&'static Parameter),
+    /// g_k / g_inf of term k of the silicone: the long-term law and the other terms keep their stress when it changes,
+    /// which g_k alone does not give.
+    Overstress(usize),
+}
+
+/// A parameter with the range in which it is searched.
+pub struct Variable {
+    /// Name: that of a parameter, or `silicone.overstress_k`.
+    pub name: String,
+    /// SI unit.
+    pub unit: &'static str,
+    /// Its range.
+    pub range: Range,
+    place: Place,
+}
+
+/// Names of the overstress of a Prony term begin so.
+const OVERSTRESS: &str = "silicone.overstress_";
+
+impl Variable {
+    /// The variable called `name`, searched in `range`.
+    ///
+    /// # Errors
+    /// An unknown name, or a range that is empty or not legal for the parameter.
+    pub fn new(name: &str, range: Range) -> Result<Self, String> {
+        let place = place(name)?;
+        let (unit, legal) = match place {
+            Place::Row(parameter) => (parameter.unit(), parameter.range()),
+            Place::Overstress(_) => ("1", (0.0, 1e4)),
+        };
+        let refuse =
+            |legal: String| Err(format!("{name} from {} to {} {unit} is refused: {legal}", range.min, range.max));
+        if !(range.min < range.max) {
+            return refuse("legal is min below max".into());
+        }
+        if range.min < legal.0 || range.max > legal.1 {
+            return refuse(format!("legal is {} to {} {unit}", legal.0, legal.1));
+        }
+        if range.scale == Scale::Log && range.min <= 0.0 {
+            return refuse("scale = \"log\" needs min above 0".into());
+        }
+        Ok(Self { name: name.into(), unit, range, place })
+    }
+
+    /// The value in `scenario`.
+    pub fn get(&self, scenario: &Scenario) -> f64 {
+        match self.place {
+            Place::Row(parameter) => parameter.get(scenario),
+            Place::Overstress(term) => overstress(&scenario.silicone)[term],
+        }
+    }
+
+    /// Where the search starts, in the range.
+    pub fn start(&self, scenario: &Scenario) -> f64 {
+        self.range.start.unwrap_or_else(|| self.get(scenario)).clamp(self.range.min, self.range.max)
+    }
+
+    /// The value at `part` (0 to 1) of the range.
+    pub fn value(&self, part: f64) -> f64 {
+        let Range { min, max, scale, .. } = self.range;
+        match scale {
+            // Exact at both ends, and never outside.
+            Scale::Linear => (min + part * (max - min)).clamp(min, max),
+            Scale::Log if part >= 1.0 => max,
+            Scale::Log => (min * (max / min).powf(part)).clamp(min, max),
+        }
+    }
+
+    /// The part (0 to 1) of the range at which `value` lies.
+    pub fn part(&self, value: f64) -> f64 {
+        let Range { min, max, scale, .. } = self.range;
+        match scale {
+            Scale::Linear => (value - min) / (max - min),
+            Scale::Log => (value / min).ln() / (max / min).ln(),
+        }
+    }
+}
+
+/// Sets all `values` in `scenario`.
+///
+/// # Errors
+/// A value that the kernel refuses.
+pub fn apply(variables: &[Variable], values: &[f64], scenario: &mut Scenario) -> Result<(), String> {
+    let mut ratios = overstress(&scenario.silicone);
+    let mut relative = false;
+    for (variable, value) in variables.iter().zip(values) {
+        match variable.place {
+            Place::Row(parameter) => parameter.set(scenario, *value).map_err(|error| error.to_string())?,
+            Place::Overstress(term) => {
+                ratios[term] = *value;
+                relative = true;
+            }
+        }
+    }
+    if relative {
+        let instantaneous = 1.0 + ratios.iter().sum::<f64>();
+        scenario.silicone.prony_g = ratios.map(|ratio| ratio / instantaneous);
+    }
+    Ok(())
+}
+
+/// g_k / g_inf of every term.
+fn overstress(material: &Material) -> [f64; MAX_PRONY_TERMS] {
+    let g_inf = material.prony_g_inf();
+    material.prony_g.map(|g| g / g_inf)
+}
+
+fn place(name: &str) -> Result<Place, String> {
+    if let Some(term) = name.strip_prefix(OVERSTRESS) {
+        return match term.parse::<usize>() {
+            Ok(term @ 1..=MAX_PRONY_TERMS) => Ok(Place::Overstress(term - 1)),
+            _ => Err(format!("{name} is unknown: legal is {OVERSTRESS}1 to {OVERSTRESS}{MAX_PRONY_TERMS}")),
+        };
+    }
+    match Parameter::find(name) {
+        Some(Parameter { kind: Kind::Choice { .. }, .. }) => {
+            Err(format!("{name} is a choice and cannot be searched: give it under [fixed]"))
+        }
+        Some(parameter) => Ok(Place::Row(parameter)),
+        None => Err(format!("{name} is unknown{}", crate::scenario_file::suggestion(name))),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use softanvil_kernel::preset;
+
+    fn range(min: f64, max: f64) -> Range {
+        Range { min, max, scale: Scale::Linear, start: None }
+    }
+
+    #[test]
+    fn the_overstress_of_a_term_leaves_that_of_the_others() {
+        let variables = [Variable::new("silicone.overstress_1", range(1.0, 60.0)).unwrap()];
+        let mut scenario = preset::study();
+        let before = overstress(&scenario.silicone)[1];
+        apply(&variables, &[7.0], &mut scenario).unwrap();
+        let after = overstress(&scenario.silicone);
+        assert!((after[0] - 7.0).abs() < 1e-12 && (after[1] - before).abs() < 1e-12, "{after:?}");
+        assert_eq!(variables[0].get(&scenario), after[0]);
+    }
+
+    #[test]
+    fn a_range_is_walked_from_end_to_end() {
+        for scale in [Scale::Linear, Scale::Log] {
+            let variable = Variable::new("silicone.c10", Range { scale, ..range(1e3, 1e6) }).unwrap();
+            assert_eq!((variable.value(0.0), variable.value(1.0)), (1e3, 1e6));
+            assert!((variable.part(variable.value(0.3)) - 0.3).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn a_refused_range_says_what_is_legal() {
+        let refused = |name: &str, range: Range| Variable::new(name, range).err().unwrap();
+        assert!(refused("silicone.c1", range(0.0, 1.0)).contains("did you mean"));
+        assert!(refused("silicone.law", range(0.0, 1.0)).contains("[fixed]"));
+        assert!(refused("silicone.c10", range(2.0, 1.0)).contains("min below max"));
+        assert!(refused("silicone.c10", Range { scale: Scale::Log, ..range(0.0, 1.0) }).contains("above 0"));
+        assert!(refused("silicone.density", range(0.0, 1.0)).contains("legal is 10 to 20000 kg/m3"));
+        assert!(refused("silicone.overstress_9", range(0.0, 1.0)).contains("overstress_5"));
+    }
+}

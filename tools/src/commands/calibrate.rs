@@ -1,0 +1,82 @@
+//! `softanvil calibrate`: parameters from measured impacts.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use clap::Args;
+
+use crate::calibration::log::Log;
+use crate::calibration::problem::Problem;
+use crate::calibration::result::Found;
+use crate::calibration::search::search;
+use crate::failure::Failure;
+use crate::progress;
+
+/// Search for the parameters with which simulated impacts come closest to measured ones.
+///
+/// The problem file names the parameters with their ranges, the impacts (lines of the study's table, your own numbers, or
+/// force traces) and the score; `calibration/` in the repository holds those of the presets. Interrupt with Ctrl-C: what
+/// was found so far is written, and the same command continues. Every evaluation is a line of evaluations.csv.
+#[derive(Debug, Args)]
+pub struct Options {
+    /// Problem file (TOML)
+    problem: PathBuf,
+    /// Folder for evaluations.csv, best.toml and the summary; a search that stands there is continued
+    #[arg(long, value_name = "DIR", default_value = "softanvil-calibration")]
+    out: PathBuf,
+    /// Evaluations to spend in all, instead of the problem's
+    #[arg(long, value_name = "N")]
+    evaluations: Option<usize>,
+    /// Seed, instead of the problem's
+    #[arg(long, value_name = "N")]
+    seed: Option<u64>,
+    /// Threads [default: one per core]
+    #[arg(long, value_name = "N", default_value_t = 0, hide_default_value = true)]
+    threads: usize,
+}
+
+/// Searches; returns what was found.
+///
+/// # Errors
+/// A problem that is refused, a log of another problem, or a file that cannot be written.
+pub fn carry_out(options: &Options) -> Result<String, Failure> {
+    let mut problem = Problem::read(&options.problem)?;
+    problem.search.evaluations = options.evaluations.unwrap_or(problem.search.evaluations);
+    problem.search.seed = options.seed.unwrap_or(problem.search.seed);
+    std::fs::create_dir_all(&options.out).map_err(|error| Failure::writing(&options.out, error))?;
+    let mut log = Log::open(&options.out.join("evaluations.csv"), &problem)?;
+    let stop = stop_on_interrupt();
+    let bar = progress::evaluations(problem.search.evaluations as u64);
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(options.threads).build();
+    let pool = pool.map_err(|error| Failure::Failed(format!("threads: {error}")))?;
+    pool.install(|| {
+        search(&problem, &mut log, &stop, &|done, best| {
+            bar.set_position(done as u64);
+            bar.set_message(format!("score {:.3}, mean error {:.2} %", best.score, best.mean_error));
+        })
+    })?;
+    bar.finish_and_clear();
+    let found = Found::new(&problem, &log.entries).ok_or_else(|| Failure::Failed("interrupted at once".into()))?;
+    let mut text = found.write(&problem, &options.out)?;
+    if found.evaluations < problem.search.evaluations {
+        text += "Interrupted: the same command continues.\n";
+    }
+    Ok(format!(
+        "{text}Written: best.toml, summary.json, summary.txt and evaluations.csv in {}\n",
+        options.out.display()
+    ))
+}
+
+/// A flag that the first Ctrl-C sets; the second ends the program.
+fn stop_on_interrupt() -> Arc<AtomicBool> {
+    let stop = Arc::new(AtomicBool::new(false));
+    let flag = Arc::clone(&stop);
+    // Without a handler Ctrl-C ends the program, which loses nothing but the summary.
+    let _ = ctrlc::set_handler(move || {
+        if flag.swap(true, Ordering::Relaxed) {
+            std::process::exit(130);
+        }
+    });
+    stop
+}

@@ -1,0 +1,331 @@
+//! `softanvil fit`: from material tests to coefficients.
+
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+
+use clap::{Args, ValueEnum};
+use softanvil_identify::data::column::Measure;
+use softanvil_identify::data::curve::{self, Direction};
+use softanvil_identify::data::cycles::Selection;
+use softanvil_identify::data::number::Decimal;
+use softanvil_identify::data::repeats::Repeats;
+use softanvil_identify::data::unit::{Dimension, parse_quantity};
+use softanvil_identify::export::Layer;
+use softanvil_identify::law::fit::{Settings, Weighting};
+use softanvil_identify::law::{LAWS, Law, Mode};
+use softanvil_identify::relaxation::choice::TERMS;
+use softanvil_identify::relaxation::read as relaxation;
+use softanvil_kernel::scenario::Moduli;
+
+use crate::failure::Failure;
+use crate::identification::files::{Curves, Reading, Source};
+use crate::identification::material::{Identified, given};
+use crate::identification::{Identification, Request, json, table};
+use crate::{json as text_json, plot, staging};
+
+/// Fit hyperelastic laws and Prony series to material tests, and write the material
+///
+/// Files are tables of text; titles tell what the columns are, with their units: strain, stretch, stress, force,
+/// displacement, time, modulus. Stresses are nominal unless a title says true.
+#[derive(Debug, Args)]
+pub struct Options {
+    /// Uniaxial tension or compression; several files are repeats
+    #[arg(long, value_name = "FILE", num_args = 1..)]
+    uniaxial: Vec<PathBuf>,
+    /// Planar tension (pure shear)
+    #[arg(long, value_name = "FILE", num_args = 1..)]
+    planar: Vec<PathBuf>,
+    /// Equibiaxial tension
+    #[arg(long, value_name = "FILE", num_args = 1..)]
+    equibiaxial: Vec<PathBuf>,
+    /// Stress relaxation: time and modulus, stress or force
+    #[arg(long, value_name = "FILE")]
+    relaxation: Option<PathBuf>,
+    /// No data: the start from the scalars that the study prints, with their contradictions
+    #[arg(long, conflicts_with_all = ["uniaxial", "planar", "equibiaxial", "relaxation", "json"])]
+    study: bool,
+    #[command(flatten)]
+    table: TableOptions,
+    #[command(flatten)]
+    specimen: SpecimenOptions,
+    #[command(flatten)]
+    laws: LawOptions,
+    #[command(flatten)]
+    prony: PronyOptions,
+    #[command(flatten)]
+    material: MaterialOptions,
+    /// Write material files and pictures to this folder
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Print JSON in SI units instead of the tables
+    #[arg(long)]
+    json: bool,
+}
+
+#[derive(Debug, Args)]
+#[command(next_help_heading = "What the files leave open")]
+struct TableOptions {
+    /// Titles of the curves' columns instead of the file's, such as "strain [%], stress [kPa]"; - passes a column over
+    #[arg(long, value_name = "TITLES")]
+    columns: Option<String>,
+    /// The same for the relaxation
+    #[arg(long, value_name = "TITLES")]
+    relaxation_columns: Option<String>,
+    /// Decimal sign
+    #[arg(long, value_enum)]
+    decimal: Option<DecimalOption>,
+    /// Strains whose title names no measure
+    #[arg(long, value_enum)]
+    strain_measure: Option<MeasureOption>,
+    /// Stresses whose title names no measure
+    #[arg(long, value_enum)]
+    stress_measure: Option<MeasureOption>,
+    /// Which way the specimen was loaded, where signs and words leave it open
+    #[arg(long, value_enum)]
+    direction: Option<DirectionOption>,
+}
+
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Specimens")]
+struct SpecimenOptions {
+    /// Cross-section at rest, such as 660mm2, for columns of force
+    #[arg(long, value_name = "AREA", value_parser = area, conflicts_with = "diameter")]
+    area: Option<f64>,
+    /// Diameter at rest, such as 29mm
+    #[arg(long, value_name = "LENGTH", value_parser = length)]
+    diameter: Option<f64>,
+    /// Height or gauge length at rest, such as 12.5mm, for columns of displacement
+    #[arg(long, value_name = "LENGTH", value_parser = length)]
+    height: Option<f64>,
+    /// Several specimens: their median curve as in the study, or every point
+    #[arg(long, value_enum, default_value = "median")]
+    repeats: RepeatsOption,
+    /// Leave out the first load cycle, in which rubber softens (Mullins effect)
+    #[arg(long)]
+    drop_first_cycle: bool,
+    /// Use unloading as well as loading
+    #[arg(long)]
+    unloading: bool,
+}
+
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Laws")]
+struct LawOptions {
+    /// Law to choose instead of the first stable one of the ranking
+    #[arg(long, value_name = "NAME", value_parser = law)]
+    law: Option<&'static Law>,
+    /// Residuals in Pa, or divided by the stress (of at least 1 % of the largest)
+    #[arg(long, value_enum, default_value = "absolute")]
+    weighting: WeightingOption,
+    /// Only Drucker-stable laws
+    #[arg(long)]
+    stable: bool,
+    /// Stretches for stability [default: those of the data, and 0.5 to 2]
+    #[arg(long, value_name = "FROM:TO", value_parser = range)]
+    stable_range: Option<(f64, f64)>,
+}
+
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Relaxation")]
+struct PronyOptions {
+    /// Number of Prony terms instead of the chosen one
+    #[arg(long, value_name = "N", value_parser = n_term)]
+    terms: Option<usize>,
+    /// Time in s in which the strain was applied; 0 for an ideal step
+    #[arg(long, value_name = "S", allow_negative_numbers = true, value_parser = time)]
+    ramp_time: Option<f64>,
+    /// Reading in s of the file's clock when loading began [default: 0]
+    #[arg(long, value_name = "S", allow_negative_numbers = true, value_parser = finite)]
+    relaxation_start: Option<f64>,
+    /// Held engineering strain, negative in compression, such as -0.5
+    #[arg(long, value_name = "STRAIN", allow_negative_numbers = true, value_parser = strain)]
+    relaxation_strain: Option<f64>,
+}
+
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Material files")]
+struct MaterialOptions {
+    /// Whether the curves were slow (long-term moduli) or fast (instantaneous moduli) against the relaxation
+    #[arg(long, value_enum, default_value = "long-term")]
+    moduli: ModuliOption,
+    /// Layer of the anvil
+    #[arg(long, value_enum, default_value = "silicone")]
+    layer: LayerOption,
+    /// Density in kg/m3 [default: the study's]
+    #[arg(long, value_name = "KG_PER_M3", allow_negative_numbers = true)]
+    density: Option<f64>,
+    /// Poisson's ratio [default: the study's]
+    #[arg(long, value_name = "RATIO", allow_negative_numbers = true)]
+    poissons_ratio: Option<f64>,
+}
+
+/// An option whose values are those of a type of the library.
+macro_rules! choice {
+    ($name:ident => $target:ty { $($variant:ident => $value:expr),+ $(,)? }) => {
+        #[derive(Clone, Copy, Debug, ValueEnum)]
+        enum $name { $($variant),+ }
+
+        impl From<$name> for $target {
+            fn from(choice: $name) -> Self {
+                match choice { $($name::$variant => $value),+ }
+            }
+        }
+    };
+}
+
+choice!(DecimalOption => Decimal { Point => Decimal::Point, Comma => Decimal::Comma });
+choice!(MeasureOption => Measure { Engineering => Measure::Engineering, True => Measure::True });
+choice!(DirectionOption => Direction { Tension => Direction::Tension, Compression => Direction::Compression });
+choice!(RepeatsOption => Repeats { Median => Repeats::Median, All => Repeats::All });
+choice!(WeightingOption => Weighting { Absolute => Weighting::Absolute, Relative => Weighting::Relative });
+choice!(ModuliOption => Moduli { LongTerm => Moduli::LongTerm, Instantaneous => Moduli::Instantaneous });
+choice!(LayerOption => Layer { Silicone => Layer::Silicone, Skin => Layer::Skin });
+
+/// Fits; returns the report.
+///
+/// # Errors
+/// Files or options that are refused, a fit that failed, or files that cannot be written.
+pub fn carry_out(options: &Options) -> Result<String, Failure> {
+    let layer = options.material.layer.into();
+    if options.study {
+        let identified = Identified::of_study(layer)?;
+        let mut text = identified.comment.clone() + "\n";
+        text += &options.write(identified.files()?)?;
+        return Ok(text);
+    }
+    let identification = options.identify()?;
+    let material = &options.material;
+    let given = given(material.moduli.into(), material.density, material.poissons_ratio, layer);
+    let mut text = match options.json {
+        true => text_json::text(&json::of_identification(&identification)),
+        false => table::of_identification(&identification),
+    };
+    if options.out.is_some() {
+        let mut files = Identified::new(&identification, &given)?.files()?;
+        files.extend(plot::identification(&identification)?.into_iter().map(|(name, svg)| (name, svg.into_bytes())));
+        files.push(("fit.json".into(), text_json::text(&json::of_identification(&identification)).into_bytes()));
+        let written = options.write(files)?;
+        if !options.json {
+            text += &written;
+        }
+    }
+    Ok(text)
+}
+
+impl Options {
+    fn identify(&self) -> Result<Identification, Failure> {
+        let (table, specimen) = (&self.table, &self.specimen);
+        let area = specimen.area.or(specimen.diameter.map(|d| 0.25 * std::f64::consts::PI * d * d));
+        let reading = Reading {
+            curve: curve::Options {
+                columns: table.columns.as_deref().map(titles),
+                decimal: table.decimal.map(Into::into),
+                area,
+                height: specimen.height,
+                strain_measure: table.strain_measure.map(Into::into),
+                stress_measure: table.stress_measure.map(Into::into),
+                direction: table.direction.map(Into::into),
+            },
+            selection: Selection { drop_first_cycle: specimen.drop_first_cycle, unloading: specimen.unloading },
+            repeats: specimen.repeats.into(),
+        };
+        let tests =
+            [(Mode::Uniaxial, &self.uniaxial), (Mode::Planar, &self.planar), (Mode::Equibiaxial, &self.equibiaxial)];
+        let curves = tests.into_iter().filter(|(_, paths)| !paths.is_empty());
+        let curves = curves.map(|(mode, paths)| Curves::read(mode, paths, &reading)).collect::<Result<Vec<_>, _>>()?;
+        if curves.is_empty() && self.relaxation.is_none() {
+            let legal = "legal is --uniaxial, --planar, --equibiaxial or --relaxation with a file, or --study";
+            return Err(Failure::Input(format!("there is nothing to fit: {legal}")));
+        }
+        let relaxation = relaxation::Options {
+            columns: table.relaxation_columns.as_deref().map(titles),
+            decimal: table.decimal.map(Into::into),
+            area,
+            height: specimen.height,
+            ramp_time: self.prony.ramp_time,
+            start: self.prony.relaxation_start,
+            strain: self.prony.relaxation_strain,
+        };
+        let source = self.relaxation.as_deref().map(Source::read).transpose()?;
+        let request = Request {
+            stability_range: self.laws.stable_range,
+            settings: Settings {
+                weighting: self.laws.weighting.into(),
+                stability_range: self.laws.stable_range.unwrap_or((1.0, 1.0)),
+                demand_stability: self.laws.stable,
+            },
+            law: self.laws.law,
+            n_term: self.prony.terms,
+        };
+        Identification::new(curves, source.as_ref().map(|source| (source, &relaxation)), &request)
+    }
+
+    /// Puts `files` into the folder asked for; says so.
+    fn write(&self, files: Vec<(String, Vec<u8>)>) -> Result<String, Failure> {
+        let Some(folder) = &self.out else { return Ok(String::new()) };
+        std::fs::create_dir_all(folder).map_err(|error| Failure::writing(folder, error))?;
+        let placed: Vec<(PathBuf, Vec<u8>)> =
+            files.into_iter().map(|(name, content)| (folder.join(name), content)).collect();
+        let borrowed: Vec<(&Path, Vec<u8>)> =
+            placed.iter().map(|(path, content)| (path.as_path(), content.clone())).collect();
+        staging::write_files(&borrowed).map_err(|(path, error)| Failure::writing(&path, error))?;
+        let mut text = String::from("\n");
+        for (path, _) in &placed {
+            let _ = writeln!(text, "written: {}", path.display());
+        }
+        Ok(text)
+    }
+}
+
+fn titles(text: &str) -> Vec<String> {
+    // A comma within brackets belongs to a title.
+    let (mut titles, mut depth) = (vec![String::new()], 0);
+    for c in text.chars() {
+        depth += i32::from(matches!(c, '[' | '(')) - i32::from(matches!(c, ']' | ')'));
+        match titles.last_mut() {
+            Some(title) if !(depth == 0 && matches!(c, ',' | ';')) => title.push(c),
+            _ => titles.push(String::new()),
+        }
+    }
+    titles.iter().map(|title| title.trim().to_string()).collect()
+}
+
+fn area(text: &str) -> Result<f64, String> {
+    parse_quantity(text, Dimension::Area)
+}
+
+fn length(text: &str) -> Result<f64, String> {
+    parse_quantity(text, Dimension::Length)
+}
+
+fn law(name: &str) -> Result<&'static Law, String> {
+    let names = || LAWS.iter().map(|law| law.name).collect::<Vec<_>>().join(", ");
+    Law::find(name).ok_or_else(|| format!("legal is {}", names()))
+}
+
+fn range(text: &str) -> Result<(f64, f64), String> {
+    let (low, high) = softanvil_identify::law::stability::SCAN;
+    let numbers = text.split_once(':').and_then(|(a, b)| Some((a.parse().ok()?, b.parse().ok()?)));
+    match numbers {
+        Some((from, to)) if low <= from && from < 1.0 && 1.0 < to && to <= high => Ok((from, to)),
+        _ => Err(format!("legal is two stretches around 1, {low} to {high}, such as 0.5:2")),
+    }
+}
+
+fn n_term(text: &str) -> Result<usize, String> {
+    let (low, high) = (TERMS.start(), TERMS.end());
+    text.parse().ok().filter(|n| TERMS.contains(n)).ok_or_else(|| format!("legal is {low} to {high}"))
+}
+
+fn finite(text: &str) -> Result<f64, String> {
+    text.parse().ok().filter(|number: &f64| number.is_finite()).ok_or_else(|| "legal is a number".into())
+}
+
+fn time(text: &str) -> Result<f64, String> {
+    finite(text).ok().filter(|time| *time >= 0.0).ok_or_else(|| "legal is 0 or more, in s".into())
+}
+
+fn strain(text: &str) -> Result<f64, String> {
+    let legal = || "legal is a ratio above -1 and not 0".to_string();
+    finite(text).ok().filter(|strain| *strain > -1.0 && *strain != 0.0 && *strain <= 10.0).ok_or_else(legal)
+}

@@ -1,0 +1,119 @@
+//! The golden traces on this machine: run, compared, written.
+
+use std::fmt::Write;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
+
+use softanvil_golden::run::Failure as RunFailure;
+use softanvil_golden::{Checker, Memory, Record, Run, SCENES, Scene};
+
+use crate::failure::Failure;
+
+/// A scene that was run to its end.
+pub struct Played {
+    /// The scene.
+    pub scene: &'static Scene,
+    /// A record per stride, the start included.
+    pub records: Vec<Record>,
+    /// Triangles of the mesh.
+    elements: usize,
+    /// Time step, s.
+    dt: f64,
+}
+
+impl Played {
+    fn new(scene: &'static Scene) -> Result<Self, RunFailure> {
+        let mut memory = Box::new(Memory::new());
+        let mut run = Run::new(scene, &mut memory)?;
+        let mut records = vec![run.record()];
+        while let Some(record) = run.advance()? {
+            records.push(record);
+        }
+        let constants = &run.model.constants;
+        Ok(Self { scene, records, elements: constants.grid.n_elem(), dt: constants.dt })
+    }
+
+    /// The last record.
+    pub fn end(&self) -> &Record {
+        &self.records[self.records.len() - 1]
+    }
+
+    /// The first difference from the trace, in words; none if there is none.
+    pub fn difference(&self) -> Option<String> {
+        let mut checker = Checker::new(self.scene.trace);
+        for record in &self.records {
+            if let Err(difference) = checker.check(record) {
+                return Some(difference.to_string());
+            }
+        }
+        checker.has_more().then(|| format!("the trace goes on after step {}", self.end().step))
+    }
+
+    /// The trace file.
+    pub fn text(&self) -> String {
+        let mut text = format!(
+            "# {}: {}\n# {} triangles, time step {:e} s\n#{:>5} {:>24} {:>24}  {}\n",
+            self.scene.name,
+            self.scene.description,
+            self.elements,
+            self.dt,
+            "step",
+            "contact_force_N",
+            "position_m",
+            "state"
+        );
+        for record in &self.records {
+            let _ = writeln!(text, "{record}");
+        }
+        text
+    }
+}
+
+/// The scenes called `names`, all if there are none.
+///
+/// # Errors
+/// A name that no scene has.
+pub fn scenes(names: &[String]) -> Result<Vec<&'static Scene>, Failure> {
+    if names.is_empty() {
+        return Ok(SCENES.iter().collect());
+    }
+    let find = |name: &String| {
+        Scene::find(name).ok_or_else(|| {
+            let known: Vec<_> = SCENES.iter().map(|scene| scene.name).collect();
+            Failure::Input(format!("scene {name} is unknown: legal are {}", known.join(", ")))
+        })
+    };
+    names.iter().map(find).collect()
+}
+
+/// Runs scenes on as many threads as the machine has cores.
+///
+/// # Errors
+/// A scene that cannot be simulated.
+pub fn play(scenes: &[&'static Scene]) -> Result<Vec<Played>, Failure> {
+    let results: Vec<_> = scenes.iter().map(|_| Mutex::new(None)).collect();
+    let next = AtomicUsize::new(0);
+    let work = || {
+        while let Some((scene, result)) = {
+            let index = next.fetch_add(1, Ordering::Relaxed);
+            scenes.get(index).zip(results.get(index))
+        } {
+            *result.lock().unwrap_or_else(PoisonError::into_inner) = Some(Played::new(scene));
+        }
+    };
+    let threads = std::thread::available_parallelism().map_or(1, usize::from).min(scenes.len());
+    std::thread::scope(|scope| {
+        for _ in 0..threads {
+            scope.spawn(work);
+        }
+    });
+    let failed = |scene: &Scene, reason: &str| Failure::Failed(format!("scene {}: {reason}", scene.name));
+    scenes
+        .iter()
+        .zip(results)
+        .map(|(scene, result)| match result.into_inner().unwrap_or_else(PoisonError::into_inner) {
+            Some(played) => played.map_err(|error| failed(scene, &error.to_string())),
+            None => Err(failed(scene, "it was not run")),
+        })
+        .collect()
+}

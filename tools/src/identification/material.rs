@@ -1,0 +1,148 @@
+//! The identified material, and the files that carry it to the simulation and to other programs.
+
+use softanvil_identify::export::{Layer, abaqus, c_source, ls_dyna, ssv};
+use softanvil_identify::law::blank;
+use softanvil_kernel::scenario::{Layers, Material, Moduli, VolumetricBy};
+use softanvil_kernel::{Scenario, preset};
+
+use super::Identification;
+use crate::failure::Failure;
+use crate::scenario_file;
+
+/// What the data do not identify.
+#[derive(Clone, Copy)]
+pub struct Given {
+    /// Which moduli the curves gave.
+    pub moduli: Moduli,
+    /// Density, kg/m3.
+    pub density: f64,
+    /// Poisson's ratio.
+    pub poissons_ratio: f64,
+    /// Layer of the anvil.
+    pub layer: Layer,
+}
+
+/// A material with the words that belong to it.
+pub struct Identified {
+    /// The material.
+    pub material: Material,
+    /// Its layer.
+    pub layer: Layer,
+    /// Where it comes from and what it is, in lines of plain text.
+    pub comment: String,
+}
+
+/// A part of the modulus that stays, at least: the kernel needs an equilibrium.
+const SMALLEST_EQUILIBRIUM: f64 = 1e-3;
+
+impl Identified {
+    /// The material of `identification`.
+    ///
+    /// # Errors
+    /// Values that the kernel refuses, by name, value and range.
+    pub fn new(identification: &Identification, given: &Given) -> Result<Self, Failure> {
+        let mut lines = Vec::new();
+        let mut material = match identification.law() {
+            Some(fit) => {
+                let files: Vec<_> = identification.curves.iter().flat_map(|curves| curves.files.clone()).collect();
+                lines.push(format!("{} fitted to {}.", fit.law.label, files.join(", ")));
+                fit.law.material(&fit.values)
+            }
+            None => {
+                lines.push("No curve was fitted: the elastic law is that of the preset study.".into());
+                let study = preset::study().silicone;
+                Material { prony_g: [0.0; 5], slider_stiffness: 0.0, slider_yield_stress: 0.0, ..study }
+            }
+        };
+        material.moduli = given.moduli;
+        lines.push(match given.moduli {
+            Moduli::LongTerm => "The coefficients are long-term moduli (--moduli says otherwise).".into(),
+            Moduli::Instantaneous => "The coefficients are instantaneous moduli.".into(),
+        });
+        material.density = given.density;
+        material.volumetric_by = VolumetricBy::PoissonsRatio;
+        material.poissons_ratio = given.poissons_ratio;
+        lines.push(format!(
+            "Not identified: density {} kg/m3, Poisson's ratio {}, no damping spring, no tear.",
+            given.density, given.poissons_ratio
+        ));
+        if let Some(relaxed) = &identification.relaxed {
+            lines.extend(add_prony(&mut material, relaxed.choice.prony().normalised()));
+        }
+        lines.extend(identification.caveats.iter().map(|caveat| format!("Caveat: {caveat}.")));
+        Self::checked(material, given.layer, lines.join("\n"))
+    }
+
+    /// The start from the study's scalars.
+    ///
+    /// # Errors
+    /// Never, as its numbers are legal.
+    pub fn of_study(layer: Layer) -> Result<Self, Failure> {
+        let mut lines =
+            vec!["A start from the scalars that the study prints, no fit. They contradict each other:".to_string()];
+        lines.extend(softanvil_identify::study::contradictions().iter().map(|line| format!("- {line}.")));
+        Self::checked(softanvil_identify::study::material(), layer, lines.join("\n"))
+    }
+
+    fn checked(material: Material, layer: Layer, comment: String) -> Result<Self, Failure> {
+        let identified = Self { material, layer, comment };
+        match identified.scenario().validate() {
+            Ok(()) => Ok(identified),
+            Err(error) => Err(Failure::Failed(format!("the fitted material cannot be simulated: {error}"))),
+        }
+    }
+
+    /// The study's scenario with this material.
+    fn scenario(&self) -> Scenario {
+        let mut scenario = preset::study();
+        match self.layer {
+            Layer::Silicone => scenario.silicone = self.material,
+            Layer::Skin => {
+                scenario.skin = self.material;
+                scenario.geometry.layers = Layers::Two;
+            }
+        }
+        scenario
+    }
+
+    /// Names and contents of the files.
+    ///
+    /// # Errors
+    /// Never, as they are made in memory.
+    pub fn files(&self) -> Result<Vec<(String, Vec<u8>)>, Failure> {
+        let (material, layer) = (&self.material, self.layer);
+        let ssv = ssv::text("material", material, layer).map_err(|error| Failure::Failed(error.to_string()))?;
+        let toml = scenario_file::material_to_toml(&self.scenario(), layer.group(), &self.comment);
+        Ok(vec![
+            ("material.toml".into(), toml.into()),
+            ("material.ssv".into(), ssv.into()),
+            ("material.h".into(), c_source::text(&self.comment, material, layer).into()),
+            ("material-lsdyna.k".into(), ls_dyna::text("Softanvil", &self.comment, material).into()),
+            ("material-abaqus.inp".into(), abaqus::text("SOFTANVIL", &self.comment, material).into()),
+        ])
+    }
+}
+
+/// Gives the material the terms, which leave it an equilibrium; says so if that changed them.
+fn add_prony(material: &mut Material, terms: Vec<(f64, f64)>) -> Option<String> {
+    let sum: f64 = terms.iter().map(|term| term.0).sum();
+    let scale = if sum > 1.0 - SMALLEST_EQUILIBRIUM { (1.0 - SMALLEST_EQUILIBRIUM) / sum } else { 1.0 };
+    for (k, (g, tau)) in terms.into_iter().enumerate() {
+        material.prony_g[k] = scale * g;
+        material.prony_tau[k] = tau;
+    }
+    (scale < 1.0).then(|| {
+        format!("The data relax to nothing: g was scaled so that {SMALLEST_EQUILIBRIUM} of the modulus stays.")
+    })
+}
+
+/// A material of the silicone without data, for what is left open.
+pub fn given(moduli: Moduli, density: Option<f64>, poissons_ratio: Option<f64>, layer: Layer) -> Given {
+    let blank = blank();
+    Given {
+        moduli,
+        density: density.unwrap_or(blank.density),
+        poissons_ratio: poissons_ratio.unwrap_or(blank.poissons_ratio),
+        layer,
+    }
+}

@@ -1,0 +1,163 @@
+//! What came out, for people.
+
+use std::fmt::Write;
+
+use softanvil_identify::law::fit::{Fit, Weighting};
+use softanvil_identify::relaxation::prony::Prony;
+use softanvil_identify::relaxation::read::Load;
+
+use super::{Identification, Relaxed};
+use crate::table::{align_right, new_plain_table};
+
+/// The whole report.
+pub fn of_identification(identification: &Identification) -> String {
+    let mut text = String::new();
+    for curves in &identification.curves {
+        let specimens =
+            if curves.n_specimen == 1 { "1 specimen".into() } else { format!("{} specimens", curves.n_specimen) };
+        let (n, mode) = (curves.data.points.len(), curves.data.mode.name());
+        let _ = writeln!(text, "{mode}: {n} points, {specimens}, {}", curves.files.join(", "));
+        curves.notes.iter().for_each(|note| push(&mut text, "  ", note));
+    }
+    if let Some(fit) = identification.law() {
+        text += "\n";
+        text += &ranking(identification);
+        text += "\n";
+        text += &coefficients(fit);
+        identification.caveats.iter().for_each(|caveat| push(&mut text, "! ", caveat));
+    }
+    if let Some(relaxed) = &identification.relaxed {
+        if !text.is_empty() {
+            text += "\n";
+        }
+        text += &relaxation(relaxed);
+    }
+    text
+}
+
+/// A note as a paragraph of its own, 100 characters wide.
+fn push(text: &mut String, indent: &str, note: &str) {
+    let mut line = indent.to_string();
+    for word in note.split(' ') {
+        if line.len() + word.len() > 100 {
+            let _ = writeln!(text, "{}", line.trim_end());
+            line = " ".repeat(indent.len().max(2));
+        }
+        line += word;
+        line += " ";
+    }
+    let _ = writeln!(text, "{}", line.trim_end());
+}
+
+fn ranking(identification: &Identification) -> String {
+    let mut table =
+        new_plain_table(&["law", "residual rms", "R2", "AIC", "shear modulus", "condition", "stable in all modes"]);
+    for (index, fit) in identification.fits.iter().enumerate() {
+        let mark = if index == identification.chosen { "> " } else { "  " };
+        let statistics = &fit.statistics;
+        table.add_row([
+            format!("{mark}{}", fit.law.label),
+            format!("{} kPa", digits(statistics.rms * 1e-3)),
+            format!("{:.5}", statistics.r_squared),
+            format!("{:.1}", statistics.aic),
+            format!("{} kPa", digits(fit.shear_modulus() * 1e-3)),
+            format!("{:.1e}", statistics.condition),
+            stable(fit),
+        ]);
+    }
+    align_right(&mut table, 1..6);
+    let (low, high) = identification.settings.stability_range;
+    let weighting = match identification.settings.weighting {
+        Weighting::Absolute => "absolute residuals",
+        Weighting::Relative => "relative residuals",
+    };
+    let mut text = format!("{}\n", table.trim_fmt());
+    let _ = writeln!(
+        text,
+        "Order: lowest residual of each family, then the others; > marks the chosen one. Stability is asked from {low:.2} to {high:.2}.\n\
+         Fitted by {weighting}."
+    );
+    identification.failed.iter().for_each(|reason| push(&mut text, "", reason));
+    text
+}
+
+/// The stretches of stability common to the modes, with a mark if they suffice.
+fn stable(fit: &Fit) -> String {
+    let (low, high) = fit.stability.0.iter().fold((0.0_f64, f64::MAX), |(l, h), mode| (l.max(mode.0), h.min(mode.1)));
+    format!("{} {low:.2} to {high:.2}", if fit.is_stable { "yes," } else { "no, " })
+}
+
+fn coefficients(fit: &Fit) -> String {
+    let mut table = new_plain_table(&["parameter", "value", "standard error", "95 % interval", "unit"]);
+    let factor = fit.statistics.interval();
+    for (index, (name, value)) in fit.law.parameters.iter().zip(&fit.values).enumerate() {
+        let error = fit.statistics.standard_errors[index];
+        let (low, high) = (value - factor * error, value + factor * error);
+        let interval = if error.is_finite() { format!("{} to {}", digits(low), digits(high)) } else { "none".into() };
+        let error = if error.is_finite() { digits(error) } else { "none".into() };
+        table.add_row([*name, &digits(*value), &error, &interval, fit.law.unit(index)]);
+    }
+    align_right(&mut table, 1..4);
+    format!("{}\n", table.trim_fmt())
+}
+
+fn relaxation(relaxed: &Relaxed) -> String {
+    let mut text = format!("relaxation: {} points\n", relaxed.test.relaxation.times.len());
+    relaxed.test.notes.iter().for_each(|note| push(&mut text, "  ", note));
+    text += "\n";
+    let unit = if relaxed.test.load == Load::Force { "N" } else { "Pa" };
+    let mut table =
+        new_plain_table(&["terms", "residual rms", "R2", "AIC", "g and tau (s) of each term", "equilibrium"]);
+    for (index, prony) in relaxed.choice.series.iter().enumerate() {
+        let mark = if index == relaxed.choice.chosen { "> " } else { "  " };
+        let terms = prony.normalised().iter().map(|(g, tau)| format!("{g:.4} at {tau:.3e}")).collect::<Vec<_>>();
+        table.add_row([
+            format!("{mark}{}", prony.terms.len()),
+            format!("{} {unit}", digits(prony.statistics.rms)),
+            format!("{:.5}", prony.statistics.r_squared),
+            format!("{:.1}", prony.statistics.aic),
+            terms.join("\n"),
+            format!("{:.4}", 1.0 - prony.normalised().iter().map(|term| term.0).sum::<f64>()),
+        ]);
+    }
+    align_right(&mut table, 1..4);
+    let _ = writeln!(text, "{}", table.trim_fmt());
+    text += &moduli(relaxed, relaxed.choice.prony());
+    for prony in relaxed.choice.series.iter().filter(|prony| !prony.doubts.is_empty()) {
+        push(&mut text, "! ", &format!("{} terms: {}", prony.terms.len(), prony.doubts.join("; ")));
+    }
+    text
+}
+
+/// Instantaneous and equilibrium load, and what moduli they are.
+fn moduli(relaxed: &Relaxed, prony: &Prony) -> String {
+    let (whole, rest) = (prony.instantaneous(), prony.equilibrium);
+    let mut text = match relaxed.test.load {
+        Load::Force => format!("force {} N instantaneous, {} N in equilibrium", digits(whole), digits(rest)),
+        Load::Stress => {
+            format!("stress {} kPa instantaneous, {} kPa in equilibrium", digits(whole * 1e-3), digits(rest * 1e-3))
+        }
+        Load::Modulus => {
+            format!("modulus {} kPa instantaneous, {} kPa in equilibrium", digits(whole * 1e-3), digits(rest * 1e-3))
+        }
+    };
+    if let (Load::Stress, Some(stretch)) = (relaxed.test.load, relaxed.test.stretch) {
+        let strain = (stretch - 1.0).abs();
+        let (whole, rest) = (digits(whole / strain * 1e-3), digits(rest / strain * 1e-3));
+        let _ = write!(text, "; secant moduli {whole} and {rest} kPa at {:.1} % strain", 100.0 * strain);
+    }
+    text + "\n"
+}
+
+/// Five significant digits.
+fn digits(value: f64) -> String {
+    let magnitude = value.abs();
+    if value == 0.0 || !value.is_finite() {
+        return format!("{value}");
+    }
+    if !(1e-2..1e6).contains(&magnitude) {
+        return format!("{value:.4e}");
+    }
+    let power = magnitude.log10().floor() as i32;
+    format!("{value:.*}", usize::try_from(4 - power).unwrap_or_default())
+}

@@ -1,0 +1,229 @@
+//! Pictures of test data with everything that was fitted to them, one for each kind of test.
+
+use plotters::chart::{ChartBuilder, ChartContext, SeriesLabelPosition};
+use plotters::coord::Shift;
+use plotters::drawing::{DrawingArea, IntoDrawingArea};
+use plotters::element::{Circle, DashedPathElement, PathElement, Text};
+use plotters::prelude::{Cartesian2d, SVGBackend};
+use plotters::style::{Color, IntoFont, RGBColor, ShapeStyle, TRANSPARENT, TextStyle};
+use softanvil_identify::law::{Family, stress};
+use softanvil_identify::relaxation::read::Load;
+
+use super::span::Span;
+use super::style::*;
+use super::{PlotError, in_pixels};
+use crate::identification::files::Curves;
+use crate::identification::{Identification, Relaxed};
+
+type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+type Chart<'a> = ChartContext<'a, SVGBackend<'a>, Cartesian2d<Span, Span>>;
+
+/// Radius of a measured point, which are many.
+const POINT: u32 = 3 * UNITS;
+/// Points shown, at most.
+const MOST_POINTS: usize = 300;
+/// Points of a fitted curve.
+const CURVE_POINTS: usize = 200;
+/// A stress above this many kPa is shown in MPa.
+const KILO_LIMIT: f64 = 2000.0;
+
+/// What a picture shows.
+struct Picture {
+    title: String,
+    x: (Span, String),
+    y: (Span, String),
+    measured: Vec<(f64, f64)>,
+    fitted: Vec<Line>,
+    legend_at: SeriesLabelPosition,
+}
+
+/// A fitted curve.
+struct Line {
+    label: String,
+    colour: RGBColor,
+    dashed: bool,
+    points: Vec<(f64, f64)>,
+}
+
+/// Name and SVG of each picture.
+///
+/// # Errors
+/// What the drawing library refuses.
+pub fn pictures(identification: &Identification) -> Result<Vec<(String, String)>, PlotError> {
+    let mut pictures = Vec::new();
+    for curves in &identification.curves {
+        let name = format!("{}.svg", curves.data.mode.name());
+        pictures.push((name, draw(&of_curves(identification, curves))?));
+    }
+    if let Some(relaxed) = &identification.relaxed {
+        pictures.push(("relaxation.svg".into(), draw(&of_relaxation(relaxed))?));
+    }
+    Ok(pictures)
+}
+
+fn of_curves(identification: &Identification, curves: &Curves) -> Picture {
+    let points = &curves.data.points;
+    let (low, high) =
+        points.iter().fold((1.0_f64, 1.0_f64), |(low, high), point| (low.min(point.0), high.max(point.0)));
+    let largest = points.iter().fold(0.0, |largest, point| f64::max(largest, point.1.abs()));
+    let (scale, unit) = if largest > 1e3 * KILO_LIMIT { (1e-6, "MPa") } else { (1e-3, "kPa") };
+    let shown = |(stretch, stress): (f64, f64)| (100.0 * (stretch - 1.0), scale * stress);
+    let stretches: Vec<f64> = (0..=CURVE_POINTS).map(|k| low + (high - low) * k as f64 / CURVE_POINTS as f64).collect();
+    let mut families: Vec<Family> = Vec::new();
+    let mut fitted = Vec::new();
+    for (index, fit) in identification.fits.iter().enumerate() {
+        let dashed = families.contains(&fit.law.family);
+        families.push(fit.law.family);
+        let chosen = if index == identification.chosen { ", chosen" } else { "" };
+        let stresses = stress::nominal(&fit.elastic(), curves.data.mode, &stretches);
+        fitted.push(Line {
+            label: format!("{}{chosen}", fit.law.label),
+            colour: colour(fit.law.family as usize),
+            dashed,
+            points: stretches.iter().copied().zip(stresses).map(shown).collect(),
+        });
+    }
+    let measured: Vec<_> = points.iter().copied().map(shown).collect();
+    let (bottom, top) = measured.iter().fold((0.0_f64, 0.0_f64), |(b, t), point| (b.min(point.1), t.max(point.1)));
+    let mode = curves.data.mode.name();
+    Picture {
+        title: format!("{}{}: test and fitted laws", mode[..1].to_uppercase(), &mode[1..]),
+        x: (Span::linear(100.0 * (low - 1.0), 100.0 * (high - 1.0)), "engineering strain (%)".into()),
+        y: (Span::linear(bottom, top), format!("nominal stress ({unit})")),
+        measured,
+        fitted,
+        legend_at: LEGEND_UPPER_LEFT,
+    }
+}
+
+fn of_relaxation(relaxed: &Relaxed) -> Picture {
+    let data = &relaxed.test.relaxation;
+    let largest = data.loads.iter().fold(0.0, |a, b| f64::max(a, *b));
+    let kilo = if largest > 1e3 * KILO_LIMIT { (1e-6, "MPa") } else { (1e-3, "kPa") };
+    let (scale, unit, quantity) = match relaxed.test.load {
+        Load::Force => (1.0, "N", "force"),
+        Load::Stress => (kilo.0, kilo.1, "nominal stress"),
+        Load::Modulus => (kilo.0, kilo.1, "modulus"),
+    };
+    let first = data.times.iter().copied().find(|time| *time > 0.0).unwrap_or(1.0);
+    let last = data.times.last().copied().unwrap_or(10.0);
+    let times: Vec<f64> =
+        (0..=CURVE_POINTS).map(|k| first * (last / first).powf(k as f64 / CURVE_POINTS as f64)).collect();
+    let line = |(index, prony): (usize, &softanvil_identify::relaxation::prony::Prony)| {
+        let chosen = index == relaxed.choice.chosen;
+        let plural = if prony.terms.len() == 1 { "" } else { "s" };
+        let suffix = if chosen { ", chosen" } else { "" };
+        let loads = prony.predict(&data.history, &times);
+        Line {
+            label: format!("{} term{plural}{suffix}", prony.terms.len()),
+            colour: if chosen { colour(0) } else { OTHERS[index % OTHERS.len()] },
+            dashed: !chosen,
+            points: times.iter().copied().zip(loads.iter().map(|load| scale * load)).collect(),
+        }
+    };
+    let measured: Vec<_> =
+        data.times.iter().zip(&data.loads).filter(|(t, _)| **t > 0.0).map(|(t, load)| (*t, scale * load)).collect();
+    Picture {
+        title: "Relaxation: test and Prony series".into(),
+        x: (Span::logarithmic(first, last), "time (s)".into()),
+        y: (Span::linear(0.0, scale * largest), format!("{quantity} ({unit})")),
+        measured,
+        fitted: relaxed.choice.series.iter().enumerate().map(line).collect(),
+        legend_at: SeriesLabelPosition::LowerLeft,
+    }
+}
+
+/// Colours of the series that were not chosen.
+const OTHERS: [RGBColor; 5] = [
+    RGBColor(213, 94, 0),
+    RGBColor(0, 158, 115),
+    RGBColor(204, 121, 167),
+    RGBColor(230, 159, 0),
+    RGBColor(86, 180, 233),
+];
+
+fn draw(picture: &Picture) -> Result<String, PlotError> {
+    let mut svg = String::new();
+    {
+        let area = SVGBackend::with_string(&mut svg, PANEL_SIZE).into_drawing_area();
+        area.fill(&BACKGROUND)?;
+        draw_on(&area, picture)?;
+        area.present()?;
+    }
+    Ok(in_pixels(&svg, PANEL_SIZE))
+}
+
+fn draw_on(area: &Area, picture: &Picture) -> Result<(), PlotError> {
+    let (strip, axes) = area.split_vertically(TITLE_AREA);
+    let title_at = ((MARGIN + Y_LABEL_AREA) as i32, MARGIN as i32);
+    strip.draw(&Text::new(picture.title.as_str(), title_at, text(TITLE_SIZE)))?;
+    let mut chart = ChartBuilder::on(&axes)
+        .margin(MARGIN)
+        .margin_top(0)
+        .x_label_area_size(X_LABEL_AREA)
+        .y_label_area_size(Y_LABEL_AREA)
+        .build_cartesian_2d(picture.x.0.clone(), picture.y.0.clone())?;
+    chart
+        .configure_mesh()
+        .light_line_style(TRANSPARENT)
+        .bold_line_style(GRID.stroke_width(THIN))
+        .axis_style(INK.stroke_width(THIN))
+        .set_all_tick_mark_size(TICK)
+        .label_style(text(TICK_LABEL_SIZE))
+        .axis_desc_style(text(LABEL_SIZE))
+        .x_desc(picture.x.1.as_str())
+        .y_desc(picture.y.1.as_str())
+        .draw()?;
+    picture.fitted.iter().try_for_each(|line| draw_line(&mut chart, line))?;
+    // On top, so that no curve hides them.
+    draw_measured(&mut chart, &picture.measured)?;
+    chart
+        .configure_series_labels()
+        .position(picture.legend_at.clone())
+        .margin(MARGIN)
+        .legend_area_size(LEGEND_LINE + MARGIN / 2)
+        .background_style(BACKGROUND.mix(0.85))
+        .label_font(text(LABEL_SIZE))
+        .draw()?;
+    Ok(())
+}
+
+fn text(size: u32) -> TextStyle<'static> {
+    TextStyle::from((FONT, size).into_font()).color(&INK)
+}
+
+fn draw_measured(chart: &mut Chart, points: &[(f64, f64)]) -> Result<(), PlotError> {
+    let style = INK.stroke_width(3 * UNITS / 2);
+    let every = points.len().div_ceil(MOST_POINTS).max(1);
+    let shown = points.iter().step_by(every);
+    chart
+        .draw_series(shown.map(|point| Circle::new(*point, POINT, style)))?
+        .label("test")
+        .legend(move |(x, y)| Circle::new((x + LEGEND_LINE as i32 / 2, y), POINT, style));
+    Ok(())
+}
+
+fn draw_line(chart: &mut Chart, line: &Line) -> Result<(), PlotError> {
+    let style: ShapeStyle = line.colour.stroke_width(CURVE);
+    let ends = |(x, y): (i32, i32)| [(x, y), (x + LEGEND_LINE as i32, y)];
+    // What leaves the picture upwards or downwards is left out, not drawn over the title.
+    let range = plotters::coord::ranged1d::Ranged::range(chart.as_coord_spec().y_spec());
+    for points in line.points.split(|point| !(range.start..=range.end).contains(&point.1)).filter(|p| p.len() > 1) {
+        match line.dashed {
+            true => {
+                let points = points.to_vec();
+                chart.draw_series([DashedPathElement::new(points, DASH.0, DASH.1, style)])?;
+            }
+            false => {
+                chart.draw_series([PathElement::new(points.to_vec(), style)])?;
+            }
+        }
+    }
+    let nothing: [PathElement<(f64, f64)>; 0] = [];
+    let series = chart.draw_series(nothing)?.label(&line.label);
+    match line.dashed {
+        true => series.legend(move |at| DashedPathElement::new(ends(at), DASH.0, DASH.1, style)),
+        false => series.legend(move |at| PathElement::new(ends(at), style)),
+    };
+    Ok(())
+}

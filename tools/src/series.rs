@@ -1,0 +1,196 @@
+//! A force over time at equal intervals, from a run or a measurement, and the four numbers of the test read from it.
+
+use std::path::Path;
+
+use softanvil_kernel::SAMPLING_INTERVAL;
+use softanvil_kernel::cfc;
+
+use crate::run::Run;
+
+/// Which force is read.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Deserialize, clap::ValueEnum)]
+#[serde(rename_all = "lowercase")]
+pub enum Sensor {
+    /// Force on the impactor, as the study's LS-DYNA figures are.
+    #[default]
+    Contact,
+    /// Force of the layer on the core, as the load cells of its experiment see it: larger by the inertia of the layer.
+    Core,
+}
+
+impl Sensor {
+    /// Name for people.
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::Contact => "contact force",
+            Self::Core => "core reaction (load cells)",
+        }
+    }
+}
+
+/// Forces at equal intervals.
+#[derive(Clone, Debug)]
+pub struct Series {
+    /// Time of the first force, s.
+    pub start: f64,
+    /// Interval, s.
+    pub interval: f64,
+    /// Forces, N.
+    pub force: Vec<f64>,
+}
+
+/// What cannot be read as a force over time.
+#[derive(Debug, thiserror::Error)]
+#[error("{0}")]
+pub struct SeriesError(String);
+
+/// Most samples that a measured trace is resampled to.
+const MAX_SAMPLES: f64 = 1e6;
+
+impl Series {
+    /// The force samples of `run`; each is the mean over its interval, so its time is the middle of it.
+    pub fn of_run(run: &Run, sensor: Sensor) -> Self {
+        let force = run.samples()[1..].iter().map(|sample| match sensor {
+            Sensor::Contact => sample.sampler.last.contact_force,
+            Sensor::Core => sample.sampler.last.core_reaction,
+        });
+        Self { start: 0.5 * SAMPLING_INTERVAL, interval: SAMPLING_INTERVAL, force: force.collect() }
+    }
+
+    /// A measured trace: CSV with a header and the columns time, s, and force, N; further columns are left alone. It is
+    /// resampled at 20 kHz, by linear interpolation.
+    ///
+    /// # Errors
+    /// What is no such file, with its line.
+    pub fn read(path: &Path) -> Result<Self, SeriesError> {
+        let text = std::fs::read_to_string(path)
+            .map_err(|error| SeriesError(format!("{} cannot be read: {error}", path.display())))?;
+        Self::parse(&text).map_err(|SeriesError(error)| SeriesError(format!("{}: {error}", path.display())))
+    }
+
+    fn parse(text: &str) -> Result<Self, SeriesError> {
+        let refuse = |line: usize, what: String| Err(SeriesError(format!("line {line}: {what}")));
+        let mut points: Vec<(f64, f64)> = Vec::new();
+        let mut reader = csv::ReaderBuilder::new().flexible(true).trim(csv::Trim::All).from_reader(text.as_bytes());
+        for (index, record) in reader.records().enumerate() {
+            let record = record.map_err(|error| SeriesError(error.to_string()))?;
+            let number =
+                |column: usize| record.get(column).and_then(|text| text.parse::<f64>().ok()).filter(|v| v.is_finite());
+            let (Some(time), Some(force)) = (number(0), number(1)) else {
+                return refuse(index + 2, "two numbers are needed: time in s, force in N".into());
+            };
+            if points.last().is_some_and(|last| last.0 >= time) {
+                return refuse(index + 2, format!("time {time} s is not after that of the line before"));
+            }
+            points.push((time, force));
+        }
+        let (Some(first), Some(last)) = (points.first(), points.last()) else {
+            return refuse(1, "no line of numbers follows the header".into());
+        };
+        // A length within a millionth of a sample of a whole number is that number.
+        let count = ((last.0 - first.0) / SAMPLING_INTERVAL + 1e-6).floor() + 1.0;
+        if !(2.0..=MAX_SAMPLES).contains(&count) {
+            return refuse(points.len() + 1, format!("the trace lasts {} s; legal is 50 us to 50 s", last.0 - first.0));
+        }
+        let mut segment = 0;
+        let force = (0..count as usize).map(|i| {
+            let time = first.0 + i as f64 * SAMPLING_INTERVAL;
+            while segment + 2 < points.len() && points[segment + 1].0 <= time {
+                segment += 1;
+            }
+            let (a, b) = (points[segment], points[(segment + 1).min(points.len() - 1)]);
+            a.1 + (b.1 - a.1) * (time - a.0) / (b.0 - a.0)
+        });
+        Ok(Self { start: first.0, interval: SAMPLING_INTERVAL, force: force.collect() })
+    }
+
+    /// The same force through the filter of a channel frequency class, Hz, forwards and backwards.
+    ///
+    /// # Errors
+    /// A class that the sampling cannot carry.
+    pub fn filtered(mut self, channel_class: f64) -> Result<Self, SeriesError> {
+        let coefficients =
+            cfc::Coefficients::new(channel_class, self.interval).map_err(|error| SeriesError(error.to_string()))?;
+        cfc::filter_both_ways(&coefficients, &mut self.force);
+        Ok(self)
+    }
+
+    /// Time of sample `index`, s.
+    pub fn time(&self, index: usize) -> f64 {
+        self.start + index as f64 * self.interval
+    }
+
+    /// Largest force, N.
+    pub fn peak(&self) -> f64 {
+        self.force.iter().copied().fold(0.0, f64::max)
+    }
+
+    /// First and last sample at or above `threshold`, N.
+    pub fn contact(&self, threshold: f64) -> Option<[usize; 2]> {
+        let above = |force: &f64| *force >= threshold && *force > 0.0;
+        Some([self.force.iter().position(above)?, self.force.iter().rposition(above)?])
+    }
+
+    /// Time covered by the samples from the first to the last one at or above `threshold`, s.
+    pub fn duration(&self, threshold: f64) -> f64 {
+        self.contact(threshold).map_or(0.0, |[first, last]| (last - first + 1) as f64 * self.interval)
+    }
+
+    /// Impulse, N s, of all samples from the first to the last one at or above `threshold`, N.
+    pub fn impulse(&self, threshold: f64) -> f64 {
+        self.contact(threshold)
+            .map_or(0.0, |[first, last]| self.force[first..=last].iter().sum::<f64>() * self.interval)
+    }
+
+    /// The force at `time`, N, between samples by linear interpolation, and 0 outside of the series.
+    pub fn at(&self, time: f64) -> f64 {
+        let place = (time - self.start) / self.interval;
+        let below = place.floor();
+        if below < 0.0 || below + 1.0 > (self.force.len() - 1) as f64 {
+            return 0.0;
+        }
+        let (a, b) = (self.force[below as usize], self.force[below as usize + 1]);
+        a + (b - a) * (place - below)
+    }
+
+    /// When the force first reaches `threshold`, N, between samples by linear interpolation, s.
+    pub fn onset(&self, threshold: f64) -> Option<f64> {
+        let [first, _] = self.contact(threshold)?;
+        if first == 0 {
+            return Some(self.time(0));
+        }
+        let (a, b) = (self.force[first - 1], self.force[first]);
+        Some(self.time(first - 1) + self.interval * (threshold - a) / (b - a))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_trace_is_resampled_at_20_khz() {
+        let series = Series::parse("time [s],force [N],more\n0.001,0,x\n0.0012,40,y\n0.0013,0,z\n").unwrap();
+        assert_eq!(series.force.len(), 7);
+        for (force, expected) in series.force.iter().zip([0.0, 10.0, 20.0, 30.0, 40.0, 20.0, 0.0]) {
+            assert!((force - expected).abs() < 1e-9, "{:?}", series.force);
+        }
+        assert_eq!((series.peak().round(), series.contact(15.0)), (40.0, Some([2, 5])));
+        assert!((series.onset(15.0).unwrap() - 0.001075).abs() < 1e-12);
+        assert!((series.at(0.001025) - 5.0).abs() < 1e-9 && series.at(0.0) == 0.0 && series.at(1.0) == 0.0);
+        assert!((series.impulse(15.0) - 110.0 * 50e-6).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_refused_trace_names_its_line() {
+        for (text, message) in [
+            ("t,f\n0,1\n0,2\n", "line 3: time 0 s is not after"),
+            ("t,f\n0,1\n1,x\n", "line 3: two numbers"),
+            ("t,f\n", "line 1: no line"),
+            ("t,f\n0,1\n1e-5,1\n", "legal is 50 us to 50 s"),
+        ] {
+            let error = Series::parse(text).unwrap_err().to_string();
+            assert!(error.contains(message), "{error}");
+        }
+    }
+}

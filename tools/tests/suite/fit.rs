@@ -1,0 +1,55 @@
+//! `softanvil fit` as its users meet it.
+
+use tempfile::tempdir;
+
+use crate::common::{entries, fail, json, succeed};
+
+const CURVE: &str = "Compressive strain (%);Compressive stress (kPa)\n5;-9,4\n10;19,6\n20;43\n30;75\n40;120\n50;190\n";
+
+fn folder() -> tempfile::TempDir {
+    let folder = tempdir().unwrap();
+    std::fs::write(folder.path().join("curve.csv"), CURVE.replace('-', "")).unwrap();
+    folder
+}
+
+#[test]
+fn a_curve_becomes_a_material_that_runs() {
+    let folder = folder();
+    let text = succeed(folder.path(), &["fit", "--uniaxial", "curve.csv", "--stable", "--out", "out"]);
+    assert!(text.contains("read as compression") && text.contains("written: out/material.toml"), "{text}");
+    let files = entries(&folder.path().join("out"));
+    for name in
+        ["material.toml", "material.h", "material.ssv", "material-lsdyna.k", "material-abaqus.inp", "uniaxial.svg"]
+    {
+        assert!(files.iter().any(|file| file == name), "{name} in {files:?}");
+    }
+    let run = ["run", "--material", "out/material.toml", "--energy", "0.1", "--json"];
+    assert!(json(folder.path(), &run)["peak_force"].as_f64().unwrap() > 0.0);
+}
+
+#[test]
+fn json_names_the_chosen_law_and_its_errors() {
+    let folder = folder();
+    let fit = json(folder.path(), &["fit", "--uniaxial", "curve.csv", "--law", "yeoh_2", "--json"]);
+    assert_eq!(fit["chosen"], "yeoh_2");
+    let laws = fit["laws"].as_array().unwrap();
+    let law = laws.iter().find(|law| law["law"] == "yeoh_2").unwrap();
+    assert!(law["standard_errors"]["c10"].as_f64().unwrap() > 0.0);
+}
+
+#[test]
+fn wrong_input_is_refused_in_one_line() {
+    let folder = folder();
+    assert!(fail(folder.path(), &["fit"], 2).contains("nothing to fit"));
+    assert!(fail(folder.path(), &["fit", "--uniaxial", "none.csv"], 2).starts_with("none.csv: "));
+    std::fs::write(folder.path().join("bare.csv"), "0.1 0.2\n0.2 0.3\n0.3 0.5\n").unwrap();
+    assert!(fail(folder.path(), &["fit", "--uniaxial", "bare.csv"], 2).contains("--columns"));
+    std::fs::write(folder.path().join("no.toml"), "[impactor]\nmass = 4\n").unwrap();
+    assert!(fail(folder.path(), &["run", "--material", "no.toml"], 2).contains("line 1: impactor is refused"));
+}
+
+#[test]
+fn the_study_gives_a_start_with_its_contradictions() {
+    let folder = folder();
+    assert!(succeed(folder.path(), &["fit", "--study"]).contains("contradict"));
+}

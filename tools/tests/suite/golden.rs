@@ -1,0 +1,81 @@
+//! The golden traces: current, reproduced, and able to fail.
+
+use std::path::Path;
+
+use softanvil_golden::{Checker, Memory, Run, SCENES, Scene};
+use tempfile::TempDir;
+
+use crate::common::{fail, succeed};
+
+/// What is built here, with another profile than the traces were written with, gives their bits.
+#[test]
+fn every_scene_gives_the_bits_of_its_trace() {
+    let text = succeed(Path::new("."), &["golden", "check"]);
+    for scene in SCENES {
+        assert!(text.contains(scene.name), "{text}");
+    }
+    let count = SCENES.len();
+    assert!(text.ends_with(&format!("{count} of {count} scenes have the bits of their golden trace\n")), "{text}");
+}
+
+/// The files are what the command writes, comments included, and there is none beside them.
+#[test]
+fn the_files_are_what_the_command_writes() {
+    let folder = TempDir::new().unwrap();
+    succeed(folder.path(), &["golden", "write", "."]);
+    let kept = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/golden/traces");
+    for scene in SCENES {
+        let name = format!("{}.txt", scene.name);
+        let [written, kept] = [folder.path(), &kept].map(|folder| std::fs::read_to_string(folder.join(&name)).unwrap());
+        assert_eq!(written, kept, "{name}; `softanvil golden write tests/golden/traces` renews it");
+    }
+    assert_eq!(std::fs::read_dir(kept).unwrap().count(), SCENES.len());
+}
+
+#[test]
+fn an_unknown_scene_is_refused() {
+    let error = fail(Path::new("."), &["golden", "check", "drop"], 2);
+    assert!(error.starts_with("scene drop is unknown: legal are drop-14.7-J, "), "{error}");
+}
+
+/// A single bit in a single number of the state is found at the next record.
+#[test]
+fn one_changed_bit_is_found() {
+    let scene = Scene::find("yeoh").unwrap();
+    let mut memory = Box::new(Memory::new());
+    let mut run = Run::new(scene, &mut memory).unwrap();
+    let mut checker = Checker::new(scene.trace);
+    assert_eq!(checker.check(&run.record()), Ok(()));
+    for _ in 0..8 {
+        let record = run.advance().unwrap().unwrap();
+        assert_eq!(checker.check(&record), Ok(()));
+    }
+    let middle = run.state.displacement()[0].len() / 2;
+    let [x, _] = run.state.displacement_mut();
+    x[middle] = f64::from_bits(x[middle].to_bits() ^ 1);
+    let record = run.advance().unwrap().unwrap();
+    let difference = checker.check(&record).unwrap_err();
+    assert_eq!(difference.found.step, record.step);
+    assert_ne!(difference.quantity, "step");
+}
+
+/// Each scene does what it is there for, so that its bits depend on it.
+#[test]
+fn scenes_reach_what_they_are_there_for() {
+    let mut memory = Box::new(Memory::new());
+    for scene in SCENES {
+        let mut run = Run::new(scene, &mut memory).unwrap();
+        let mut contact = 0.0_f64;
+        while let Some(record) = run.advance().unwrap() {
+            contact = contact.max(record.force);
+        }
+        assert!(contact > 100.0, "{}: contact {contact} N", scene.name);
+        let energy = &run.state.scalars.energy;
+        assert!(energy.friction > 0.0, "{}: friction", scene.name);
+        let material = &run.model.constants.scenario.silicone;
+        let viscous = run.model.constants.n_term() > 0;
+        assert_eq!(energy.viscous_dissipation > 0.0, viscous, "{}: viscous", scene.name);
+        assert_eq!(energy.slider_dissipation > 0.0, material.slider_stiffness > 0.0, "{}: slider", scene.name);
+        assert_eq!(energy.tear > 0.0, scene.name == "two-layers", "{}: tear", scene.name);
+    }
+}
