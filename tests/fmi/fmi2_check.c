@@ -18,7 +18,9 @@ static int errors_logged = 0;
     X(fmi2FreeFMUstate) X(fmi2SerializedFMUstateSize) X(fmi2SerializeFMUstate) X(fmi2DeSerializeFMUstate)         \
     X(fmi2GetDirectionalDerivative) X(fmi2SetRealInputDerivatives) X(fmi2GetRealOutputDerivatives) X(fmi2DoStep)  \
     X(fmi2CancelStep) X(fmi2GetStatus) X(fmi2GetRealStatus) X(fmi2GetIntegerStatus) X(fmi2GetBooleanStatus)       \
-    X(fmi2GetStringStatus)
+    X(fmi2GetStringStatus) X(fmi2EnterEventMode) X(fmi2NewDiscreteStates) X(fmi2EnterContinuousTimeMode)          \
+    X(fmi2CompletedIntegratorStep) X(fmi2SetTime) X(fmi2SetContinuousStates) X(fmi2GetDerivatives)                \
+    X(fmi2GetEventIndicators) X(fmi2GetContinuousStates) X(fmi2GetNominalsOfContinuousStates)
 
 static struct {
 #define POINTER(name) name##TYPE *name;
@@ -135,6 +137,12 @@ static void with_nulls(fmi2Component c)
     CHECK(fmu.fmi2GetIntegerStatus(c, fmi2DoStepStatus, NULL) == fmi2Error);
     CHECK(fmu.fmi2GetBooleanStatus(c, fmi2Terminated, NULL) == fmi2Error);
     CHECK(fmu.fmi2GetStringStatus(c, fmi2PendingStatus, NULL) == fmi2Error);
+    CHECK(fmu.fmi2EnterEventMode(c) == fmi2Error && fmu.fmi2EnterContinuousTimeMode(c) == fmi2Error);
+    CHECK(fmu.fmi2NewDiscreteStates(c, NULL) == fmi2Error && fmu.fmi2SetTime(c, 0.0) == fmi2Error);
+    CHECK(fmu.fmi2CompletedIntegratorStep(c, fmi2True, NULL, NULL) == fmi2Error);
+    CHECK(fmu.fmi2SetContinuousStates(c, NULL, 1) == fmi2Error && fmu.fmi2GetContinuousStates(c, NULL, 1) == fmi2Error);
+    CHECK(fmu.fmi2GetDerivatives(c, NULL, 1) == fmi2Error && fmu.fmi2GetEventIndicators(c, NULL, 1) == fmi2Error);
+    CHECK(fmu.fmi2GetNominalsOfContinuousStates(c, NULL, 1) == fmi2Error);
 }
 
 static void wrong_calls(const char *guid)

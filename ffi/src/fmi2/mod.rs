@@ -3,6 +3,7 @@
 //!
 //! A refused call is logged and returns `fmi2Error`; it changes nothing.
 
+mod absent;
 mod calls;
 mod lifecycle;
 mod state;
