@@ -87,8 +87,8 @@ have_venv() { python3 -c 'import ensurepip' 2>/dev/null || { need no-such-comman
 
 if need python3 python3 && have_venv && need gcc gcc libc6-dev; then
     export SOFTANVIL_VENV=${SOFTANVIL_VENV:-$PWD/.venv}
-    run "FMU in other tools, release library" tests/fmpy/run.sh target/release
-    run "FMU in other tools, debug library" tests/fmpy/run.sh target/debug test_results.py -k "last_bit"
+    run "FMU in other tools, release library" tests/fmi/run.sh target/release
+    run "FMU in other tools, debug library" tests/fmi/run.sh target/debug test_results.py -k "last_bit"
     run "programs and picture of the README" tests/readme.sh target/release "$SOFTANVIL_VENV"
 else
     skip "FMU in other tools" "python3 with venv, or gcc, is missing and cannot be installed"

@@ -30,6 +30,7 @@ pub(crate) struct Contact {
 }
 
 /// Adds the contact forces to the forces of the surface nodes and returns what they did.
+#[inline(always)]
 pub(crate) fn contact(model: &Model, state: &mut State, prediction: &Prediction) -> Contact {
     free_heights(model, state);
     let top = model.constants.grid.n_v * model.constants.grid.stride();
@@ -46,6 +47,7 @@ pub(crate) fn contact(model: &Model, state: &mut State, prediction: &Prediction)
 
 /// Leaves in the row of normal forces, until they are known, the height of each surface node above the undeformed anvil's
 /// top at the end of a step without contact, m; far below where it is not under the face.
+#[inline(always)]
 fn free_heights(model: &Model, state: &mut State) {
     let (constants, fixed, nodes) = (&model.constants, &model.nodes, &mut state.nodes);
     let impactor = &constants.scenario.impactor;
@@ -75,6 +77,7 @@ const FAR_BELOW: f64 = -1e30;
 ///
 /// It is the root z of M (z - z_free) = sum m_i max(0, y_i - z), a concave rising function: Newton's method climbs to
 /// it from z_free through a shrinking set of touching nodes.
+#[inline(always)]
 fn face_position(impactor_mass: f64, mass: &[f64], free_height: &[f64], prediction: &Prediction) -> f64 {
     let mut position = prediction.position;
     if !prediction.free {
@@ -96,6 +99,7 @@ fn face_position(impactor_mass: f64, mass: &[f64], free_height: &[f64], predicti
 }
 
 /// The force that brings each penetrating node back to the face within the step; returns their sum in index order.
+#[inline(always)]
 fn normal_forces(dt: f64, mass: &[f64], state: &mut State, top: usize, face: f64) -> f64 {
     let inverse_dt_squared = 1.0 / (dt * dt);
     let mut total = ZERO;
@@ -114,6 +118,7 @@ fn normal_forces(dt: f64, mass: &[f64], state: &mut State, top: usize, face: f64
 }
 
 /// Friction of the surface nodes, and the energy that it and the normal forces take in this step.
+#[inline(always)]
 fn slide(model: &Model, state: &mut State, top: usize, face: [f64; 2], contact: &mut Contact) {
     let (fixed, nodes) = (&model.nodes, &mut state.nodes);
     let dt = model.constants.dt;

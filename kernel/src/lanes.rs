@@ -31,7 +31,7 @@ impl Deviator {
     pub const ZERO: Self = Self { xx: ZERO, yy: ZERO, xy: ZERO };
 
     /// Adds `other` component by component.
-    #[inline]
+    #[inline(always)]
     pub fn add(&mut self, other: &Self) {
         for l in 0..LANES {
             self.xx[l] += other.xx[l];
@@ -55,7 +55,7 @@ pub fn contract(a: [f64; 3], b: [f64; 3]) -> f64 {
 }
 
 /// The sum of a lane, in index order.
-#[inline]
+#[inline(always)]
 pub fn sum(lane: &Lane) -> f64 {
     lane.iter().fold(0.0, |total, value| total + value)
 }

@@ -6,6 +6,7 @@ use crate::energy::StepWork;
 use crate::error::StepError;
 use crate::face::{self, Contact};
 use crate::impactor::StepInput;
+use crate::instruction_set::{InstructionSet, Work};
 use crate::lanes::{LANES, ZERO, load, store, subtract_at, sum};
 use crate::model::Model;
 use crate::state::{Forces, State, corner_indices};
@@ -21,11 +22,19 @@ use crate::time_step;
 /// An inverted triangle, a step above the current stability limit, or an input that is not finite. The same error comes
 /// back until the state is reset or restored.
 pub fn step(model: &Model, state: &mut State, input: &StepInput) -> Result<(), StepError> {
+    step_with(InstructionSet::best(), model, state, input)
+}
+
+/// [`step`] with a given instruction set, which changes the speed and no bit.
+///
+/// # Errors
+/// As [`step`].
+pub fn step_with(set: InstructionSet, model: &Model, state: &mut State, input: &StepInput) -> Result<(), StepError> {
     if let Some(failure) = state.scalars.failure {
         return Err(failure);
     }
     input.check(state.time(model))?;
-    match advance(model, state, input) {
+    match set.run(Advance { model, state, input }) {
         Ok(()) => Ok(()),
         Err(failure) => {
             state.scalars.failure = Some(failure);
@@ -34,6 +43,23 @@ pub fn step(model: &Model, state: &mut State, input: &StepInput) -> Result<(), S
     }
 }
 
+/// One step as work for an instruction set.
+struct Advance<'s, 'm, 'a> {
+    model: &'s Model<'m>,
+    state: &'s mut State<'a>,
+    input: &'s StepInput,
+}
+
+impl Work for Advance<'_, '_, '_> {
+    type Output = Result<(), StepError>;
+
+    #[inline(always)]
+    fn run(self) -> Result<(), StepError> {
+        advance(self.model, self.state, self.input)
+    }
+}
+
+#[inline(always)]
 fn advance(model: &Model, state: &mut State, input: &StepInput) -> Result<(), StepError> {
     time_step::monitor(model, state)?;
     let energy = internal_forces(model, state)?;
@@ -59,6 +85,7 @@ fn advance(model: &Model, state: &mut State, input: &StepInput) -> Result<(), St
 }
 
 /// Fills the nodal forces with minus the internal forces, block by block in index order.
+#[inline(always)]
 fn internal_forces(model: &Model, state: &mut State) -> Result<ElementEnergy, StepError> {
     let grid = &model.constants.grid;
     let terms = (2 * model.constants.n_term()).max(1);
@@ -86,6 +113,7 @@ fn internal_forces(model: &Model, state: &mut State) -> Result<ElementEnergy, St
 }
 
 /// Moves the nodes under their forces; returns the kinetic energy of the section.
+#[inline(always)]
 fn move_nodes(model: &Model, state: &mut State) -> f64 {
     let dt = model.constants.dt;
     let (fixed, nodes) = (&model.nodes, &mut state.nodes);
@@ -96,6 +124,7 @@ fn move_nodes(model: &Model, state: &mut State) -> f64 {
     along_x + along_y
 }
 
+#[inline(always)]
 fn move_along(
     dt: f64,
     mass: &[f64],
@@ -121,6 +150,7 @@ fn move_along(
 }
 
 /// Records the forces of the step and what the laboratory would read.
+#[inline(always)]
 fn measure(model: &Model, state: &mut State, face: &Contact, core: &Contact, velocity_before: f64) {
     let constants = &model.constants;
     let scalars = &mut state.scalars;

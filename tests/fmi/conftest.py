@@ -17,6 +17,12 @@ def fmu():
 
 
 @pytest.fixture(scope="session")
+def fmu3():
+    """Path of the FMU of FMI 3.0."""
+    return os.environ["SOFTANVIL_FMU3"]
+
+
+@pytest.fixture(scope="session")
 def description(fmu):
     return read_model_description(fmu)
 

@@ -1,25 +1,13 @@
 /* A C master that includes the standard's own headers (FMPy carries them): every function is called through a pointer of
  * the header's type, in a whole life of an instance, and then with null pointers and in the wrong order. Prints the
  * trace hash of the drop. Build it with address and undefined-behaviour sanitizers to see that nothing goes wrong. */
-#include <dlfcn.h>
 #include <math.h>
 #include <stdarg.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "fmi2Functions.h"
+#include "load.h"
 
-static int failures = 0;
 static int errors_logged = 0;
-
-#define CHECK(condition)                                                             \
-    do {                                                                             \
-        if (!(condition)) {                                                          \
-            fprintf(stderr, "%s:%d: %s\n", __FILE__, __LINE__, #condition);          \
-            failures++;                                                              \
-        }                                                                            \
-    } while (0)
 
 /* A pointer of the header's type for every function, filled from the library by name. */
 #define FUNCTIONS(X)                                                                                              \
@@ -39,17 +27,8 @@ static struct {
 
 static void load(const char *path)
 {
-    void *library = dlopen(path, RTLD_NOW | RTLD_LOCAL);
-    if (library == NULL) {
-        fprintf(stderr, "%s\n", dlerror());
-        exit(1);
-    }
-#define LOAD(name)                                                    \
-    *(void **)&fmu.name = dlsym(library, #name);                      \
-    if (fmu.name == NULL) {                                           \
-        fprintf(stderr, "%s is not exported\n", #name);               \
-        exit(1);                                                      \
-    }
+    void *library = open_library(path);
+    if (library == NULL) exit(1);
     FUNCTIONS(LOAD)
 }
 

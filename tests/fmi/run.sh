@@ -25,7 +25,8 @@ have_target aarch64-unknown-linux-gnu aarch64-linux-gnu-gcc && targets+=(--targe
 have_target x86_64-pc-windows-gnu x86_64-w64-mingw32-gcc && targets+=(--target x86_64-pc-windows-gnu)
 [ ${#targets[@]} != 6 ] || targets=(--target all)
 
-export SOFTANVIL_CLI=$build/softanvil SOFTANVIL_ROOT=$root SOFTANVIL_HEADERS=$scratch/prototypes
+export SOFTANVIL_CLI=$build/softanvil SOFTANVIL_ROOT=$root
+export SOFTANVIL_WINE=$scratch/wine
 export SOFTANVIL_FMU=$scratch/softanvil-fmi2.fmu SOFTANVIL_FMU3=$scratch/softanvil-fmi3.fmu
 export SOFTANVIL_LIBRARY=$root/target/fmu/x86_64-unknown-linux-gnu/fmu/libsoftanvil.so
 [ "${targets[*]}" = "--target all" ] || SOFTANVIL_FMI2_TARGETS=(--target x86_64-unknown-linux-gnu)

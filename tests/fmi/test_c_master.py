@@ -1,20 +1,95 @@
-"""A master in C with the standard's own headers, under sanitizers."""
+"""Masters in C with the standard's own headers: a whole life and every illegal call, under sanitizers and valgrind, and on
+the other platforms, where the trace hash of the drop must be the same."""
 
 import os
 import pathlib
+import shutil
 import subprocess
+import zipfile
 
 import fmpy
 import pytest
 
+HEADERS = pathlib.Path(fmpy.__file__).parent / "c-code"
+HERE = pathlib.Path(__file__).parent
+STRICT = ["-std=c11", "-D_GNU_SOURCE", "-Wall", "-Wextra", "-Werror", "-g"]
+PLATFORMS = {
+    "aarch64": ("aarch64-linux-gnu-gcc", "aarch64-linux/softanvil.so", ["qemu-aarch64", "-L", "/usr/aarch64-linux-gnu"]),
+    "windows": ("x86_64-w64-mingw32-gcc", "x86_64-windows/softanvil.dll", ["wine"]),
+}
 
-@pytest.mark.parametrize("sanitizers", ["", "-fsanitize=address,undefined -fno-sanitize-recover=all"])
-def test_a_c_master_with_the_official_headers(tmp_path, description, kernel, sanitizers):
-    headers = pathlib.Path(fmpy.__file__).parent / "c-code"
-    source, program = pathlib.Path(__file__).with_name("fmi2_check.c"), tmp_path / "master"
-    flags = ["-std=c11", "-D_GNU_SOURCE", "-Wall", "-Wextra", "-Werror", "-g", *sanitizers.split()]
-    subprocess.run(["gcc", *flags, f"-I{headers}", source, "-o", program, "-ldl", "-lm"], check=True)
-    command = [program, os.environ["SOFTANVIL_LIBRARY"], description.guid]
-    run = subprocess.run(command, capture_output=True, text=True)
-    assert (run.returncode, run.stderr) == (0, "")
-    assert run.stdout.strip() == kernel(14.7)["trace_hash"]
+
+def build(folder, version, compiler="gcc", flags=()):
+    program = folder / f"master{version}.exe"
+    source = HERE / f"fmi{version}_check.c"
+    libraries = ["-lm"] if "mingw" in compiler else ["-ldl", "-lm"]
+    command = [compiler, *STRICT, *flags, f"-I{HEADERS}", f"-I{HERE}", source, "-o", program, *libraries]
+    subprocess.run(command, check=True)
+    return program
+
+
+def run(command, **options):
+    result = subprocess.run(command, capture_output=True, text=True, **options)
+    assert result.returncode == 0, result.stderr
+    return result
+
+
+@pytest.mark.parametrize("version", [2, 3])
+@pytest.mark.parametrize("flags", [[], ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"]])
+def test_under_sanitizers(tmp_path, description, kernel, version, flags):
+    program = build(tmp_path, version, flags=flags)
+    result = run([program, os.environ["SOFTANVIL_LIBRARY"], description.guid])
+    assert (result.stdout.strip(), result.stderr) == (kernel(14.7)["trace_hash"], "")
+
+
+@pytest.mark.parametrize("version", [2, 3])
+@pytest.mark.skipif(not shutil.which("valgrind"), reason="valgrind is missing")
+def test_under_valgrind(tmp_path, description, kernel, version):
+    program = build(tmp_path, version)
+    valgrind = ["valgrind", "--quiet", "--leak-check=full", "--errors-for-leak-kinds=definite,indirect,possible", "--error-exitcode=1"]
+    brief = ["brief"] if version == 3 else []
+    result = run([*valgrind, program, os.environ["SOFTANVIL_LIBRARY"], description.guid, *brief])
+    assert (result.stdout.strip(), result.stderr) == (kernel(14.7)["trace_hash"], "")
+
+
+@pytest.mark.parametrize("version", [2, 3])
+@pytest.mark.parametrize("platform", PLATFORMS)
+def test_on_other_platforms(tmp_path, fmu3, description, kernel, platform, version):
+    compiler, member, runner = PLATFORMS[platform]
+    missing = [tool for tool in (compiler, runner[0]) if not shutil.which(tool)]
+    if missing:
+        pytest.skip(f"{missing[0]} is missing")
+    program = build(tmp_path, version, compiler)
+    with zipfile.ZipFile(fmu3) as archive:
+        library = archive.extract(f"binaries/{member}", tmp_path)
+    # Wine keeps its folders in the home folder unless told otherwise.
+    environment = {**os.environ, "WINEDEBUG": "-all", "WINEPREFIX": os.environ["SOFTANVIL_WINE"]}
+    result = run([*runner, program, library, description.guid], env=environment)
+    assert result.stdout.strip() == kernel(14.7)["trace_hash"]
+
+
+def exported(nm, library):
+    listed = run([nm, "-D", "--defined-only", library]).stdout
+    return {line.split()[-1] for line in listed.splitlines()}
+
+
+def test_the_library_exports_the_functions_of_the_standard_and_needs_the_c_library_alone():
+    library = os.environ["SOFTANVIL_LIBRARY"]
+    names = exported("nm", library)
+    assert all(name.startswith(("fmi2", "fmi3")) for name in names)
+    assert len([name for name in names if name.startswith("fmi3")]) == 75
+    needed = [line for line in run(["readelf", "-d", library]).stdout.splitlines() if "NEEDED" in line]
+    assert len(needed) == 1 and "libc.so.6" in needed[0]
+    versions = {word for word in run(["readelf", "-V", library]).stdout.split() if word.startswith("GLIBC_")}
+    assert max(tuple(map(int, version[6:].split("."))) for version in versions) <= (2, 14)
+
+
+def test_two_builds_give_the_same_bytes(tmp_path):
+    """Built again from nothing in another folder."""
+    link = ["-Clink-arg=-Wl,--build-id=none", "-Clink-arg=-lc"]
+    target = ["--target", "x86_64-unknown-linux-gnu", "--target-dir", tmp_path]
+    options = ["--quiet", "--lib", "--no-default-features", "--crate-type", "cdylib", "--profile", "fmu"]
+    manifest = pathlib.Path(os.environ["SOFTANVIL_ROOT"]) / "ffi/Cargo.toml"
+    subprocess.run(["cargo", "rustc", "--manifest-path", manifest, *options, *target, "--", *link], check=True)
+    again = tmp_path / "x86_64-unknown-linux-gnu/fmu/libsoftanvil.so"
+    assert again.read_bytes() == pathlib.Path(os.environ["SOFTANVIL_LIBRARY"]).read_bytes()

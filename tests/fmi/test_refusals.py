@@ -63,8 +63,8 @@ IN_MID_IMPACT = {
         lambda s: s.fmu.getDirectionalDerivative([3000], [2000], [1.0]), "directional derivative is not supported"),
     "output derivative": (lambda s: s.fmu.getRealOutputDerivatives([3000], [1]), "not supported"),
     "input derivative": (lambda s: s.fmu.setRealInputDerivatives([2000], [1], [1.0]), "not supported"),
-    "null state": (lambda s: s.fmu.setFMUstate(c_void_p()), "FMUstate is null"),
-    "no place for a state": (lambda s: s.fmu.fmi2GetFMUstate(s.fmu.component, None), "FMUstate is null"),
+    "null state": (lambda s: s.fmu.setFMUstate(c_void_p()), "FMUState is null"),
+    "no place for a state": (lambda s: s.fmu.fmi2GetFMUstate(s.fmu.component, None), "FMUState is null"),
     "no references": (
         lambda s: s.fmu.fmi2GetReal(s.fmu.component, None, c_size_t(1), (c_double * 1)()), "vr is null"),
     "no values": (

@@ -26,7 +26,7 @@ enum Command {
     Validate(validate::Options),
     Calibrate(calibrate::Options),
     Scenario(scenario::Options),
-    Fit(fit::Options),
+    Fit(Box<fit::Options>),
     Fmu(fmu::Options),
     Golden(golden::Options),
 }

@@ -26,7 +26,7 @@ impl NeoHookean {
     }
 
     /// Kirchhoff stress in the unrotated frame, Pa, and W, J/m3, of a block of triangles.
-    #[inline]
+    #[inline(always)]
     pub fn stress(&self, kinematics: &Kinematics) -> (Deviator, Lane) {
         let mut tau = Deviator::ZERO;
         let mut energy = [0.0; LANES];

@@ -68,7 +68,7 @@ impl Variable {
         };
         let refuse =
             |legal: String| Err(format!("{name} from {} to {} {unit} is refused: {legal}", range.min, range.max));
-        if !(range.min < range.max) {
+        if range.min.partial_cmp(&range.max) != Some(std::cmp::Ordering::Less) {
             return refuse("legal is min below max".into());
         }
         if range.min < legal.0 || range.max > legal.1 {

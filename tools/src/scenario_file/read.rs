@@ -74,7 +74,7 @@ pub fn read_material(path: &Path, base: &Scenario) -> Result<Scenario, Failure> 
     let refuse = |error: &dyn std::fmt::Display| Failure::Input(format!("{}: {error}", path.display()));
     let text = std::fs::read_to_string(path).map_err(|error| refuse(&error))?;
     let document = Document::parse(text.as_str()).map_err(|error| refuse(&syntax(&text, &error)))?;
-    for (group, _) in document.iter().filter(|(group, _)| !MATERIALS.contains(group)) {
+    if let Some((group, _)) = document.iter().find(|(group, _)| !MATERIALS.contains(group)) {
         let line = line_of(&text, key_span(document.as_table(), group));
         return Err(refuse(&format!(
             "line {line}: {group} is refused: legal in a material is {}",

@@ -1,5 +1,6 @@
 //! The program as its users meet it.
 
+mod calibrate;
 mod common;
 mod fit;
 mod golden;

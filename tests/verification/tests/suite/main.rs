@@ -6,6 +6,7 @@ mod elastic_laws;
 mod harmonic;
 mod histories;
 mod impactor;
+mod instruction_sets;
 mod layers;
 mod maxwell;
 mod ogden;

@@ -1,0 +1,392 @@
+/* A C master of FMI 3.0 with the standard's own headers (FMPy carries them): every function is called through a pointer of
+ * the header's type, in whole lives of an instance, with events, early returns and intermediate updates, and then with null
+ * pointers, values out of range and in the wrong order, by a table of cases. Prints the trace hash of the drop. Build it
+ * with address and undefined-behaviour sanitizers to see that nothing goes wrong. */
+#include <math.h>
+
+#include "fmi3Functions.h"
+#include "load.h"
+
+static int errors_logged = 0;
+
+/* A pointer of the header's type for every function, filled from the library by name. */
+#define FUNCTIONS(X) \
+    X(fmi3GetVersion) X(fmi3SetDebugLogging) X(fmi3InstantiateModelExchange) X(fmi3InstantiateCoSimulation)      \
+    X(fmi3InstantiateScheduledExecution) X(fmi3FreeInstance) X(fmi3EnterInitializationMode)                      \
+    X(fmi3ExitInitializationMode) X(fmi3EnterEventMode) X(fmi3Terminate) X(fmi3Reset) X(fmi3GetFloat32)          \
+    X(fmi3GetFloat64) X(fmi3GetInt8) X(fmi3GetUInt8) X(fmi3GetInt16) X(fmi3GetUInt16) X(fmi3GetInt32)            \
+    X(fmi3GetUInt32) X(fmi3GetInt64) X(fmi3GetUInt64) X(fmi3GetBoolean) X(fmi3GetString) X(fmi3GetBinary)        \
+    X(fmi3GetClock) X(fmi3SetFloat32) X(fmi3SetFloat64) X(fmi3SetInt8) X(fmi3SetUInt8) X(fmi3SetInt16)           \
+    X(fmi3SetUInt16) X(fmi3SetInt32) X(fmi3SetUInt32) X(fmi3SetInt64) X(fmi3SetUInt64) X(fmi3SetBoolean)         \
+    X(fmi3SetString) X(fmi3SetBinary) X(fmi3SetClock) X(fmi3GetNumberOfVariableDependencies)                     \
+    X(fmi3GetVariableDependencies) X(fmi3GetFMUState) X(fmi3SetFMUState) X(fmi3FreeFMUState)                     \
+    X(fmi3SerializedFMUStateSize) X(fmi3SerializeFMUState) X(fmi3DeserializeFMUState)                            \
+    X(fmi3GetDirectionalDerivative) X(fmi3GetAdjointDerivative) X(fmi3EnterConfigurationMode)                    \
+    X(fmi3ExitConfigurationMode) X(fmi3GetIntervalDecimal) X(fmi3GetIntervalFraction) X(fmi3GetShiftDecimal)     \
+    X(fmi3GetShiftFraction) X(fmi3SetIntervalDecimal) X(fmi3SetIntervalFraction) X(fmi3SetShiftDecimal)          \
+    X(fmi3SetShiftFraction) X(fmi3EvaluateDiscreteStates) X(fmi3UpdateDiscreteStates)                            \
+    X(fmi3EnterContinuousTimeMode) X(fmi3CompletedIntegratorStep) X(fmi3SetTime) X(fmi3SetContinuousStates)      \
+    X(fmi3GetContinuousStateDerivatives) X(fmi3GetEventIndicators) X(fmi3GetContinuousStates)                    \
+    X(fmi3GetNominalsOfContinuousStates) X(fmi3GetNumberOfEventIndicators) X(fmi3GetNumberOfContinuousStates)    \
+    X(fmi3EnterStepMode) X(fmi3GetOutputDerivatives) X(fmi3DoStep) X(fmi3ActivateModelPartition)
+
+static struct {
+#define POINTER(name) name##TYPE *name;
+    FUNCTIONS(POINTER)
+} fmu;
+
+static void load(const char *path)
+{
+    void *library = open_library(path);
+    if (library == NULL) exit(1);
+    FUNCTIONS(LOAD)
+}
+
+enum {
+    TIME = 0, SHAPE = 1000, MASS = 1101, SAFETY = 1601, N_POINTS = 1900, PUSH = 2000, HEIGHT = 2001, FORCE = 3000,
+    PEAK = 3300, STEP = 4000, ELEMENTS = 4001, ACTIVE = 5000, HASH = 5001, PROFILE = 6001, UNKNOWN = 999
+};
+
+static const double SAMPLE = 50e-6;
+
+static void logger(fmi3InstanceEnvironment environment, fmi3Status status, fmi3String category, fmi3String message)
+{
+    CHECK(environment == (void *)&failures && category != NULL && message[0] != '\0');
+    errors_logged += status == fmi3Error;
+}
+
+/* What the last step told. */
+static struct {
+    fmi3Boolean event, terminate, early;
+    fmi3Float64 time;
+} told;
+
+static fmi3Status step(fmi3Instance c, double point, double size)
+{
+    return fmu.fmi3DoStep(c, point, size, fmi3True, &told.event, &told.terminate, &told.early, &told.time);
+}
+
+static double real(fmi3Instance c, fmi3ValueReference reference)
+{
+    fmi3Float64 value = NAN;
+    CHECK(fmu.fmi3GetFloat64(c, &reference, 1, &value, 1) == fmi3OK);
+    return value;
+}
+
+static fmi3String text(fmi3Instance c)
+{
+    const fmi3ValueReference hash = HASH;
+    fmi3String value = "";
+    CHECK(fmu.fmi3GetString(c, &hash, 1, &value, 1) == fmi3OK);
+    return value;
+}
+
+static void run(fmi3Instance c, int first, int last, double size)
+{
+    for (int i = first; i < last; i++) {
+        CHECK(step(c, i * size, size) == fmi3OK && !told.event && !told.early && !told.terminate);
+        CHECK(fabs(told.time - (i + 1) * size) < 1e-12);
+    }
+}
+
+static void start(fmi3Instance c)
+{
+    CHECK(fmu.fmi3EnterInitializationMode(c, fmi3False, 0.0, 0.0, fmi3True, 0.015) == fmi3OK);
+    CHECK(fmu.fmi3ExitInitializationMode(c) == fmi3OK);
+}
+
+static fmi3Instance plain(const char *token, fmi3Boolean events, fmi3Boolean early, fmi3IntermediateUpdateCallback update)
+{
+    fmi3Instance c = fmu.fmi3InstantiateCoSimulation("impact", token, "/no where/", fmi3False, fmi3False, events, early, NULL,
+                                                     0, &failures, logger, update);
+    CHECK(c != NULL);
+    if (c == NULL) exit(1);
+    return c;
+}
+
+static char expected[17];
+
+static void whole_life(const char *token)
+{
+    const fmi3ValueReference points = N_POINTS, profile[2] = {FORCE, PROFILE}, active = ACTIVE, elements = ELEMENTS, shape = SHAPE;
+    fmi3UInt64 n = 7;
+    fmi3Float64 values[8];
+    fmi3Boolean boolean = fmi3False;
+    fmi3Int32 count = 0;
+    fmi3Int64 choice = -1;
+    fmi3FMUState state = NULL, copy = NULL;
+    size_t size = 0;
+
+    fmi3Instance c = plain(token, fmi3False, fmi3False, NULL);
+    CHECK(fmu.fmi3EnterConfigurationMode(c) == fmi3OK && fmu.fmi3SetUInt64(c, &points, 1, &n, 1) == fmi3OK);
+    CHECK(fmu.fmi3ExitConfigurationMode(c) == fmi3OK);
+    start(c);
+    run(c, 0, 60, SAMPLE);
+    CHECK(fmu.fmi3GetFloat64(c, profile, 2, values, 8) == fmi3OK && values[0] > 0.0 && values[1] < 0.0);
+    CHECK(fmu.fmi3GetBoolean(c, &active, 1, &boolean, 1) == fmi3OK && boolean);
+    CHECK(fmu.fmi3GetInt32(c, &elements, 1, &count, 1) == fmi3OK && count > 0);
+    CHECK(fmu.fmi3GetInt64(c, &shape, 1, &choice, 1) == fmi3OK && choice == 0);
+    CHECK(fmu.fmi3GetUInt64(c, &points, 1, &n, 1) == fmi3OK && n == 7);
+    CHECK(fmu.fmi3GetFMUState(c, &state) == fmi3OK);
+    CHECK(fmu.fmi3SerializedFMUStateSize(c, state, &size) == fmi3OK && size > 0);
+    fmi3Byte *bytes = malloc(size);
+    CHECK(fmu.fmi3SerializeFMUState(c, state, bytes, size) == fmi3OK);
+    run(c, 60, 300, SAMPLE);
+    snprintf(expected, sizeof expected, "%s", text(c));
+    CHECK(strlen(expected) == 16);
+    CHECK(fmu.fmi3DeserializeFMUState(c, bytes, size, &copy) == fmi3OK && fmu.fmi3SetFMUState(c, copy) == fmi3OK);
+    run(c, 60, 300, SAMPLE);
+    CHECK(strcmp(text(c), expected) == 0);
+    for (size_t i = 0; i < size; i += 1 + size / 64) {
+        bytes[i] ^= 1;
+        CHECK(fmu.fmi3DeserializeFMUState(c, bytes, size, &copy) == fmi3Error);
+        CHECK(fmu.fmi3DeserializeFMUState(c, bytes, i, &copy) == fmi3Error);
+        bytes[i] ^= 1;
+    }
+    CHECK(fmu.fmi3FreeFMUState(c, &state) == fmi3OK && state == NULL);
+    CHECK(fmu.fmi3FreeFMUState(c, &copy) == fmi3OK && fmu.fmi3FreeFMUState(c, &copy) == fmi3OK);
+    CHECK(fmu.fmi3Terminate(c) == fmi3OK && strcmp(text(c), expected) == 0);
+    CHECK(fmu.fmi3Reset(c) == fmi3OK);
+    start(c);
+    run(c, 0, 15, 1e-3);
+    CHECK(strcmp(text(c), expected) == 0);
+    fmu.fmi3FreeInstance(c);
+    free(bytes);
+    printf("%s\n", expected);
+}
+
+static int updates = 0;
+static fmi3Instance updating = NULL;
+static double return_at = INFINITY;
+
+/* Reads in the middle of a step, and is refused what is not legal there. */
+static void update(fmi3InstanceEnvironment environment, fmi3Float64 time, fmi3Boolean set, fmi3Boolean get,
+                   fmi3Boolean finished, fmi3Boolean early, fmi3Boolean *requested, fmi3Float64 *until)
+{
+    (void)early;
+    CHECK(environment == (void *)&failures && !set && get && finished);
+    CHECK(real(updating, TIME) == time);
+    if (updates++ == 0) {
+        CHECK(step(updating, time, SAMPLE) == fmi3Error && fmu.fmi3Reset(updating) == fmi3Error);
+        fmu.fmi3FreeInstance(updating);
+        CHECK(real(updating, TIME) == time);
+    }
+    if (time >= return_at) {
+        *requested = fmi3True;
+        *until = time;
+        return_at = INFINITY;
+    }
+}
+
+static void step_mode(fmi3Instance c)
+{
+    fmi3Boolean flag[5] = {1, 1, 1, 1, 1};
+    fmi3Float64 next = 1.0;
+    CHECK(fmu.fmi3UpdateDiscreteStates(c, flag, flag + 1, flag + 2, flag + 3, flag + 4, &next) == fmi3OK);
+    CHECK(!flag[0] && !flag[1] && !flag[2] && !flag[3] && !flag[4]);
+    CHECK(fmu.fmi3EnterStepMode(c) == fmi3OK);
+}
+
+/* From one communication point to the next, with whatever returns early on the way; counts events. */
+static int march(fmi3Instance c, double from, double size)
+{
+    int events = 0;
+    double time = from;
+    do {
+        CHECK(step(c, time, from + size - time) == fmi3OK);
+        CHECK(told.time > time && told.early == (told.time < from + size - 1e-9));
+        time = told.time;
+        if (told.event) {
+            events++;
+            CHECK(fmu.fmi3EnterEventMode(c) == fmi3OK);
+            step_mode(c);
+        }
+    } while (told.early);
+    return events;
+}
+
+/* However a step is interrupted, the result is the same. */
+static void interrupted(const char *token)
+{
+    for (int kind = 0; kind < 6; kind++) {
+        const fmi3Boolean events = kind & 1, early = kind >= 2;
+        const int before = updates;
+        fmi3Instance c = updating = plain(token, events, early, kind >= 4 ? update : NULL);
+        int found = 0;
+        start(c);
+        if (events) step_mode(c);
+        return_at = early ? 1.23e-3 : INFINITY;
+        for (int i = 0; i < 15; i++) found += march(c, i * 1e-3, 1e-3);
+        CHECK(strcmp(text(c), expected) == 0);
+        CHECK(events ? found >= 2 : found == 0);
+        CHECK(kind < 4 || updates - before == (int)(0.015 / real(c, STEP) + 0.5));
+        CHECK(fmu.fmi3Terminate(c) == fmi3OK);
+        fmu.fmi3FreeInstance(c);
+    }
+}
+
+/* Every function that takes an instance, with nulls for everything else. */
+static void with_nulls(fmi3Instance c)
+{
+    CHECK(fmu.fmi3SetDebugLogging(c, fmi3True, 1, NULL) == fmi3Error);
+#define NULL_VALUES(type)                                              \
+    CHECK(fmu.fmi3Get##type(c, NULL, 1, NULL, 1) == fmi3Error);        \
+    CHECK(fmu.fmi3Set##type(c, NULL, 1, NULL, 1) == fmi3Error);
+    NULL_VALUES(Float32) NULL_VALUES(Float64) NULL_VALUES(Int8) NULL_VALUES(UInt8) NULL_VALUES(Int16) NULL_VALUES(UInt16)
+    NULL_VALUES(Int32) NULL_VALUES(UInt32) NULL_VALUES(Int64) NULL_VALUES(UInt64) NULL_VALUES(Boolean) NULL_VALUES(String)
+    CHECK(fmu.fmi3GetBinary(c, NULL, 1, NULL, NULL, 1) == fmi3Error);
+    CHECK(fmu.fmi3SetBinary(c, NULL, 1, NULL, NULL, 1) == fmi3Error);
+    CHECK(fmu.fmi3GetClock(c, NULL, 1, NULL) == fmi3Error && fmu.fmi3SetClock(c, NULL, 1, NULL) == fmi3Error);
+    CHECK(fmu.fmi3GetNumberOfVariableDependencies(c, FORCE, NULL) == fmi3Error);
+    CHECK(fmu.fmi3GetVariableDependencies(c, FORCE, NULL, NULL, NULL, NULL, 1) == fmi3Error);
+    CHECK(fmu.fmi3GetFMUState(c, NULL) == fmi3Error && fmu.fmi3SetFMUState(c, NULL) == fmi3Error);
+    CHECK(fmu.fmi3SerializedFMUStateSize(c, NULL, NULL) == fmi3Error);
+    CHECK(fmu.fmi3SerializeFMUState(c, NULL, NULL, 1) == fmi3Error);
+    CHECK(fmu.fmi3DeserializeFMUState(c, NULL, 1, NULL) == fmi3Error);
+    CHECK(fmu.fmi3GetDirectionalDerivative(c, NULL, 1, NULL, 1, NULL, 1, NULL, 1) == fmi3Error);
+    CHECK(fmu.fmi3GetAdjointDerivative(c, NULL, 1, NULL, 1, NULL, 1, NULL, 1) == fmi3Error);
+    CHECK(fmu.fmi3GetIntervalDecimal(c, NULL, 1, NULL, NULL) == fmi3Error);
+    CHECK(fmu.fmi3GetIntervalFraction(c, NULL, 1, NULL, NULL, NULL) == fmi3Error);
+    CHECK(fmu.fmi3GetShiftDecimal(c, NULL, 1, NULL) == fmi3Error);
+    CHECK(fmu.fmi3GetShiftFraction(c, NULL, 1, NULL, NULL) == fmi3Error);
+    CHECK(fmu.fmi3SetIntervalDecimal(c, NULL, 1, NULL) == fmi3Error);
+    CHECK(fmu.fmi3SetIntervalFraction(c, NULL, 1, NULL, NULL) == fmi3Error);
+    CHECK(fmu.fmi3SetShiftDecimal(c, NULL, 1, NULL) == fmi3Error);
+    CHECK(fmu.fmi3SetShiftFraction(c, NULL, 1, NULL, NULL) == fmi3Error);
+    CHECK(fmu.fmi3EvaluateDiscreteStates(c) == fmi3Error && fmu.fmi3EnterContinuousTimeMode(c) == fmi3Error);
+    CHECK(fmu.fmi3UpdateDiscreteStates(c, NULL, NULL, NULL, NULL, NULL, NULL) == fmi3Error);
+    CHECK(fmu.fmi3CompletedIntegratorStep(c, fmi3True, NULL, NULL) == fmi3Error && fmu.fmi3SetTime(c, 0.0) == fmi3Error);
+    CHECK(fmu.fmi3SetContinuousStates(c, NULL, 1) == fmi3Error && fmu.fmi3GetContinuousStates(c, NULL, 1) == fmi3Error);
+    CHECK(fmu.fmi3GetContinuousStateDerivatives(c, NULL, 1) == fmi3Error);
+    CHECK(fmu.fmi3GetEventIndicators(c, NULL, 1) == fmi3Error);
+    CHECK(fmu.fmi3GetNominalsOfContinuousStates(c, NULL, 1) == fmi3Error);
+    CHECK(fmu.fmi3GetNumberOfEventIndicators(c, NULL) == fmi3Error);
+    CHECK(fmu.fmi3GetNumberOfContinuousStates(c, NULL) == fmi3Error);
+    CHECK(fmu.fmi3GetOutputDerivatives(c, NULL, 1, NULL, NULL, 1) == fmi3Error);
+    CHECK(fmu.fmi3DoStep(c, 0.0, SAMPLE, fmi3False, NULL, NULL, NULL, NULL) == fmi3Error);
+    CHECK(fmu.fmi3ActivateModelPartition(c, 0, 0.0) == fmi3Error);
+}
+
+/* Values, steps and references that are refused in step mode, each without a trace in the state. */
+static const struct { fmi3ValueReference reference; double value; } REALS[] = {
+    {PUSH, NAN}, {PUSH, INFINITY}, {PUSH, -INFINITY}, {PUSH, 1e300}, {HEIGHT, 2.0}, {MASS, 4.0}, {FORCE, 1.0}, {TIME, 1.0},
+    {SHAPE, 1.0}, {ELEMENTS, 1.0}, {UNKNOWN, 1.0}, {PROFILE, 1.0}, {UINT32_MAX, 0.0},
+};
+static const struct { double point, size; } STEPS[] = {
+    {0.0, 50e-6}, {NAN, 50e-6}, {INFINITY, 50e-6}, {1.0, 50e-6}, {3e-3, NAN}, {3e-3, INFINITY}, {3e-3, -INFINITY}, {3e-3, 0.0},
+    {3e-3, -50e-6}, {3e-3, 1e-12}, {3e-3, 1e300}, {3e-3, 20e-3}, {3e-3, 51.3e-6},
+};
+
+static size_t saved(fmi3Instance c, fmi3Byte **bytes)
+{
+    fmi3FMUState state = NULL;
+    size_t size = 0;
+    CHECK(fmu.fmi3GetFMUState(c, &state) == fmi3OK && fmu.fmi3SerializedFMUStateSize(c, state, &size) == fmi3OK);
+    *bytes = malloc(size);
+    CHECK(fmu.fmi3SerializeFMUState(c, state, *bytes, size) == fmi3OK && fmu.fmi3FreeFMUState(c, &state) == fmi3OK);
+    return size;
+}
+
+static void refusals(const char *token)
+{
+    const fmi3ValueReference points = N_POINTS, push[2] = {PUSH, HEIGHT}, profile = PROFILE, active = ACTIVE;
+    const fmi3UInt64 seven = 7;
+    const fmi3Float64 pair[2] = {5.0, NAN};
+    const fmi3Boolean yes = fmi3True;
+    fmi3Byte *before, *after;
+    fmi3Float64 values[4];
+
+    fmi3Instance c = plain(token, fmi3False, fmi3False, NULL);
+    CHECK(fmu.fmi3SetUInt64(c, &points, 1, &seven, 1) == fmi3Error);
+    CHECK(fmu.fmi3EnterStepMode(c) == fmi3Error && fmu.fmi3EnterEventMode(c) == fmi3Error);
+    CHECK(fmu.fmi3ExitConfigurationMode(c) == fmi3Error && fmu.fmi3ExitInitializationMode(c) == fmi3Error);
+    CHECK(fmu.fmi3Terminate(c) == fmi3Error && step(c, 0.0, SAMPLE) == fmi3Error);
+    CHECK(fmu.fmi3EnterInitializationMode(c, 0, 0.0, NAN, 0, 0.0) == fmi3Error);
+    CHECK(fmu.fmi3EnterInitializationMode(c, 0, 0.0, 1.0, 1, 0.5) == fmi3Error);
+    CHECK(fmu.fmi3EnterConfigurationMode(c) == fmi3OK);
+    CHECK(fmu.fmi3SetFloat64(c, push, 1, pair, 1) == fmi3Error);
+    for (fmi3UInt64 bad = 0; bad < 2; bad++) CHECK(fmu.fmi3SetUInt64(c, &points, 1, &bad, 1) == fmi3Error);
+    CHECK(fmu.fmi3ExitConfigurationMode(c) == fmi3OK);
+    start(c);
+    run(c, 0, 60, SAMPLE);
+    const size_t size = saved(c, &before);
+    for (size_t i = 0; i < sizeof REALS / sizeof *REALS; i++) {
+        const int logged = errors_logged;
+        CHECK(fmu.fmi3SetFloat64(c, &REALS[i].reference, 1, &REALS[i].value, 1) == fmi3Error && errors_logged == logged + 1);
+    }
+    for (size_t i = 0; i < sizeof STEPS / sizeof *STEPS; i++) {
+        const int logged = errors_logged;
+        CHECK(step(c, STEPS[i].point, STEPS[i].size) == fmi3Error && errors_logged == logged + 1);
+        CHECK(fabs(told.time - 3e-3) < 1e-12 && !told.early && !told.event);
+    }
+    CHECK(fmu.fmi3SetFloat64(c, push, 2, pair, 2) == fmi3Error);
+    CHECK(fmu.fmi3SetFloat64(c, push, 1, pair, 2) == fmi3Error && fmu.fmi3GetFloat64(c, &profile, 1, values, 4) == fmi3Error);
+    CHECK(fmu.fmi3SetFloat64(c, push, SIZE_MAX, pair, SIZE_MAX) == fmi3Error);
+    CHECK(fmu.fmi3SetBoolean(c, &active, 1, &yes, 1) == fmi3Error && fmu.fmi3SetUInt64(c, &points, 1, &seven, 1) == fmi3Error);
+    CHECK(fmu.fmi3EnterEventMode(c) == fmi3Error && fmu.fmi3EnterConfigurationMode(c) == fmi3Error);
+    CHECK(fmu.fmi3EnterInitializationMode(c, 0, 0.0, 0.0, 0, 0.0) == fmi3Error);
+    with_nulls(c);
+    CHECK(saved(c, &after) == size && memcmp(before, after, size) == 0);
+    run(c, 60, 300, SAMPLE);
+    CHECK(strcmp(text(c), expected) == 0);
+    CHECK(fmu.fmi3Terminate(c) == fmi3OK && fmu.fmi3Terminate(c) == fmi3Error && step(c, 0.015, SAMPLE) == fmi3Error);
+    with_nulls(c);
+    fmu.fmi3FreeInstance(c);
+    free(before);
+    free(after);
+}
+
+/* A step that the kernel cannot complete: an error, the results readable, and a reset that works. */
+static void unstable(const char *token)
+{
+    const fmi3ValueReference parameters[2] = {SAFETY, 1107};
+    const fmi3Float64 values[2] = {1.0, 1e5};
+    fmi3FMUState state = NULL;
+    fmi3Instance c = plain(token, fmi3False, fmi3False, NULL);
+    CHECK(fmu.fmi3SetFloat64(c, parameters, 2, values, 2) == fmi3OK);
+    start(c);
+    CHECK(step(c, 0.0, 0.015) == fmi3Error && told.time < 0.015);
+    CHECK(isfinite(real(c, PEAK)) && fmu.fmi3GetFMUState(c, &state) == fmi3Error && step(c, told.time, SAMPLE) == fmi3Error);
+    CHECK(fmu.fmi3Reset(c) == fmi3OK);
+    start(c);
+    run(c, 0, 300, SAMPLE);
+    CHECK(strcmp(text(c), expected) == 0);
+    fmu.fmi3FreeInstance(c);
+}
+
+static void no_instances(const char *token)
+{
+    const fmi3ValueReference unknown = UNKNOWN;
+#define MAKE(name, token, required, n) \
+    fmu.fmi3InstantiateCoSimulation(name, token, NULL, 0, 0, 0, 0, required, n, &failures, logger, NULL)
+    CHECK(MAKE(NULL, token, NULL, 0) == NULL && MAKE("", token, NULL, 0) == NULL);
+    CHECK(MAKE("impact", NULL, NULL, 0) == NULL && MAKE("impact", "{}", NULL, 0) == NULL);
+    CHECK(MAKE("impact", token, NULL, 1) == NULL && MAKE("impact", token, &unknown, 1) == NULL);
+    CHECK(fmu.fmi3InstantiateModelExchange("impact", token, NULL, 0, 0, &failures, logger) == NULL);
+    CHECK(fmu.fmi3InstantiateScheduledExecution("impact", token, NULL, 0, 0, &failures, logger, NULL, NULL, NULL) == NULL);
+    CHECK(errors_logged == 8);
+    with_nulls(NULL);
+    fmu.fmi3FreeInstance(NULL);
+    /* A master without a logger. */
+    fmi3Instance c = fmu.fmi3InstantiateCoSimulation("quiet", token, NULL, 0, 1, 0, 0, NULL, 0, NULL, NULL, NULL);
+    CHECK(c != NULL);
+    with_nulls(c);
+    fmu.fmi3FreeInstance(c);
+}
+
+int main(int argc, char **argv)
+{
+    if (argc != 3 && argc != 4) {
+        fprintf(stderr, "usage: %s LIBRARY TOKEN [brief]\n", argv[0]);
+        return 2;
+    }
+    load(argv[1]);
+    CHECK(strcmp(fmu.fmi3GetVersion(), fmi3Version) == 0);
+    no_instances(argv[2]);
+    errors_logged = 0;
+    whole_life(argv[2]);
+    if (argc == 3) interrupted(argv[2]);
+    refusals(argv[2]);
+    if (argc == 3) unstable(argv[2]);
+    return failures != 0;
+}

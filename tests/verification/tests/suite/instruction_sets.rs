@@ -1,0 +1,33 @@
+//! Every instruction set of this processor gives the same bits, in one process.
+
+use softanvil_kernel::scenario::{Formulation, Layers};
+use softanvil_kernel::snapshot::state_digest;
+use softanvil_kernel::{InstructionSet, Scenario, Simulation, StepInput, preset, step_with};
+
+/// Digest of the whole state after a drop.
+fn digest(scenario: &Scenario, set: InstructionSet) -> u64 {
+    let mut simulation = Simulation::new(scenario).expect("a legal scenario");
+    let steps = simulation.constants().steps_in(scenario.time.duration);
+    simulation
+        .with(|model, state| {
+            for _ in 0..steps {
+                step_with(set, model, state, &StepInput::default()).expect("a stable run");
+            }
+            state_digest(state)
+        })
+        .expect("memory of the right size")
+}
+
+#[test]
+fn give_the_same_bits() {
+    let mut rings = preset::study();
+    rings.geometry.formulation = Formulation::Axisymmetric;
+    rings.geometry.layers = Layers::Two;
+    rings.time.duration = 6e-3;
+    for scenario in [preset::study(), rings] {
+        let baseline = digest(&scenario, InstructionSet::Baseline);
+        for set in InstructionSet::ALL.into_iter().filter(|set| set.available()) {
+            assert_eq!(digest(&scenario, set), baseline, "{set:?}");
+        }
+    }
+}
