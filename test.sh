@@ -22,14 +22,7 @@ run() {
     if "$@"; then pass; else fail "$name"; fi
 }
 
-# need COMMAND PACKAGE...: installs Debian packages if COMMAND is missing and we may.
-need() {
-    local command=$1; shift
-    command -v "$command" >/dev/null && return 0
-    [ "$(id -u)" = 0 ] && command -v apt-get >/dev/null || return 1
-    { apt-get -qq update && DEBIAN_FRONTEND=noninteractive apt-get -qq install -y --no-install-recommends "$@"; } \
-        >/dev/null && command -v "$command" >/dev/null
-}
+. tests/need.sh
 
 # drop_hashes CLI: the trace hashes of the three drops.
 drop_hashes() {
@@ -71,6 +64,8 @@ if command -v rustup >/dev/null && need arm-none-eabi-gcc gcc-arm-none-eabi && n
 else
     skip "firmware on a Cortex-M7" "rustup, arm-none-eabi-gcc or qemu-system-arm is missing and cannot be installed"
 fi
+
+run "same digests on every target" tests/targets/run.sh
 
 export SOFTANVIL_CLI=$PWD/target/release/softanvil
 if need gcc gcc libc6-dev && need g++ g++ && need valgrind valgrind libc6-dbg; then
