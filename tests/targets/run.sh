@@ -137,6 +137,16 @@ else
     if [ "$(uname -m)" = x86_64 ]; then
         export CARGO_TARGET_I686_UNKNOWN_LINUX_MUSL_RUSTFLAGS='-C linker=rust-lld -C linker-flavor=ld.lld'
         foreign "x86, 32 bit, SSE2" i686-unknown-linux-musl check ''
+        # Without SSE2 the kernel does not build, and says why.
+        if wanted "x87 is refused"; then
+            rustup target add i586-unknown-linux-gnu >/dev/null 2>&1
+            if cargo check -q -p softanvil-kernel --target i586-unknown-linux-gnu --target-dir "$out/x87" 2>&1 |
+                grep -q 'x86 without SSE2 is excluded'; then
+                printf '%-38s as it must be\n' "x87 is refused" | tee -a "$table"
+            else
+                failed=$((failed + 1)); printf 'FAILED: x87 is refused\n'
+            fi
+        fi
     fi
     export CARGO_TARGET_AARCH64_UNKNOWN_LINUX_MUSL_RUSTFLAGS='-C linker=rust-lld -C linker-flavor=ld.lld'
     if need qemu-aarch64 qemu-user; then
