@@ -64,7 +64,9 @@ def test_on_other_platforms(tmp_path, fmu3, description, kernel, platform, versi
         library = archive.extract(f"binaries/{member}", tmp_path)
     # Wine keeps its folders in the home folder unless told otherwise.
     environment = {**os.environ, "WINEDEBUG": "-all", "WINEPREFIX": os.environ["SOFTANVIL_WINE"]}
-    result = run([*runner, program, library, description.guid], env=environment)
+    # Emulated, the interruptions of FMI 3.0 would take minutes; they are the same code on every platform.
+    brief = ["brief"] if (version, platform) == (3, "aarch64") else []
+    result = run([*runner, program, library, description.guid, *brief], env=environment)
     assert result.stdout.strip() == kernel(14.7)["trace_hash"]
 
 

@@ -79,3 +79,29 @@ fn scenes_reach_what_they_are_there_for() {
         assert_eq!(energy.tear > 0.0, scene.name == "two-layers", "{}: tear", scene.name);
     }
 }
+
+/// Files and tests that the contract names in code type exist; a test follows the file that holds it.
+#[test]
+fn the_contract_names_what_exists() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let text = std::fs::read_to_string(root.join("DETERMINISM.md")).unwrap();
+    let names: Vec<&str> = text.split('`').skip(1).step_by(2).collect();
+    let mut file = String::new();
+    let mut tests = 0;
+    for name in &names {
+        let is_path = name.contains('/') || name.ends_with(".sh") || name.ends_with(".md") || name.ends_with(".toml");
+        if is_path {
+            let path = root.join(name);
+            assert!(path.exists(), "{name}");
+            file = std::fs::read_to_string(path).unwrap_or_default();
+        } else if name.contains('_') && !name.contains(' ') {
+            assert!(file.contains(&format!("fn {name}()")), "{name}");
+            tests += 1;
+        }
+    }
+    assert!(tests > 0 && names.contains(&"softanvil golden check"), "{names:?}");
+    let script = std::fs::read_to_string(root.join("tests/targets/run.sh")).unwrap();
+    for row in ["aarch64", "riscv64", "s390x", "Windows", "wasm32", "x87 is refused", "Cortex-M7"] {
+        assert!(text.contains(row) && script.contains(row), "{row}");
+    }
+}
