@@ -4,7 +4,7 @@ use std::error::Error;
 use std::fs;
 use std::path::Path;
 
-use softanvil_verification::table::{long_rows, markdown, markdown_checks, material_checks, regular_rows};
+use softanvil_verification::table::{long_rows, markdown, markdown_checks, regular_rows, single_checks};
 
 const HEAD: &str = "# Verification
 
@@ -15,9 +15,9 @@ Every problem is a file in `tests/verification/tests/suite/`, which names the so
 fn main() -> Result<(), Box<dyn Error>> {
     let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs");
     let (regular, long) = (markdown(&regular_rows()), markdown(&long_rows()));
-    let materials = markdown_checks(&material_checks());
+    let single = markdown_checks(&single_checks());
     let page = format!(
-        "{HEAD}\n## Materials, through one element\n\n{materials}\n## Regular meshes\n\n{regular}\n## Long studies\n\n{long}"
+        "{HEAD}\n## Materials through one element, patch test, impactor\n\n{single}\n## Regular meshes\n\n{regular}\n## Long studies\n\n{long}"
     );
     fs::create_dir_all(&docs)?;
     fs::write(docs.join("verification.md"), page)?;

@@ -6,7 +6,7 @@ use softanvil_kernel::scenario::Formulation;
 
 use crate::problems::{
     bar_wave, bonded_strip, checkerboard, closed_forms, contact_convergence, cook, coulomb_block, cylinder, harmonic,
-    hertz, lame, patch_distorted, slider, swinging_plate,
+    hertz, impactor, lame, maxwell, patch, patch_distorted, slider, swinging_plate, tear, viscoelastic, volumetric,
 };
 
 /// One row: the errors of a quantity over meshes.
@@ -37,9 +37,22 @@ pub struct Check {
     pub error: f64,
 }
 
-/// Lines of the materials, through one element.
-pub fn material_checks() -> Vec<Check> {
-    [closed_forms::checks(), harmonic::checks(), slider::checks()].into_iter().flatten().collect()
+/// Lines of the problems without a mesh to refine.
+pub fn single_checks() -> Vec<Check> {
+    [
+        closed_forms::checks(),
+        volumetric::checks(),
+        viscoelastic::checks(),
+        maxwell::checks(),
+        harmonic::checks(),
+        slider::checks(),
+        tear::checks(),
+        patch::checks(),
+        impactor::checks(),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
 }
 
 /// The lines as a table in Markdown.

@@ -1,8 +1,8 @@
 //! The rigid impactor: free fall, and a mass on a linear spring.
 
-use softanvil_kernel::scenario::{DropBy, Motion};
+use softanvil_kernel::scenario::DropBy;
 use softanvil_kernel::{Simulation, StepInput, preset};
-use softanvil_verification::scenes::{block, elastic};
+use softanvil_verification::problems::impactor::{Measured, spring};
 use softanvil_verification::tolerance::{FREE_FALL, SPRING, relative_error};
 
 /// Source: uniform acceleration, v^2 = v0^2 + 2 g h and t = (v - v0) / g.
@@ -42,38 +42,7 @@ fn free_fall_through_the_gap() {
 /// (2/w)(pi - atan(v0 w / g)); k = E' b w / H with E' = E / (1 - nu^2) for a block free to widen in plane strain.
 #[test]
 fn mass_on_a_linear_layer() {
-    let (width, height, length) = (30e-3, 15e-3, 100e-3);
-    let (shear, bulk) = (1e8, 4e8);
-    let mut scenario = block(width, height, elastic(0.5 * shear, 0.0, bulk));
-    scenario.silicone.density = 100.0;
-    scenario.geometry.length = length;
-    scenario.impactor.motion = Motion::Drop;
-    scenario.impactor.mass = 500.0;
-    scenario.impactor.gap = 0.0;
-    scenario.impactor.gravity = 1.0;
-    scenario.impactor.drop_by = DropBy::Speed;
-    scenario.measurement.force_threshold = 0.0;
-    // E' = E / (1 - nu^2) in terms of G and K.
-    let modulus = 4.0 * shear * (shear + 3.0 * bulk) / (3.0 * bulk + 4.0 * shear);
-    let stiffness = modulus * length * width / height;
-    let (mass, gravity) = (scenario.impactor.mass, scenario.impactor.gravity);
-    let omega = (stiffness / mass).sqrt();
-    // A strain of 0.3 %.
-    let speed = 0.003 * height * omega;
-    scenario.impactor.drop_speed = speed;
-    let weight = mass * gravity;
-    let peak = weight + (weight * weight + stiffness * mass * speed * speed).sqrt();
-    let contact_time = 2.0 / omega * (std::f64::consts::PI - (speed * omega / gravity).atan());
-
-    let mut simulation = Simulation::new(&scenario).expect("a legal scenario");
-    let steps = simulation.constants().steps_in(1.3 * contact_time);
-    simulation.step(steps, &StepInput::default()).expect("a stable run");
-    let metrics = simulation.scalars().metrics;
-    assert!(relative_error(metrics.peak_force, peak) < SPRING, "peak {} N against {peak} N", metrics.peak_force);
-    assert!(
-        relative_error(metrics.contact_time, contact_time) < SPRING,
-        "contact {} s against {contact_time} s",
-        metrics.contact_time
-    );
-    assert!(relative_error(metrics.rebound_speed, speed) < SPRING, "rebound {} m/s", metrics.rebound_speed);
+    for Measured { what, value, reference } in spring() {
+        assert!(relative_error(value, reference) < SPRING, "{what} {value} against {reference}");
+    }
 }

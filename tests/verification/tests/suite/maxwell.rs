@@ -4,71 +4,22 @@
 //! e^(-beta t)), afterwards s e^(-beta t); LS-DYNA, Keyword User's Manual II, MAT_077_H (absolute G_i, beta_i). Plane
 //! extension diag(1/l, l) with l = e^(rate t) has the true strain rate diag(-rate, rate) without rotation.
 
-use softanvil_kernel::scenario::{Formulation, Material};
+use softanvil_kernel::scenario::Formulation;
 use softanvil_verification::element::Cell;
-use softanvil_verification::scenes::elastic;
+use softanvil_verification::problems::maxwell::{DT, material, ramp, step_error};
 use softanvil_verification::tolerance::{CLOSED_FORM, MAXWELL_RAMP};
-
-const DT: f64 = 1e-5;
-const RATE: f64 = 100.0;
-const TERMS: [(f64, f64); 2] = [(0.4e6, 2000.0), (0.1e6, 50.0)];
-
-fn material() -> Material {
-    let mut material = elastic(0.1e6, 0.0, 1e6);
-    for (i, (g, beta)) in TERMS.into_iter().enumerate() {
-        material.maxwell_g[2 * i] = g;
-        material.maxwell_beta[2 * i] = beta;
-    }
-    material
-}
-
-/// Difference of the Kirchhoff stresses along and across, with and without the terms.
-fn overstress(with: &mut Cell, without: &mut Cell, l: f64) -> f64 {
-    let gradient = [[1.0 / l, 0.0], [0.0, l]];
-    let difference = |p: [[f64; 2]; 2]| l * p[1][1] - p[0][0] / l;
-    difference(with.deform(gradient)) - difference(without.deform(gradient))
-}
 
 #[test]
 fn ramp_and_relaxation_at_finite_strain() {
-    let mut with = Cell::new(material(), Formulation::PlaneStrain, DT);
-    let mut without = Cell::new(elastic(0.1e6, 0.0, 1e6), Formulation::PlaneStrain, DT);
-    let ramp = 700;
-    let end = f64::from(ramp) * DT;
-    let peak: f64 = TERMS.iter().map(|(g, beta)| 4.0 * g / beta * RATE * (1.0 - (-beta * end).exp())).sum();
-    for n in 1..=3 * ramp {
-        let t = f64::from(n) * DT;
-        let stress = overstress(&mut with, &mut without, (RATE * t.min(end)).exp());
-        let reference: f64 = TERMS
-            .iter()
-            .map(|(g, beta)| {
-                4.0 * g / beta * RATE * (1.0 - (-beta * t.min(end)).exp()) * (-beta * (t - end).max(0.0)).exp()
-            })
-            .sum();
-        assert!((stress - reference).abs() < MAXWELL_RAMP * peak, "step {n}: {stress} Pa against {reference} Pa");
-    }
-    assert!(with.viscous_dissipation > 0.0 && with.viscous_dissipation < with.viscous_work);
+    let ramp = ramp();
+    assert!(ramp.error < MAXWELL_RAMP, "{:e}", ramp.error);
+    assert!(ramp.dissipation > 0.0 && ramp.dissipation < ramp.work);
 }
 
-/// A strain step within one time step leaves each term at the mean of its decay over the step.
 #[test]
 fn relaxation_after_a_step() {
-    let l = 1.2_f64;
-    let mut with = Cell::new(material(), Formulation::PlaneStrain, DT);
-    let mut without = Cell::new(elastic(0.1e6, 0.0, 1e6), Formulation::PlaneStrain, DT);
-    // The increment at the mean of the stretches before and after.
-    let (along, across) = (2.0 * (l - 1.0) / (l + 1.0), 2.0 * (1.0 / l - 1.0) / (1.0 / l + 1.0));
-    for n in 0..2000 {
-        let stress = overstress(&mut with, &mut without, l);
-        let reference: f64 = TERMS
-            .iter()
-            .map(|(g, beta)| {
-                let mean = (1.0 - (-beta * DT).exp()) / (beta * DT);
-                2.0 * g * (along - across) * mean * (-f64::from(n) * beta * DT).exp()
-            })
-            .sum();
-        assert!((stress - reference).abs() < CLOSED_FORM * 1e6, "step {n}: {stress} Pa against {reference} Pa");
-    }
+    let error = step_error();
+    assert!(error < CLOSED_FORM, "{error:e}");
 }
 
 /// Ten turns at a finite stretch: the overstress relaxes as it does without them.

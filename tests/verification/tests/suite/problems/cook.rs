@@ -4,8 +4,9 @@
 //! limit commonly quoted for mixed methods. Finite strain (neo-Hookean, E = 240.565, nu = 0.4999, shear traction 6.25 on
 //! the 16 mm of the loaded side): 6.932 at (48, 60), by `reference/cook.py` with an element that is not ours, biquadratic
 //! displacements and bilinear pressures (Taylor and Hood) in scikit-fem: 6.908, 6.927, 6.9307 and 6.9315 on 4, 8, 16 and
-//! 32 elements a side. It agrees with the 6.9 commonly quoted for plane strain. Values of 8.3 to 8.5 are quoted too: they
-//! are those of a three-dimensional block, which is free to widen out of its plane.
+//! 32 elements a side. It agrees with the 6.9 commonly quoted for plane strain. Values of 8.3 to 8.5 are quoted for these
+//! parameters too; where they come from is not settled here. One public code of that range meshes the membrane as a
+//! three-dimensional block, which may explain its value.
 
 use softanvil_verification::body::Pressure;
 use softanvil_verification::order::extrapolate;
