@@ -18,8 +18,8 @@ use softanvil_kernel::{Model, ModelMemory, Size, State, StateMemory, StepInput, 
 
 /// The study's mesh: nodes with padding, nodes of the surface, blocks of cells, viscous terms. `Size::of` tells what a
 /// scenario needs; too little is an error that names the numbers.
-const NODES: usize = 6 * 25;
-const SURFACE: usize = 25;
+const NODES: usize = 6 * 32;
+const SURFACE: usize = 32;
 const BLOCKS: usize = 5 * 3;
 const TERMS: usize = 2;
 
