@@ -2,6 +2,7 @@
 
 use plotters::chart::{ChartBuilder, ChartContext, SeriesLabelPosition};
 use plotters::coord::Shift;
+use plotters::coord::ranged1d::Ranged;
 use plotters::drawing::{DrawingArea, IntoDrawingArea};
 use plotters::element::{Circle, DashedPathElement, PathElement, Text};
 use plotters::prelude::{Cartesian2d, SVGBackend};
@@ -85,15 +86,47 @@ fn of_curves(identification: &Identification, curves: &Curves) -> Picture {
     }
     let measured: Vec<_> = points.iter().copied().map(shown).collect();
     let (bottom, top) = measured.iter().fold((0.0_f64, 0.0_f64), |(b, t), point| (b.min(point.1), t.max(point.1)));
-    let mode = curves.data.mode.name();
+    let (x, y) = (Span::linear(100.0 * (low - 1.0), 100.0 * (high - 1.0)), Span::linear(bottom, top));
+    let (mode, legend_at) = (curves.data.mode.name(), free_corner((&x, &y), &measured, &fitted));
     Picture {
         title: format!("{}{}: test and fitted laws", mode[..1].to_uppercase(), &mode[1..]),
-        x: (Span::linear(100.0 * (low - 1.0), 100.0 * (high - 1.0)), "engineering strain (%)".into()),
-        y: (Span::linear(bottom, top), format!("nominal stress ({unit})")),
+        x: (x, "engineering strain (%)".into()),
+        y: (y, format!("nominal stress ({unit})")),
         measured,
         fitted,
-        legend_at: LEGEND_UPPER_LEFT,
+        legend_at,
     }
+}
+
+/// Part of the picture's width that the legend takes, and of its height for each entry.
+const LEGEND_SHARE: (f64, f64) = (0.30, 0.063);
+
+/// The corner where the legend hides least: above all no measured point, then the fewest points of curves.
+fn free_corner((x, y): (&Span, &Span), measured: &[(f64, f64)], fitted: &[Line]) -> SeriesLabelPosition {
+    let (across, upwards) = (x.range(), y.range());
+    let height = LEGEND_SHARE.1 * (fitted.len() + 1) as f64;
+    let hidden = |points: &[(f64, f64)], right: bool, lower: bool| {
+        let inside = points.iter().filter(|(strain, stress)| {
+            let x = (strain - across.start) / (across.end - across.start);
+            let y = (stress - upwards.start) / (upwards.end - upwards.start);
+            let x = if right { 1.0 - x } else { x };
+            let y = if lower { y } else { 1.0 - y };
+            x < LEGEND_SHARE.0 && (0.0..height).contains(&y)
+        });
+        inside.count()
+    };
+    let corners = [
+        (LEGEND_UPPER_LEFT, false, false),
+        (SeriesLabelPosition::LowerRight, true, true),
+        (SeriesLabelPosition::UpperRight, true, false),
+        (SeriesLabelPosition::LowerLeft, false, true),
+    ];
+    let cost = |right, lower| {
+        let lines: usize = fitted.iter().map(|line| hidden(&line.points, right, lower)).sum();
+        (hidden(measured, right, lower), lines)
+    };
+    let best = corners.into_iter().min_by_key(|(_, right, lower)| cost(*right, *lower));
+    best.map_or(LEGEND_UPPER_LEFT, |(corner, ..)| corner)
 }
 
 fn of_relaxation(relaxed: &Relaxed) -> Picture {
@@ -207,7 +240,7 @@ fn draw_line(chart: &mut Chart, line: &Line) -> Result<(), PlotError> {
     let style: ShapeStyle = line.colour.stroke_width(CURVE);
     let ends = |(x, y): (i32, i32)| [(x, y), (x + LEGEND_LINE as i32, y)];
     // What leaves the picture upwards or downwards is left out, not drawn over the title.
-    let range = plotters::coord::ranged1d::Ranged::range(chart.as_coord_spec().y_spec());
+    let range = Ranged::range(chart.as_coord_spec().y_spec());
     for points in line.points.split(|point| !(range.start..=range.end).contains(&point.1)).filter(|p| p.len() > 1) {
         match line.dashed {
             true => {
