@@ -1,5 +1,6 @@
 //! What the binary of an FMU has in place of the standard library, so that it needs nothing but the C library: the C
-//! heap, and an end for panics, of which none is reachable.
+//! heap, and an end for panics. Only memory that the heap refuses gets there, and what `core` checks of itself when it
+//! prints numbers and sorts (`tests/fmi/panic.sh`).
 
 use core::alloc::{GlobalAlloc, Layout};
 use core::ffi::c_void;

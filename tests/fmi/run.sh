@@ -32,5 +32,6 @@ export SOFTANVIL_LIBRARY=$root/target/fmu/x86_64-unknown-linux-gnu/fmu/libsoftan
 [ "${targets[*]}" = "--target all" ] || SOFTANVIL_FMI2_TARGETS=(--target x86_64-unknown-linux-gnu)
 "$SOFTANVIL_CLI" fmu --fmi 3 --out "$scratch" "${targets[@]}"
 "$SOFTANVIL_CLI" fmu --fmi 2 --out "$scratch" "${SOFTANVIL_FMI2_TARGETS[@]:---target=all}"
+"$here/panic.sh"
 cd "$here"
 PYTHONDONTWRITEBYTECODE=1 TMPDIR=$scratch "$venv/bin/python" -m pytest -p no:cacheprovider -q "${@:-.}"

@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# Shows on the binary of an FMU, built with its symbols, from where a panic can be reached: its own functions and the
+# kernel's refer to no failed index, slice, assertion or arithmetic. What is left is in the libraries of the language
+# (the printing of numbers and sorting check themselves; they are listed) and the end for memory that the heap refuses.
+#
+#     tests/fmi/panic.sh
+set -euo pipefail
+
+root=$(cd "$(dirname "$0")/../.." && pwd)
+target=x86_64-unknown-linux-gnu
+folder=$root/target/fmu-symbols
+cargo rustc --quiet --lib --no-default-features --crate-type cdylib --profile fmu --config profile.fmu.strip=false \
+    --target "$target" --manifest-path "$root/ffi/Cargo.toml" --target-dir "$folder"
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+# "caller -> callee" of every jump or call into the panic machinery.
+objdump -d -C --no-show-raw-insn "$folder/$target/fmu/libsoftanvil.so" | awk '
+    /^[0-9a-f]+ <.*>:$/ { caller = $0; sub(/^[0-9a-f]+ </, "", caller); sub(/>:$/, "", caller); functions++ }
+    /<(core::panicking::|core::slice::index::|core::result::unwrap_failed|core::option::(unwrap|expect)_failed|core::str::slice_error)/ {
+        callee = $0; sub(/^[^<]*</, "", callee); sub(/>[^>]*$/, "", callee); sub(/\+0x.*/, "", callee)
+        if (callee != caller) print caller " -> " callee
+    }
+    END { print functions > "'"$work"'/functions" }' | sort -u >"$work/calls"
+[ -s "$work/calls" ] || { echo "no call of the panic machinery is found: is it named as before?" >&2; exit 1; }
+grep -vE '^<*(core|alloc|__rustc)::' "$work/calls" >"$work/own" || true
+# A refused or too large allocation ends in these two: the compiler unites with them all functions of the same body, among
+# them the failed unwrap, which this does not tell apart.
+if grep -vE ' -> (core::result::unwrap_failed|core::panicking::panic_nounwind_fmt)$' "$work/own" >&2; then
+    echo "a panic can be reached" >&2
+    exit 1
+fi
+echo "$(cat "$work/functions") functions: none of the library's own fails an index, a slice or an assertion;" \
+    "at $(wc -l <"$work/own") places they, or an allocation in them, end by one of the two that may; in the libraries:"
+sed 's/ -> .*//' "$work/calls" | grep -E '^<*(core|alloc)::' | grep -vE '^core::(panicking|result::unwrap_failed|slice::index)' | sort -u | sed 's/^/    /'
