@@ -32,7 +32,7 @@ fn residual_sum(law: &Law, values: &[f64], data: &[DataSet]) -> f64 {
 
 /// Source: Ogden, Large deformation isotropic elasticity, Proc. R. Soc. Lond. A 326 (1972) 565-584: mu = 6.3, 0.012 and
 /// -0.1 kg/cm2 (0.63, 0.0012, -0.01 MPa), alpha = 1.3, 5, -2, found by hand for all three tests. Read from quotations in public
-/// source code (among others Ogden([1.3, 5.0, -2.0, 6.3e5, 0.012e5, -0.1e5]) in a FEniCS library of hyperelastic laws and
+/// source code (among others Ogden([1.3, 5.0, -2.0, 6.3e5, 0.012e5, -0.1e5]) in a program that twists a hyperelastic cube and
 /// a shear modulus of 0.4225 MPa at rest elsewhere), not from the paper itself.
 #[test]
 fn ogdens_own_coefficients_are_not_better_than_the_fit() {
