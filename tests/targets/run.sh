@@ -140,8 +140,9 @@ else
         # Without SSE2 the kernel does not build, and says why.
         if wanted "x87 is refused"; then
             rustup target add i586-unknown-linux-gnu >/dev/null 2>&1
-            if cargo check -q -p softanvil-kernel --target i586-unknown-linux-gnu --target-dir "$out/x87" 2>&1 |
-                grep -q 'x86 without SSE2 is excluded'; then
+            cargo check -q -p softanvil-kernel --target i586-unknown-linux-gnu --target-dir "$out/x87" \
+                >"$work/x87.txt" 2>&1
+            if grep -q 'x86 without SSE2 is excluded' "$work/x87.txt"; then
                 printf '%-38s as it must be\n' "x87 is refused" | tee -a "$table"
             else
                 failed=$((failed + 1)); printf 'FAILED: x87 is refused\n'
