@@ -9,20 +9,20 @@ use crate::table::Check;
 /// Time step of the element, s.
 pub const DT: f64 = 2e-6;
 
-/// Two terms on Mooney-Rivlin.
+/// As many terms as there can be on Mooney-Rivlin.
 pub fn material() -> Material {
     Material {
-        prony_g: [0.5, 0.3, 0.0, 0.0, 0.0],
-        prony_tau: [0.4e-3, 20e-3, 1.0, 1.0, 1.0],
+        prony_g: [0.3, 0.2, 0.1, 0.1, 0.1],
+        prony_tau: [0.1e-3, 0.4e-3, 2e-3, 8e-3, 20e-3],
         ..elastic(0.1e6, 0.05e6, 1e9)
     }
 }
 
-/// (g_k / g_inf, tau_k) of the active terms.
-fn terms() -> [(f64, f64); 2] {
+/// (g_k / g_inf, tau_k) of the terms.
+fn terms() -> [(f64, f64); 5] {
     let m = material();
-    let g_inf = 1.0 - m.prony_g[0] - m.prony_g[1];
-    [(m.prony_g[0] / g_inf, m.prony_tau[0]), (m.prony_g[1] / g_inf, m.prony_tau[1])]
+    let g_inf = 1.0 - m.prony_g.iter().sum::<f64>();
+    std::array::from_fn(|k| (m.prony_g[k] / g_inf, m.prony_tau[k]))
 }
 
 /// Largest relative error of the stress after a finite step, which is the elastic one times the relaxation function; the
