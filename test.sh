@@ -85,13 +85,17 @@ fi
 # have_venv: whether python3 makes virtual environments, which Debian packs apart.
 have_venv() { python3 -c 'import ensurepip' 2>/dev/null || { need no-such-command python3-venv; python3 -c 'import ensurepip'; }; }
 
+# have_tbb: whether the library of the importer ecos is there.
+have_tbb() { PATH=$PATH:/usr/sbin:/sbin ldconfig -p | grep 'libtbb\.so\.12' >/dev/null; }
+
 if need python3 python3 && have_venv && need gcc gcc libc6-dev; then
     # Other platforms, and a library of the importer ecos; without them their tests are skipped.
     need aarch64-linux-gnu-gcc gcc-aarch64-linux-gnu libc6-dev-arm64-cross && need qemu-aarch64 qemu-user \
         || skip "FMU on aarch64" "the cross compiler or qemu is missing and cannot be installed"
     need x86_64-w64-mingw32-gcc gcc-mingw-w64-x86-64 && need wine wine wine64 \
         || skip "FMU on Windows" "mingw or wine is missing and cannot be installed"
-    ldconfig -p | grep -q libtbb.so.12 || need no-such-command libtbb12 || true
+    have_tbb || { need no-such-command libtbb12; have_tbb; } \
+        || skip "FMU in ecos" "libtbb12 is missing and cannot be installed"
     export SOFTANVIL_VENV=${SOFTANVIL_VENV:-$PWD/.venv}
     run "FMU in other tools, release library" tests/fmi/run.sh target/release
     run "FMU in other tools, debug library" tests/fmi/run.sh target/debug test_results.py -k "last_bit"
