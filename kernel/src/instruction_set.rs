@@ -43,11 +43,11 @@ impl InstructionSet {
     pub fn available(self) -> bool {
         match self {
             Self::Baseline => true,
-            #[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
+            #[cfg(all(feature = "dispatch", target_arch = "x86_64", not(miri)))]
             Self::Avx2 => pulp::x86::V3::is_available(),
-            #[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
+            #[cfg(all(feature = "dispatch", target_arch = "x86_64", not(miri)))]
             Self::Avx512 => pulp::x86::V4::is_available(),
-            #[cfg(not(all(feature = "dispatch", target_arch = "x86_64")))]
+            #[cfg(not(all(feature = "dispatch", target_arch = "x86_64", not(miri))))]
             Self::Avx2 | Self::Avx512 => false,
         }
     }
@@ -55,7 +55,7 @@ impl InstructionSet {
     /// Does `work` with this set, or with the baseline where it is not available.
     #[inline]
     pub(crate) fn run<W: Work>(self, work: W) -> W::Output {
-        #[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
+        #[cfg(all(feature = "dispatch", target_arch = "x86_64", not(miri)))]
         match self {
             Self::Avx512 => {
                 if let Some(set) = pulp::x86::V4::try_new() {
@@ -74,10 +74,10 @@ impl InstructionSet {
 }
 
 /// [`Work`] in the form that the crate asks for.
-#[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
+#[cfg(all(feature = "dispatch", target_arch = "x86_64", not(miri)))]
 struct Call<W>(W);
 
-#[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
+#[cfg(all(feature = "dispatch", target_arch = "x86_64", not(miri)))]
 impl<W: Work> pulp::NullaryFnOnce for Call<W> {
     type Output = W::Output;
 
