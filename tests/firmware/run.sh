@@ -22,7 +22,8 @@ arm-none-eabi-gcc -std=c11 -Wall -Wextra -Werror -O2 -ffp-contract=off -ffreesta
 # In Rust: the kernel itself.
 (cd tests/firmware/rust && cargo build -q --release --target "$target" --target-dir "$OLDPWD/$out")
 
-board() { timeout 300 qemu-system-arm -M mps2-an500 -nographic -semihosting -icount shift=0 -kernel "$1"; }
+# QEMU prints what SYS_WRITE0 gives it to its standard error.
+board() { timeout 300 qemu-system-arm -M mps2-an500 -nographic -semihosting -icount shift=0 -kernel "$1" 2>&1; }
 echo "-- in C"
 board "$out/drop-c.elf" | tee "$out/c.txt"
 echo "-- in Rust"
