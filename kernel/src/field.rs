@@ -1,5 +1,6 @@
 //! [`FIELDS`]: the single table of what a simulation tells about every node, surface node and triangle.
 
+use crate::deformation;
 use crate::model::Model;
 use crate::real::Real;
 use crate::state_view::StateView;
@@ -73,7 +74,7 @@ const fn computed(
 }
 
 /// Every field.
-pub static FIELDS: [Field; 10] = [
+pub static FIELDS: [Field; 12] = [
     stored(
         "node.reference_position",
         "m",
@@ -129,6 +130,22 @@ pub static FIELDS: [Field; 10] = [
         3,
         |model, state, row, column, c| Stress::of(model, state, row, column)?.principal().get(c).copied(),
         "principal Cauchy stresses of the last step: larger and smaller in the section, then out of its plane",
+    ),
+    computed(
+        "element.cauchy_stress",
+        "Pa",
+        Place::Element,
+        4,
+        |model, state, row, column, c| deformation::cauchy_stress(model, state, row, column)?.get(c).copied(),
+        "Cauchy stress of the last step, positive in tension: xx, yy, xy, and zz out of the section",
+    ),
+    computed(
+        "element.principal_stretch",
+        "1",
+        Place::Element,
+        3,
+        |model, state, row, column, c| deformation::principal_stretch(model, state, row, column)?.get(c).copied(),
+        "principal stretches of the last step: larger and smaller in the section, then out of its plane",
     ),
 ];
 

@@ -33,6 +33,7 @@ pub(crate) mod cell_bound;
 pub mod cfc;
 pub mod core_contact;
 pub mod decimal;
+pub mod deformation;
 pub mod digest;
 pub mod element;
 pub mod energy;
