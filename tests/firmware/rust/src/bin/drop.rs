@@ -13,6 +13,7 @@ use softanvil_firmware::{Counter, INSTRUCTIONS_PER_TICK, end, flash, stack_high_
 use softanvil_golden::{Checker, Record, Scene, scenes::SAMPLES_PER_RECORD};
 use softanvil_kernel::element::{CellConstants, CellHistory, HoopConstants};
 use softanvil_kernel::lanes::Deviator;
+use softanvil_kernel::real::Real;
 use softanvil_kernel::snapshot::state_digest;
 use softanvil_kernel::{Model, ModelMemory, Size, State, StateMemory, StepInput, step};
 
@@ -36,12 +37,12 @@ macro_rules! array {
 #[entry]
 fn main() -> ! {
     let model_memory = ModelMemory {
-        nodes: array!(5 * NODES, f64, 0.0),
+        nodes: array!(5 * NODES, Real, 0.0),
         cells: array!(BLOCKS, CellConstants, CellConstants::ZERO),
         hoops: array!(0, HoopConstants, HoopConstants::ZERO),
     };
     let state_memory = StateMemory {
-        nodes: array!(6 * NODES + 2 * SURFACE, f64, 0.0),
+        nodes: array!(6 * NODES + 2 * SURFACE, Real, 0.0),
         cells: array!(BLOCKS, CellHistory, CellHistory::REST),
         viscous: array!(2 * TERMS * BLOCKS, Deviator, Deviator::ZERO),
     };
@@ -97,13 +98,13 @@ fn run(model_memory: ModelMemory<'static>, state_memory: StateMemory<'static>) -
 }
 
 fn model_bytes(size: &Size) -> usize {
-    size.model_nodes * size_of::<f64>()
+    size.model_nodes * size_of::<Real>()
         + size.model_cells * size_of::<CellConstants>()
         + size.model_hoops * size_of::<HoopConstants>()
 }
 
 fn state_bytes(size: &Size) -> usize {
-    size.state_nodes * size_of::<f64>()
+    size.state_nodes * size_of::<Real>()
         + size.state_cells * size_of::<CellHistory>()
         + size.state_viscous * size_of::<Deviator>()
 }
