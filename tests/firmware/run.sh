@@ -38,7 +38,7 @@ board "$out/single/$target/release/drop" | tee "$out/single.txt"
 # Both have seen the same simulation.
 [ "$(grep '^state' "$out/c.txt")" = "$(grep '^state' "$out/rust.txt")" ]
 # The stack that a board must have for the deepest call, bytes; README.md states it.
-bound=32768
+bound=$(awk '$1 == "stack" { print $2 }' tests/footprint/limits.txt)
 for program in c rust single; do
     stack=$(sed -n 's/^stack \([0-9]*\) bytes.*/\1/p' "$out/$program.txt")
     [ -n "$stack" ] && [ "$stack" -le "$bound" ] || { echo "FAILED: $program uses $stack bytes of stack of $bound"; exit 1; }

@@ -14,7 +14,7 @@ use softanvil_golden::{Checker, Record, Scene, scenes::SAMPLES_PER_RECORD};
 use softanvil_kernel::element::{CellConstants, CellHistory, HoopConstants};
 use softanvil_kernel::lanes::Deviator;
 use softanvil_kernel::real::Real;
-use softanvil_kernel::snapshot::state_digest;
+use softanvil_kernel::snapshot::{snapshot_size, state_digest};
 use softanvil_kernel::{Model, ModelMemory, Size, State, StateMemory, StepInput, step};
 
 /// The study's mesh: nodes with padding, nodes of the surface, blocks of cells, viscous terms. `Size::of` tells what a
@@ -92,9 +92,22 @@ fn run(model_memory: ModelMemory<'static>, state_memory: StateMemory<'static>) -
     println!("state {:016x}, trace {:016x}", state_digest(&state), state.scalars.sampler.trace_hash);
     println!("flash {} bytes, static RAM {} bytes", flash(), static_ram());
     println!("model {} bytes, state {} bytes", model_bytes(&size), state_bytes(&size));
+    let grid = &model.constants.grid;
+    let nodes = (grid.n_u + 1) * (grid.n_v + 1);
+    println!(
+        "{} triangles take {} bytes, {nodes} nodes {} bytes, a snapshot {} bytes",
+        grid.n_elem(),
+        model_bytes(&size) + state_bytes(&size) - node_bytes(&size),
+        node_bytes(&size),
+        snapshot_size(&model.constants)
+    );
     println!("stack {} bytes at most", stack_high_water());
     work.print(steps);
     same
+}
+
+fn node_bytes(size: &Size) -> usize {
+    (size.model_nodes + size.state_nodes) * size_of::<Real>()
 }
 
 fn model_bytes(size: &Size) -> usize {
