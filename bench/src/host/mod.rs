@@ -63,7 +63,7 @@ impl<H: Host> Replay<H> {
 }
 
 /// Time of the whole drop in calls of `steps` kernel steps, and the digest of its trace.
-pub fn whole_drop(host: &mut impl Host, steps: u64) -> (Duration, u64) {
+pub fn whole_drop(host: &mut dyn Host, steps: u64) -> (Duration, u64) {
     host.restart();
     let calls = host.steps_of_drop() / steps;
     let start = Instant::now();
