@@ -22,13 +22,13 @@ count() {
             if (n != told[2]) { print n " steps counted of " told[2] >"/dev/stderr"; exit 1 }
             printf "%d %d %.1f %.3f\n", told[1], n, sum / n / told[1], most / least
         }'
-    find "$work" -name "$1*" -delete
 }
 
 counted=$work/counted.csv
 echo "instruction set,instructions per triangle and step,dearest step over cheapest" >"$counted"
 for set in Baseline Avx2; do
-    read -r triangles steps update ratio < <(count "$set")
+    figures=$(count "$set")
+    read -r triangles steps update ratio <<<"$figures"
     printf '%s: %s instructions per triangle and step, dearest step %s times the cheapest (%s triangles, %s steps)\n' \
         "$set" "$update" "$ratio" "$triangles" "$steps"
     echo "$set,$update,$ratio" >>"$counted"

@@ -5,7 +5,9 @@
 
 use softanvil_bench::host::{CAbi, Fmu, Host, Kernel, whole_drop};
 use softanvil_bench::results;
-use softanvil_kernel::{InstructionSet, Simulation, preset};
+use softanvil_kernel::element::{CellConstants, CellHistory};
+use softanvil_kernel::lanes::Deviator;
+use softanvil_kernel::{Constants, InstructionSet, Simulation, preset};
 
 /// Drops per host.
 const DROPS: usize = 200;
@@ -41,6 +43,22 @@ fn main() {
         ("triangles".into(), simulation.constants().grid.n_elem() as f64),
         ("steps".into(), hosts[0].1.steps_of_drop() as f64),
     ];
+    figures.extend(memory(simulation.constants()));
     figures.extend(hosts.into_iter().map(|(name, _)| name).zip(fastest));
     results::write("drop", &figures);
+}
+
+/// Bytes per triangle and per node, those of padding included, from the sizes that the caller of the kernel sees.
+fn memory(constants: &Constants) -> [(String, f64); 5] {
+    let (size, grid) = (&constants.size, &constants.grid);
+    let triangles = grid.n_elem() as f64;
+    let nodes = ((grid.n_u + 1) * (grid.n_v + 1)) as f64;
+    let bytes = |count: usize, of: usize| (count * of) as f64;
+    [
+        ("bytes a triangle, constants".into(), bytes(size.model_cells, size_of::<CellConstants>()) / triangles),
+        ("bytes a triangle, history".into(), bytes(size.state_cells, size_of::<CellHistory>()) / triangles),
+        ("bytes a triangle, viscous terms".into(), bytes(size.state_viscous, size_of::<Deviator>()) / triangles),
+        ("bytes a node, model".into(), bytes(size.model_nodes, size_of::<f64>()) / nodes),
+        ("bytes a node, state".into(), bytes(size.state_nodes, size_of::<f64>()) / nodes),
+    ]
 }
