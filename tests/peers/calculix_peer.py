@@ -67,9 +67,10 @@ def deck():
              "*CONTACT PAIR, INTERACTION=TOUCH, TYPE=SURFACE TO SURFACE", "SLAVE, MASTER"]
     text += ["*BOUNDARY", "ALL, 3, 3", "CENTRE, 1, 1", "CORE, 1, 2", "BRICK, 1, 1", "BRICK, 3, 3"]
     text += ["*INITIAL CONDITIONS, TYPE=VELOCITY", f"BRICK, 2, {-problem.SPEED:.9g}"]
-    text += [f"*STEP, NLGEOM, INC={10 * round(problem.DURATION / DT)}", "*DYNAMIC, EXPLICIT", f"{DT:.9g}, {problem.DURATION:.9g}, {DT:.9g}, {DT:.9g}",
+    text += [f"*STEP, NLGEOM, INC={10 * round(problem.DURATION / DT)}",
+             "*DYNAMIC, EXPLICIT", f"{DT:.9g}, {problem.DURATION:.9g}, {DT:.9g}, {DT:.9g}",
              "*DLOAD", f"IMPACTOR, GRAV, {problem.GRAVITY}, 0., -1., 0.",
-             f"*NODE PRINT, NSET=CORE, TOTALS=ONLY, FREQUENCY={STRIDE}", "RF", "*problem.DURATION STEP"]
+             f"*NODE PRINT, NSET=CORE, TOTALS=ONLY, FREQUENCY={STRIDE}", "RF", "*END STEP"]
     return "\n".join(text) + "\n"
 
 

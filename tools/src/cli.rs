@@ -4,7 +4,7 @@ use std::ffi::OsString;
 
 use clap::{Parser, Subcommand};
 
-use crate::commands::{calibrate, fit, fmu, golden, report, run, scenario, validate};
+use crate::commands::{calibrate, fit, fmu, golden, measure, report, run, scenario, validate};
 use crate::failure::Failure;
 
 /// Drop-weight impact on a soft anvil, by explicit finite elements that give the same bits everywhere.
@@ -23,6 +23,7 @@ pub struct Cli {
 #[derive(Debug, Subcommand)]
 enum Command {
     Run(run::Options),
+    Measure(measure::Options),
     Validate(validate::Options),
     Calibrate(calibrate::Options),
     Scenario(scenario::Options),
@@ -40,6 +41,7 @@ impl Cli {
         match &self.command {
             None => report::carry_out(&self.report),
             Some(Command::Run(options)) => run::carry_out(options),
+            Some(Command::Measure(options)) => measure::carry_out(options),
             Some(Command::Validate(options)) => validate::carry_out(options),
             Some(Command::Calibrate(options)) => calibrate::carry_out(options),
             Some(Command::Scenario(options)) => scenario::carry_out(options),

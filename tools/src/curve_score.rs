@@ -3,7 +3,8 @@
 //! Both traces are first shifted so that they reach the force threshold at the same time, because a laboratory's clock
 //! knows nothing of ours. CORA ("CORrelation and Analysis", Gehre, Gades and Wernicke, ESV 2009, paper 09-0389) rates the
 //! rest: the *phase* by the further shift that correlates best, the *size* by the ratio of the areas under the squares,
-//! the *progression* by the correlation at that shift; each from 0 (unlike) to 1 (the same).
+//! the *progression* by the correlation K at that shift, as ((1 + K)/2)^K_V; each from 0 (unlike) to 1 (the same). The
+//! parameters are the program's defaults (as parameter files of CORAplus 4.0.5 list them).
 
 use crate::series::Series;
 
@@ -26,6 +27,8 @@ pub struct CurveScore {
 const LARGEST_SHIFT: f64 = 0.12;
 /// Shift within which the phase rates 1, as a part of the duration: CORA's D_min.
 const SMALLEST_SHIFT: f64 = 0.01;
+/// Exponent of the progression: CORA's K_V. Those of size and phase are 1.
+const PROGRESSION_EXPONENT: i32 = 10;
 
 impl CurveScore {
     /// Compares over the time in which either trace is at or above `threshold`, N; none if one never is.
@@ -57,7 +60,7 @@ impl CurveScore {
             difference: (squares(&reference, &aligned) / reference.len() as f64).sqrt() / measured.peak(),
             phase: ((LARGEST_SHIFT - late) / (LARGEST_SHIFT - SMALLEST_SHIFT)).clamp(0.0, 1.0),
             size: (a / b).min(b / a),
-            progression: correlation.max(0.0),
+            progression: (0.5 * (1.0 + correlation)).powi(PROGRESSION_EXPONENT),
         })
     }
 

@@ -33,6 +33,7 @@ pub fn of_validation(validation: &Validation) -> Value {
     json!({
         "preset": validation.preset.name,
         "source": paper::SOURCE,
+        "reading": validation.reading.to_string(),
         "mean_error_percent": validation.mean_error(),
         "peak_force_mean_error_percent": validation.peak_error(),
         "ls_dyna": {
@@ -46,7 +47,7 @@ pub fn of_validation(validation: &Validation) -> Value {
 fn of_case(case: &Comparison) -> Value {
     let mut object = Map::new();
     object.insert("energy".into(), case.paper.energy.into());
-    object.extend(by_key(&case.softanvil));
+    object.extend(by_key(&case.record.values));
     object.insert("error_percent".into(), by_key(&case.softanvil_errors()).into());
     object.insert("experiment".into(), by_key(&case.paper.experiment).into());
     object.insert("ls_dyna".into(), by_key(&case.paper.ls_dyna).into());

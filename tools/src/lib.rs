@@ -5,13 +5,15 @@
 //! 1. [`cli`] is the command line; each file of [`commands`] is one subcommand, [`failure`] how one ends badly.
 //! 2. [`report`] writes the report folder; [`plot`], [`table`] and [`trace`] draw, print and store results,
 //!    [`staging`] keeps half-written files away.
-//! 3. [`validation`] compares runs with the [`paper`], by the four [`quantity`]s of its table.
+//! 3. [`validation`] compares runs with the [`paper`], by the four [`quantity`]s of its table, [`comparison`] with a
+//!    measured trace, [`calibration`] searches; a [`reading`] is what a laboratory's instruments see of a run.
 //! 4. [`golden`] compares this machine with the golden traces, [`identification`] fits a material to test data.
 //! 5. [`run`] simulates a drop; [`scenario_file`] and [`presets`] say which, [`progress`] how far it is.
 
 pub mod calibration;
 pub mod cli;
 pub mod commands;
+pub mod comparison;
 pub mod curve_score;
 pub mod failure;
 pub mod golden;
@@ -22,6 +24,7 @@ pub mod plot;
 pub mod presets;
 pub mod progress;
 pub mod quantity;
+pub mod reading;
 pub mod report;
 pub mod run;
 pub mod scenario_file;

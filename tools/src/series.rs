@@ -44,6 +44,17 @@ pub struct Series {
 #[error("{0}")]
 pub struct SeriesError(String);
 
+/// Checks that the sampling interval carries `channel_class`, Hz.
+///
+/// # Errors
+/// It does not, with what is legal.
+pub fn check_channel_class(channel_class: f64) -> Result<(), SeriesError> {
+    match cfc::Coefficients::new(channel_class, SAMPLING_INTERVAL) {
+        Ok(_) => Ok(()),
+        Err(error) => Err(SeriesError(error.to_string())),
+    }
+}
+
 /// Most samples that a measured trace is resampled to.
 const MAX_SAMPLES: f64 = 1e6;
 
@@ -113,6 +124,14 @@ impl Series {
             cfc::Coefficients::new(channel_class, self.interval).map_err(|error| SeriesError(error.to_string()))?;
         cfc::filter_both_ways(&coefficients, &mut self.force);
         Ok(self)
+    }
+
+    /// The force over time since it reached `threshold`, N: points of ms and N.
+    pub fn since_onset(&self, threshold: f64) -> Vec<(f64, f64)> {
+        let zero = self.onset(threshold).unwrap_or(self.start);
+        let last = self.contact(threshold).map_or(self.force.len(), |[_, last]| last + 2);
+        let points = self.force.iter().take(last).enumerate();
+        points.map(|(i, force)| (1e3 * (self.time(i) - zero), *force)).filter(|point| point.0 >= 0.0).collect()
     }
 
     /// Time of sample `index`, s.

@@ -8,8 +8,10 @@ use softanvil_kernel::{OUTPUTS, Output};
 
 use crate::paper;
 use crate::quantity::{COUNT, QUANTITIES, Quantity};
+use crate::reading::Threshold;
 use crate::run::Run;
-use crate::validation::{Comparison, Validation};
+use crate::series::{Sensor, Series};
+use crate::validation::{Comparison, Validation, error_percent};
 
 /// The study's table: experiment, LS-DYNA and Softanvil side by side, 80 characters wide.
 pub fn of_validation(validation: &Validation) -> String {
@@ -35,14 +37,27 @@ pub fn of_validation(validation: &Validation) -> String {
 fn notes(validation: &Validation) -> String {
     let mut notes = format!("Errors are against the experiment.\nExperiment, LS-DYNA: {}.\n", paper::SOURCE);
     if let Some(Comparison { run, .. }) = validation.cases.first() {
-        let threshold = run.constants.scenario.measurement.force_threshold;
+        let scenario = Threshold::Force(run.constants.scenario.measurement.force_threshold);
+        let threshold = validation.reading.threshold.unwrap_or(scenario);
         notes += &format!(
-            "Softanvil: preset {}, {} triangles, impact duration at forces from {threshold} N on.\n",
+            "Softanvil: preset {}, {} triangles; {};\nimpact duration at forces from {threshold} on.\n",
             validation.preset.name,
-            run.constants.grid.n_elem()
+            run.constants.grid.n_elem(),
+            validation.reading
         );
+        notes += &core_peaks(validation);
     }
     notes
+}
+
+/// What load cells under the core would read, beside the contact force.
+fn core_peaks(validation: &Validation) -> String {
+    let peaks = validation.cases.iter().map(|case| {
+        let [contact, core] = [Sensor::Contact, Sensor::Core].map(|sensor| Series::of_run(&case.run, sensor).peak());
+        format!("{core:.0} N ({:+.1} %)", error_percent(core, contact))
+    });
+    let peaks = peaks.collect::<Vec<_>>().join(", ");
+    format!("Core reaction, which load cells see, and its excess over the contact force:\n{peaks}.\n")
 }
 
 /// One row with a line per quantity.
@@ -60,7 +75,7 @@ fn case_row(case: &Comparison) -> [String; 7] {
         values(&case.paper.experiment, &|i| paper::DECIMALS[i]),
         values(&case.paper.ls_dyna, &|i| paper::DECIMALS[i]),
         percent(case.ls_dyna_errors()),
-        values(&case.softanvil, &|i| QUANTITIES[i].decimals),
+        values(&case.record.values, &|i| QUANTITIES[i].decimals),
         percent(case.softanvil_errors()),
     ]
 }

@@ -2,6 +2,8 @@
 
 use softanvil_kernel::{OUTPUTS, Output};
 
+use crate::comparison::Comparison;
+use crate::reading::Record;
 use crate::run::Run;
 
 /// The outputs of a trace. Results of the whole test are no part of it, nor is the force of a single step.
@@ -17,6 +19,27 @@ pub fn csv(run: &Run) -> Result<Vec<u8>, TraceError> {
     let mut text = Vec::new();
     write(run, &mut text)?;
     Ok(text)
+}
+
+/// A force as it was read, and the measured one at the same times, the two aligned where they reach their thresholds.
+///
+/// # Errors
+/// What the CSV library refuses.
+pub fn of_forces(record: &Record, comparison: Option<&Comparison>) -> Result<Vec<u8>, TraceError> {
+    let mut csv = csv::Writer::from_writer(Vec::new());
+    csv.write_field("time [s]")?;
+    csv.write_field("force [N]")?;
+    let aligned = comparison.and_then(|comparison| {
+        let shift = comparison.measured.onset(comparison.threshold)? - record.series.onset(record.threshold)?;
+        Some((&comparison.measured, shift))
+    });
+    csv.write_record(aligned.map(|_| "measured force [N]"))?;
+    for (i, force) in record.series.force.iter().enumerate() {
+        let time = record.series.time(i);
+        let measured = aligned.map(|(series, shift)| series.at(time + shift));
+        csv.serialize([time, *force].into_iter().chain(measured).collect::<Vec<_>>())?;
+    }
+    Ok(csv.into_inner().map_err(|error| csv::Error::from(error.into_error()))?)
 }
 
 /// Why a trace could not be written.

@@ -5,7 +5,8 @@ use softanvil_kernel::preset::Preset;
 use crate::failure::Failure;
 use crate::paper::{Case, TABLE_1};
 use crate::progress;
-use crate::quantity::{COUNT, PEAK_FORCE, measure};
+use crate::quantity::{COUNT, PEAK_FORCE};
+use crate::reading::{Reading, Record};
 use crate::run::{Drop, Run};
 
 /// One energy: the values of the study and a run of ours.
@@ -14,14 +15,16 @@ pub struct Comparison {
     pub paper: &'static Case,
     /// Our run.
     pub run: Run,
-    /// Our four numbers, in SI.
-    pub softanvil: [f64; COUNT],
+    /// The run as it was read, with our four numbers.
+    pub record: Record,
 }
 
 /// All energies of the study, with one preset.
 pub struct Validation {
     /// The preset.
     pub preset: &'static Preset,
+    /// How the runs were read.
+    pub reading: Reading,
     /// One comparison per energy.
     pub cases: Vec<Comparison>,
 }
@@ -50,25 +53,26 @@ impl Comparison {
 
     /// Our errors against the experiment, %.
     pub fn softanvil_errors(&self) -> [f64; COUNT] {
-        errors_percent(&self.softanvil, &self.paper.experiment)
+        errors_percent(&self.record.values, &self.paper.experiment)
     }
 }
 
 impl Validation {
-    /// Runs `preset` at every energy of the study.
+    /// Runs `preset` at every energy of the study and reads the runs by `reading`.
     ///
     /// # Errors
-    /// A preset that is refused or fails.
-    pub fn new(preset: &'static Preset) -> Result<Self, Failure> {
+    /// A preset that is refused or fails, or a reading that the sampling does not carry.
+    pub fn new(preset: &'static Preset, reading: Reading) -> Result<Self, Failure> {
         let drops = TABLE_1.iter().map(|case| prepare(preset, case)).collect::<Result<Vec<_>, _>>()?;
         let bar = progress::bar(drops.iter().map(Drop::steps).sum());
         let mut cases = Vec::new();
         for (paper, drop) in TABLE_1.iter().zip(drops) {
             bar.set_message(format!("{} J", paper.energy));
             let run = drop.run(|steps| bar.inc(steps))?;
-            cases.push(Comparison { paper, softanvil: measure(&run), run });
+            let record = reading.take(&run).map_err(|error| Failure::Input(error.to_string()))?;
+            cases.push(Comparison { paper, record, run });
         }
-        Ok(Self { preset, cases })
+        Ok(Self { preset, reading, cases })
     }
 
     /// Mean of our absolute errors, all energies and quantities, %.

@@ -11,9 +11,10 @@ use softanvil_kernel::Scenario;
 use super::problem::Problem;
 use super::variable;
 use crate::curve_score::CurveScore;
-use crate::quantity::{COUNT, MAX_DEFORMATION};
+use crate::quantity::COUNT;
+use crate::reading::Reading;
 use crate::run::{Drop, Run, RunError};
-use crate::series::{Sensor, Series};
+use crate::series::SeriesError;
 use crate::validation::error_percent;
 
 /// Score of values that cannot be simulated.
@@ -68,7 +69,12 @@ fn attempt(problem: &Problem, values: &[f64]) -> Result<Evaluation, (f64, String
         .map(|drop| drop.run(|_| {}))
         .collect::<Result<_, RunError>>()
         .map_err(|error| refuse(error.to_string()))?;
-    let impacts: Vec<Simulated> = runs.iter().zip(0..).map(|(run, i)| measure(problem, i, run)).collect();
+    let impacts: Vec<Simulated> = runs
+        .iter()
+        .zip(0..)
+        .map(|(run, i)| measure(problem, i, run))
+        .collect::<Result<_, _>>()
+        .map_err(|error| refuse(error.to_string()))?;
     let penalty = problem.prior.map_or(0.0, |prior| prior.penalty(&scenario.silicone));
     let score = score(problem, &impacts) + penalty;
     Ok(Evaluation { score, mean_error: mean_error(problem, &impacts), impacts, refusal: None })
@@ -93,23 +99,16 @@ fn prepare(problem: &Problem, scenario: &Scenario) -> Result<Vec<Drop>, (f64, St
 }
 
 /// The numbers of `run`, an impact of target `index`, read as the problem says.
-fn measure(problem: &Problem, index: usize, run: &Run) -> Simulated {
+///
+/// # Errors
+/// A channel frequency class that the sampling does not carry, which [`Problem`] has refused.
+fn measure(problem: &Problem, index: usize, run: &Run) -> Result<Simulated, SeriesError> {
     let options = &problem.objective;
-    let threshold = run.constants.scenario.measurement.force_threshold;
-    let series = read(run, options.force, options.cfc);
-    let mut values = [series.peak(), 0.0, series.duration(threshold), series.impulse(0.0)];
-    values[MAX_DEFORMATION] = run.end().metrics.max_deformation;
+    let reading = Reading { sensor: options.force, channel_class: options.cfc, ..Reading::PLAIN };
+    let record = reading.take(run)?;
     let trace = problem.targets[index].trace.as_ref();
-    Simulated { values, curve: trace.and_then(|trace| CurveScore::new(trace, &series, threshold)) }
-}
-
-/// The force of `run`; unfiltered where the sampling does not carry the class, which [`Problem`] has checked.
-fn read(run: &Run, sensor: Sensor, cfc: Option<f64>) -> Series {
-    let series = Series::of_run(run, sensor);
-    match cfc {
-        Some(class) => series.clone().filtered(class).unwrap_or(series),
-        None => series,
-    }
+    let curve = trace.and_then(|trace| CurveScore::new(trace, &record.series, record.threshold));
+    Ok(Simulated { values: record.values, curve })
 }
 
 /// Errors of all impacts, %, with whether they count.

@@ -4,10 +4,9 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use serde::Deserialize;
-use softanvil_kernel::cfc::Coefficients;
 use softanvil_kernel::parameter::Kind;
 use softanvil_kernel::preset::Preset;
-use softanvil_kernel::{Parameter, SAMPLING_INTERVAL, Scenario};
+use softanvil_kernel::{Parameter, Scenario};
 
 use super::prior::Prior;
 use super::target::{Impact, Target, read_impacts};
@@ -15,7 +14,7 @@ use super::variable::{Range, Variable};
 use crate::failure::Failure;
 use crate::quantity::{COUNT, QUANTITIES};
 use crate::series::Sensor;
-use crate::{presets, scenario_file};
+use crate::{presets, scenario_file, series};
 
 /// The file, as it is written.
 #[derive(Deserialize)]
@@ -118,7 +117,7 @@ impl ObjectiveOptions {
             return Err("objective.root_mean_square has to be from 0 to 1".into());
         }
         if let Some(class) = self.cfc {
-            Coefficients::new(class, SAMPLING_INTERVAL).map_err(|error| format!("objective.cfc: {error}"))?;
+            series::check_channel_class(class).map_err(|error| format!("objective.cfc: {error}"))?;
         }
         Ok(())
     }

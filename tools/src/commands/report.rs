@@ -7,6 +7,7 @@ use clap::Args;
 use softanvil_kernel::preset::PRESETS;
 
 use crate::failure::Failure;
+use crate::reading::Reading;
 use crate::report::{self, Place};
 use crate::table;
 use crate::validation::Validation;
@@ -25,7 +26,7 @@ pub struct Options {
 /// A folder that is not ours to replace, a simulation that failed, or a file that cannot be written.
 pub fn carry_out(options: &Options) -> Result<String, Failure> {
     let place = Place::new(&options.out)?;
-    let validation = Validation::new(&PRESETS[0])?;
+    let validation = Validation::new(&PRESETS[0], Reading::PLAIN)?;
     let names = report::write(&validation, place)?;
     let files = names.iter().map(|name| format!("  {name}\n")).collect::<String>();
     Ok(format!("{}\nReport in {}:\n{files}", table::of_validation(&validation), options.out.display()))

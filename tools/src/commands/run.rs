@@ -8,6 +8,7 @@ use softanvil_kernel::Scenario;
 use softanvil_kernel::scenario::Motion;
 
 use super::drop_options::DropOptions;
+use super::output_files;
 use crate::failure::Failure;
 use crate::plot::{self, Shown};
 use crate::run::{Drop, Run};
@@ -35,7 +36,7 @@ pub struct Options {
 /// A scenario or file name that is refused, a simulation that failed, or a file that cannot be written.
 pub fn carry_out(options: &Options) -> Result<String, Failure> {
     let scenario = options.drop.scenario()?;
-    options.check_file_names()?;
+    output_files::check(options.plot.as_deref(), options.csv.as_deref())?;
     let run = simulate(&scenario)?;
     let files = options.files(&run)?;
     staging::write_files(&files).map_err(|(path, error)| Failure::writing(&path, error))?;
@@ -50,18 +51,6 @@ pub fn carry_out(options: &Options) -> Result<String, Failure> {
 }
 
 impl Options {
-    fn check_file_names(&self) -> Result<(), Failure> {
-        let Some(plot) = &self.plot else { return Ok(()) };
-        let refuse = |legal: &str| Err(Failure::Input(format!("--plot {} is refused: {legal}", plot.display())));
-        if !plot.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("svg")) {
-            return refuse("legal is a file name that ends in .svg");
-        }
-        if self.csv.as_ref() == Some(plot) {
-            return refuse("legal is another file than that of --csv");
-        }
-        Ok(())
-    }
-
     fn files(&self, run: &Run) -> Result<Vec<(&Path, Vec<u8>)>, Failure> {
         let mut files = Vec::new();
         if let Some(path) = &self.csv {
@@ -85,7 +74,8 @@ fn label(run: &Run) -> String {
     format!("Softanvil, {} J", (energy * 1e4).round() / 1e4)
 }
 
-fn simulate(scenario: &Scenario) -> Result<Run, Failure> {
+/// Runs `scenario`, with progress.
+pub(super) fn simulate(scenario: &Scenario) -> Result<Run, Failure> {
     let drop = Drop::new(scenario)?;
     let bar = progress::bar(drop.steps());
     bar.set_message("drop");

@@ -3,6 +3,7 @@
 use clap::Args;
 use softanvil_kernel::preset::Preset;
 
+use super::reading_options::ReadingOptions;
 use crate::failure::Failure;
 use crate::presets;
 use crate::validation::Validation;
@@ -14,6 +15,8 @@ pub struct Options {
     /// Preset to validate
     #[arg(long, value_name = "NAME", default_value = "study", value_parser = presets::parse)]
     preset: &'static Preset,
+    #[command(flatten)]
+    reading: ReadingOptions,
     /// Print JSON in SI units instead of the table
     #[arg(long)]
     json: bool,
@@ -24,6 +27,6 @@ pub struct Options {
 /// # Errors
 /// A simulation that failed.
 pub fn carry_out(options: &Options) -> Result<String, Failure> {
-    let validation = Validation::new(options.preset)?;
+    let validation = Validation::new(options.preset, options.reading.reading()?)?;
     Ok(if options.json { json::text(&json::of_validation(&validation)) } else { table::of_validation(&validation) })
 }

@@ -15,6 +15,7 @@ pub use identification::pictures as identification;
 
 use crate::quantity::COUNT;
 use crate::run::Run;
+use curve::Curve;
 use panel::Panel;
 use style::{BACKGROUND, LEGEND_UPPER_LEFT, PANEL_SIZE, UNITS};
 
@@ -53,6 +54,21 @@ pub fn force_time(title: &str, shown: &[Shown]) -> Result<String, PlotError> {
 /// What the drawing library refuses.
 pub fn force_deformation(title: &str, shown: &[Shown]) -> Result<String, PlotError> {
     draw(&[deformation_panel(title, shown)])
+}
+
+/// Forces over time since each began: points of ms and N, with what the legend calls them.
+///
+/// # Errors
+/// What the drawing library refuses.
+pub fn forces(title: &str, curves: Vec<(String, Vec<(f64, f64)>)>) -> Result<String, PlotError> {
+    let curves = curves.into_iter().map(|(label, points)| Curve { label, points, measured: None }).collect();
+    draw(&[Panel {
+        title,
+        x_description: "time since the threshold (ms)",
+        measured_label: "",
+        legend_at: SeriesLabelPosition::UpperRight,
+        curves,
+    }])
 }
 
 /// Both, side by side.

@@ -4,6 +4,7 @@ mod calibrate;
 mod common;
 mod fit;
 mod golden;
+mod measure;
 mod quasi_static;
 mod report;
 mod run;

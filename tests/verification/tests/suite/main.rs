@@ -3,6 +3,7 @@
 mod closed_forms;
 mod drop;
 mod elastic_laws;
+mod fields;
 mod harmonic;
 mod histories;
 mod impactor;

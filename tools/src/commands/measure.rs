@@ -1,0 +1,103 @@
+//! `softanvil measure`: one impact, as a laboratory's instruments see it, and beside a measured trace.
+
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+
+use super::drop_options::DropOptions;
+use super::output_files;
+use super::reading_options::ReadingOptions;
+use super::run::simulate;
+use crate::comparison::{self, Comparison};
+use crate::failure::Failure;
+use crate::reading::{Reading, Record};
+use crate::series::Series;
+use crate::{json, plot, staging, trace};
+
+/// Simulate one impact and print its numbers as load cells, filters and camera give them; with a measured trace, beside it.
+#[derive(Debug, Args)]
+pub struct Options {
+    #[command(flatten)]
+    drop: DropOptions,
+    #[command(flatten)]
+    reading: ReadingOptions,
+    /// Measured force trace: CSV with a header and the columns time in s and force in N; it is read as the simulated one
+    #[arg(long, value_name = "FILE")]
+    trace: Option<PathBuf>,
+    /// The measured trace has been filtered already: --cfc is for the simulated force alone
+    #[arg(long, requires = "trace", requires = "cfc")]
+    filtered: bool,
+    /// Write the force as it is read, in SI units
+    #[arg(long, value_name = "FILE")]
+    csv: Option<PathBuf>,
+    /// Write the force over time, and the measured one over it, as an SVG picture
+    #[arg(long, value_name = "FILE.svg")]
+    plot: Option<PathBuf>,
+    /// Print JSON in SI units instead of the tables
+    #[arg(long)]
+    json: bool,
+}
+
+/// Simulates, reads, compares, and writes the files asked for; returns the tables.
+///
+/// # Errors
+/// Input that is refused, a simulation that failed, or a file that cannot be written.
+pub fn carry_out(options: &Options) -> Result<String, Failure> {
+    let reading = options.reading.reading()?;
+    let scenario = options.drop.scenario()?;
+    output_files::check(options.plot.as_deref(), options.csv.as_deref())?;
+    let measured = options.measured(&reading)?;
+    let run = simulate(&scenario)?;
+    let record = reading.take(&run).map_err(|error| Failure::Input(error.to_string()))?;
+    let comparison = match &measured {
+        Some(measured) => Some(Comparison::new(measured, &record, &reading, scenario.measurement.force_threshold)?),
+        None => None,
+    };
+    let files = options.files(&reading, &record, comparison.as_ref())?;
+    staging::write_files(&files).map_err(|(path, error)| Failure::writing(&path, error))?;
+    if options.json {
+        return Ok(json::text(&comparison::json(&run, &reading, &record, comparison.as_ref())));
+    }
+    let mut text = comparison::channels(&run, &reading, &record);
+    if let Some(comparison) = &comparison {
+        let _ = write!(text, "\n{}", comparison.text(&record));
+    }
+    for (path, _) in &files {
+        let _ = writeln!(text, "written: {}", path.display());
+    }
+    Ok(text)
+}
+
+impl Options {
+    /// The measured trace, filtered if it has to be.
+    fn measured(&self, reading: &Reading) -> Result<Option<Series>, Failure> {
+        let Some(path) = &self.trace else { return Ok(None) };
+        let refuse = |error: crate::series::SeriesError| Failure::Input(error.to_string());
+        let series = Series::read(path).map_err(refuse)?;
+        match reading.channel_class {
+            Some(class) if !self.filtered => series.filtered(class).map(Some).map_err(refuse),
+            _ => Ok(Some(series)),
+        }
+    }
+
+    fn files(
+        &self,
+        reading: &Reading,
+        record: &Record,
+        comparison: Option<&Comparison>,
+    ) -> Result<Vec<(&Path, Vec<u8>)>, Failure> {
+        let mut files = Vec::new();
+        if let Some(path) = &self.csv {
+            files.push((path.as_path(), trace::of_forces(record, comparison)?));
+        }
+        if let Some(path) = &self.plot {
+            let mut curves = vec![(format!("Softanvil, {reading}"), record.series.since_onset(record.threshold))];
+            if let Some(comparison) = comparison {
+                curves.push(("measured".into(), comparison.measured.since_onset(comparison.threshold)));
+            }
+            files.push((path.as_path(), plot::forces("Force over time", curves)?.into_bytes()));
+        }
+        Ok(files)
+    }
+}

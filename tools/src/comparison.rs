@@ -1,0 +1,177 @@
+//! A simulated impact beside a measured trace, both read alike, and the same impact through other instruments.
+
+use std::fmt::Write;
+
+use comfy_table::Table;
+use serde_json::{Map, Value, json};
+
+use crate::curve_score::CurveScore;
+use crate::failure::Failure;
+use crate::quantity::{COUNT, QUANTITIES};
+use crate::reading::{Reading, Record, Threshold};
+use crate::run::Run;
+use crate::series::{Sensor, Series};
+use crate::table::{align_right, new_plain_table};
+use crate::validation::error_percent;
+
+/// Channel frequency classes of the standards, Hz.
+const CLASSES: [f64; 4] = [1000.0, 600.0, 180.0, 60.0];
+
+/// A measured trace and how near the simulated one comes to it.
+pub struct Comparison {
+    /// The measured force.
+    pub measured: Series,
+    /// Force from which on the measured impact lasts, N.
+    pub threshold: f64,
+    /// Peak force, N; none of deformation; duration, s; impulse, N s.
+    pub values: [Option<f64>; COUNT],
+    /// How alike the two are.
+    pub score: CurveScore,
+}
+
+impl Comparison {
+    /// Compares `record`, read by `reading`, with `measured`; `scenario_threshold`, N, is the scenario's.
+    ///
+    /// # Errors
+    /// A trace in which nothing hits, by the threshold.
+    pub fn new(
+        measured: &Series,
+        record: &Record,
+        reading: &Reading,
+        scenario_threshold: f64,
+    ) -> Result<Self, Failure> {
+        let peak = measured.peak();
+        let threshold = reading.threshold.unwrap_or(Threshold::Force(scenario_threshold)).force(peak);
+        let score = CurveScore::new(measured, &record.series, threshold).ok_or_else(|| {
+            let ours = record.series.peak();
+            let text = "N: nothing to compare at or above the threshold of";
+            Failure::Input(format!("the peaks are {peak:.1} N measured and {ours:.1} {text} {threshold:.1} N"))
+        })?;
+        let (duration, impulse) = (measured.duration(threshold), measured.impulse(threshold));
+        let values = [Some(peak), None, Some(duration), Some(impulse)];
+        Ok(Self { measured: measured.clone(), threshold, values, score })
+    }
+
+    /// The numbers side by side, and the ratings.
+    pub fn text(&self, record: &Record) -> String {
+        let mut table = new_plain_table(&["beside the measured trace", "measured", "Softanvil", "error"]);
+        for (i, quantity) in QUANTITIES.iter().enumerate() {
+            let shown = |value: f64| format!("{:.*}", quantity.decimals, value * quantity.display_scale);
+            let Some(measured) = self.values[i] else { continue };
+            let ours = self.simulated(record)[i];
+            table.add_row([
+                format!("{} ({})", quantity.label, quantity.display_unit),
+                shown(measured),
+                shown(ours),
+                format!("{:+.1} %", error_percent(ours, measured)),
+            ]);
+        }
+        align_right(&mut table, 1..4);
+        let score = &self.score;
+        format!(
+            "{}\nR2 {:.4}, root mean square of the difference {:.1} % of the peak\n\
+             CORA {:.3}: phase {:.3}, size {:.3}, progression {:.3}; both from {:.1} N on, aligned there\n",
+            table.trim_fmt(),
+            score.r_squared,
+            100.0 * score.difference,
+            score.rating(),
+            score.phase,
+            score.size,
+            score.progression,
+            self.threshold,
+        )
+    }
+
+    /// Our four numbers, the impulse over the same part of the trace as the measured one.
+    fn simulated(&self, record: &Record) -> [f64; COUNT] {
+        let [peak, deformation, duration, _] = record.values;
+        [peak, deformation, duration, record.series.impulse(record.threshold)]
+    }
+
+    fn json(&self, record: &Record) -> Value {
+        let ours = self.simulated(record);
+        let mut numbers = Map::new();
+        for (i, quantity) in QUANTITIES.iter().enumerate() {
+            if let Some(measured) = self.values[i] {
+                let error = error_percent(ours[i], measured);
+                let row = json!({ "measured": measured, "simulated": ours[i], "error_percent": error });
+                numbers.insert(quantity.key.into(), row);
+            }
+        }
+        let score = &self.score;
+        json!({
+            "threshold": self.threshold,
+            "numbers": numbers,
+            "r_squared": score.r_squared,
+            "root_mean_square_difference": score.difference,
+            "cora": {
+                "rating": score.rating(),
+                "phase": score.phase,
+                "size": score.size,
+                "progression": score.progression,
+            },
+        })
+    }
+}
+
+/// The four numbers as both sensors and every class give them, and as they were asked for.
+pub fn channels(run: &Run, reading: &Reading, record: &Record) -> String {
+    let titles = QUANTITIES.iter().map(|quantity| format!("{}\n({})", quantity.label, quantity.display_unit));
+    let header: Vec<String> = std::iter::once("force".into()).chain(titles).collect();
+    let mut table = new_plain_table(&header.iter().map(String::as_str).collect::<Vec<_>>());
+    for (name, values) in each_channel(run, reading) {
+        add(&mut table, name, &values);
+    }
+    add(&mut table, format!("read: {reading}"), &record.values);
+    align_right(&mut table, 1..1 + COUNT);
+    let mut text = format!("{}\n", table.trim_fmt());
+    let _ = writeln!(text, "The impact lasts at forces from {:.1} N on.", record.threshold);
+    if reading.noise != crate::reading::Noise::NONE {
+        let noise = &reading.noise;
+        let _ = writeln!(
+            text,
+            "Errors in what is read: {} N in every sample, {} % in the calibration, seed {}.",
+            noise.force,
+            100.0 * noise.calibration,
+            noise.seed
+        );
+    }
+    text
+}
+
+fn each_channel(run: &Run, reading: &Reading) -> impl Iterator<Item = (String, [f64; COUNT])> {
+    let channels = [Sensor::Contact, Sensor::Core]
+        .into_iter()
+        .flat_map(|sensor| std::iter::once(None).chain(CLASSES.map(Some)).map(move |class| (sensor, class)));
+    channels.filter_map(move |(sensor, channel_class)| {
+        let channel = Reading { sensor, channel_class, threshold: reading.threshold, ..Reading::PLAIN };
+        Some((channel.to_string(), channel.take(run).ok()?.values))
+    })
+}
+
+fn add(table: &mut Table, name: String, values: &[f64; COUNT]) {
+    let shown = QUANTITIES
+        .iter()
+        .zip(values)
+        .map(|(quantity, value)| format!("{:.*}", quantity.decimals, value * quantity.display_scale));
+    table.add_row(std::iter::once(name).chain(shown));
+}
+
+/// The same for other programs.
+pub fn json(run: &Run, reading: &Reading, record: &Record, comparison: Option<&Comparison>) -> Value {
+    let by_key = |values: &[f64; COUNT]| -> Map<String, Value> {
+        QUANTITIES.iter().zip(values).map(|(quantity, value)| (quantity.key.into(), (*value).into())).collect()
+    };
+    let mut object = by_key(&record.values);
+    object.insert("force".into(), if reading.sensor == Sensor::Core { "core" } else { "contact" }.into());
+    object.insert("channel_class".into(), reading.channel_class.into());
+    object.insert("threshold".into(), record.threshold.into());
+    let channels: Map<String, Value> =
+        each_channel(run, reading).map(|(name, values)| (name, by_key(&values).into())).collect();
+    object.insert("channels".into(), channels.into());
+    if let Some(comparison) = comparison {
+        object.insert("comparison".into(), comparison.json(record));
+    }
+    object.insert("trace_hash".into(), run.trace_hash().into());
+    Value::Object(object)
+}

@@ -1,0 +1,100 @@
+//! `softanvil measure`: instruments, and a measured trace beside the simulated one.
+
+use std::path::Path;
+
+use serde_json::Value;
+
+use crate::common::{column, fail, json, succeed, svg_texts};
+
+/// Writes `measured.csv`: the force of a run, a quarter of a second later, times `gain`.
+fn measured_trace(folder: &Path, gain: f64) {
+    succeed(folder, &["run", "--csv", "trace.csv"]);
+    let path = folder.join("trace.csv");
+    // A sample is the mean over its interval: its time is the middle of it.
+    let rows = column(&path, "time [s]")
+        .into_iter()
+        .zip(column(&path, "contact.force [N]"))
+        .map(|(time, force)| format!("{},{}\n", time - 25e-6 + 0.25, gain * force));
+    let text = "time [s],force [N]\n".to_string() + &rows.collect::<String>();
+    std::fs::write(folder.join("measured.csv"), text).unwrap();
+}
+
+fn number(value: &Value, path: &str) -> f64 {
+    value.pointer(path).and_then(Value::as_f64).unwrap_or_else(|| panic!("{path} in {value}"))
+}
+
+#[test]
+fn a_trace_of_ours_at_another_time_is_scored_as_the_same() {
+    let folder = tempfile::tempdir().unwrap();
+    measured_trace(folder.path(), 1.0);
+    let result = json(folder.path(), &["measure", "--trace", "measured.csv", "--cfc", "600", "--json"]);
+    assert!(number(&result, "/comparison/r_squared") > 1.0 - 1e-9, "{result}");
+    assert!(number(&result, "/comparison/cora/rating") > 1.0 - 1e-9, "{result}");
+    for key in ["peak_force", "impact_duration", "impulse"] {
+        assert!(number(&result, &format!("/comparison/numbers/{key}/error_percent")).abs() < 1e-6, "{key}");
+    }
+}
+
+#[test]
+fn a_gain_is_found_in_peak_and_impulse() {
+    let folder = tempfile::tempdir().unwrap();
+    measured_trace(folder.path(), 0.8);
+    let arguments =
+        ["measure", "--trace", "measured.csv", "--threshold", "1%", "--csv", "read.csv", "--plot", "read.svg"];
+    let text = succeed(folder.path(), &arguments);
+    assert!(text.contains("+25.0 %") && text.contains("size 0.640"), "{text}");
+    let (ours, measured) = (
+        column(&folder.path().join("read.csv"), "force [N]"),
+        column(&folder.path().join("read.csv"), "measured force [N]"),
+    );
+    // With a part of the peak as the threshold both are aligned exactly.
+    for (ours, measured) in ours.iter().zip(&measured) {
+        assert!((0.8 * ours - measured).abs() < 1e-6, "{ours} {measured}");
+    }
+    assert!(svg_texts(&folder.path().join("read.svg")).iter().any(|text| text == "measured"));
+}
+
+#[test]
+fn instruments_change_what_is_read() {
+    let folder = tempfile::tempdir().unwrap();
+    let read = |options: &[&str]| json(folder.path(), &[&["measure", "--json"], options].concat());
+    let plain = number(&read(&[]), "/peak_force");
+    assert!(number(&read(&["--cfc", "60"]), "/peak_force") < 0.9 * plain);
+    assert!(number(&read(&["--force", "core"]), "/peak_force") > plain);
+    let noisy = ["--noise", "5", "--calibration-error", "1", "--seed", "4"];
+    assert_eq!(read(&noisy), read(&noisy));
+    assert!((number(&read(&noisy), "/peak_force") - plain).abs() > 0.1);
+    let (long, short) = (read(&["--threshold", "1"]), read(&["--threshold", "10%"]));
+    assert!(number(&long, "/impact_duration") > number(&short, "/impact_duration"));
+}
+
+#[test]
+fn the_study_can_be_validated_as_the_load_cells_see_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let [contact, core] =
+        ["contact", "core"].map(|force| json(folder.path(), &["validate", "--force", force, "--json"]));
+    for case in 0..3 {
+        let peak = format!("/cases/{case}/peak_force");
+        assert!(number(&core, &peak) > number(&contact, &peak));
+    }
+    assert_eq!(core["reading"], "core reaction (load cells), unfiltered");
+}
+
+#[test]
+fn refused_readings_say_what_is_legal() {
+    let folder = tempfile::tempdir().unwrap();
+    for (options, message) in [
+        (&["--cfc", "5000"][..], "5000 Hz is refused: legal is 0 to 2000 Hz"),
+        (&["--threshold", "-3"], "legal is a force of 0 N or more"),
+        (&["--noise", "-3"], "--noise = -3 N is refused: legal is 0 N or more"),
+        (&["--calibration-error", "nan"], "--calibration-error = NaN % is refused"),
+        (&["--trace", "none.csv"], "none.csv cannot be read"),
+        (&["--plot", "a.png"], "legal is a file name that ends in .svg"),
+    ] {
+        let error = fail(folder.path(), &[&["measure"], options].concat(), 2);
+        assert!(error.contains(message), "{error}");
+    }
+    std::fs::write(folder.path().join("flat.csv"), "t,f\n0,1\n0.01,1\n").unwrap();
+    let error = fail(folder.path(), &["measure", "--trace", "flat.csv"], 2);
+    assert!(error.contains("the peaks are 1.0 N measured"), "{error}");
+}
