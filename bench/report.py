@@ -36,14 +36,14 @@ class Figures:
         return [name for name in self.files[file] if name.startswith(start)]
 
     def samples(self, group):
-        """Name, time of an iteration in ns, and triangles, of every benchmark of criterion's group, in order of time."""
+        """Name, time of an iteration in ns, and triangles, of every benchmark of criterion's group, the least first."""
         found = []
         for sample in (self.target / "criterion" / group).glob("*/new/sample.json"):
             data, about = (json.loads(path.read_text()) for path in (sample, sample.with_name("benchmark.json")))
             fastest = min(time / n for time, n in zip(data["times"], data["iters"]))
             name = about["value_str"] or about["function_id"]
             found.append((name, fastest, (about["throughput"] or {}).get("Elements")))
-        return sorted(found, key=lambda row: row[1])
+        return sorted(found, key=lambda row: (row[2] or 0, row[1]))
 
     def instructions(self):
         with (self.target / "softanvil-bench/instructions.csv").open() as lines:
@@ -112,13 +112,14 @@ def roofline(f):
     """Lower bounds of the time per triangle and step, from operations, and from bytes that come from the second cache."""
     operations = f("anatomy", "floating-point operations")
     streamed = sum(f("drop", name) * passes for name, passes in STREAMED.items())
+    measured = {name: time / n for name, time, n in f.samples("instruction set")}
     rows = []
     for name, label in SETS.items():
         peak, cache = f("peak", f"{name} Gflop/s"), f("peak", f"{name} L2 GB/s")
         if peak is None:
             continue
         compute, memory = operations / peak, streamed / cache
-        wall = 1e9 * f("drop", f"kernel {name}") / f("drop", "triangles") / f("drop", "steps")
+        wall = measured[name]
         bound = max(compute, memory)
         rows.append([label, f"{peak:.1f}", f"{cache:.0f}", f"{compute:.1f}", f"{memory:.1f}", f"{wall:.1f}",
                      f"{100 * bound / wall:.0f} %"])
@@ -139,13 +140,16 @@ def memory(f):
                  [[name, f"{f('drop', name):.0f}"] for name in f.names("drop", "bytes a ")])
 
 
-def peers(f):
+def peers(_):
+    """The results of tests/peers, and how many times Softanvil's each code takes."""
     if not PEERS.is_file():
         return "Not run."
     with PEERS.open() as lines:
         rows = list(csv.DictReader(lines))
-    head = list(rows[0])
-    return table(head, [[row[name] for name in head] for row in rows])
+    time, ours = "ns per element and step", float(rows[0]["ns per element and step"])
+    head = [name for name in rows[0] if name not in ("what runs", "processor")] + ["times ours", "what runs"]
+    cells = [{**row, "times ours": f"{float(row[time]) / ours:.0f}"} for row in rows]
+    return table(head, [[row[name] for name in head] for row in cells])
 
 
 TABLES = {

@@ -10,6 +10,8 @@ for command in valgrind objdump addr2line python3; do
 done
 target=${CARGO_TARGET_DIR:-$PWD/target}
 results=$target/softanvil-bench
+# Nothing of an earlier run, whose benchmarks may have had other names.
+rm -rf "$results" "$target/criterion"
 mkdir -p "$results"
 
 fmu=$(mktemp -d)

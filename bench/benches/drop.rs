@@ -10,7 +10,7 @@ use softanvil_kernel::lanes::Deviator;
 use softanvil_kernel::{Constants, InstructionSet, Simulation, preset};
 
 /// Drops per host.
-const DROPS: usize = 200;
+const DROPS: usize = 60;
 
 fn main() {
     let scenario = preset::study();

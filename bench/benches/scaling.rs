@@ -14,7 +14,7 @@ use softanvil_kernel::lanes::Deviator;
 use softanvil_kernel::{Model, ModelMemory, Scenario, Size, State, StateMemory, StepInput, preset, step};
 
 /// Rounds of each kind; in each, every thread makes one drop.
-const ROUNDS: usize = 120;
+const ROUNDS: usize = 60;
 
 /// Samples' worth of steps that each small model makes in a round.
 const SMALL_STEPS: usize = 64;

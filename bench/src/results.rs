@@ -11,7 +11,7 @@ pub fn write(benchmark: &str, figures: &[(String, f64)]) {
     let mut text = String::from("figure,value\n");
     for (name, value) in figures {
         println!("{benchmark}: {name} = {value:.4}");
-        text += &format!("{name},{value}\n");
+        text += &format!("\"{name}\",{value}\n");
     }
     let folder = folder();
     fs::create_dir_all(&folder)
