@@ -27,6 +27,7 @@ count() {
 counted=$work/counted.csv
 echo "instruction set,instructions per triangle and step,dearest step over cheapest" >"$counted"
 for set in Baseline Avx2; do
+    if [ "$set" = Avx2 ] && ! grep -qw avx2 /proc/cpuinfo; then echo "Avx2: skipped, as the processor lacks it"; continue; fi
     figures=$(count "$set")
     read -r triangles steps update ratio <<<"$figures"
     printf '%s: %s instructions per triangle and step, dearest step %s times the cheapest (%s triangles, %s steps)\n' \

@@ -18,10 +18,12 @@ cargo build -q --release -p softanvil-ffi
 export OMP_NUM_THREADS=1 PYTHONDONTWRITEBYTECODE=1
 results=$(mktemp -d)
 trap 'rm -rf "$results"' EXIT
+# MuJoCo writes its log where it runs.
+cd "$results"
 python3 "$here/softanvil_peer.py" "$results/peers.csv" "$target/release/libsoftanvil.so"
 for peer in mujoco kratos calculix; do
-    "$venv/bin/python" "$here/${peer}_peer.py" "$results/peers.csv" >"$results/log" 2>&1 || { cat "$results/log" >&2; exit 1; }
-    tail -n 1 "$results/log"
+    "$venv/bin/python" "$here/${peer}_peer.py" "$results/peers.csv" >log 2>&1 || { cat log >&2; exit 1; }
+    tail -n 1 log
 done
 mv "$results/peers.csv" "$here/peers.csv"
 python3 "$root/bench/report.py" "$target" peers
