@@ -61,8 +61,10 @@ run "main job" main_job
 # A Cortex-M7 without an operating system, in QEMU.
 if command -v rustup >/dev/null && need arm-none-eabi-gcc gcc-arm-none-eabi && need qemu-system-arm qemu-system-arm; then
     run "firmware on a Cortex-M7" tests/firmware/run.sh
+    if need readelf binutils; then run "footprint" tests/footprint/run.sh; else skip "footprint" "readelf is missing"; fi
 else
     skip "firmware on a Cortex-M7" "rustup, arm-none-eabi-gcc or qemu-system-arm is missing and cannot be installed"
+    skip "footprint" "rustup, arm-none-eabi-gcc or qemu-system-arm is missing and cannot be installed"
 fi
 
 run "same digests on every target" tests/targets/run.sh
