@@ -22,7 +22,7 @@ pub(super) struct Loaded {
 
 /// Where `softanvil fmu` leaves the library of this platform, unless `SOFTANVIL_LIBRARY` says otherwise.
 pub fn path() -> PathBuf {
-    let built = "../target/fmu/x86_64-unknown-linux-gnu/fmu/libsoftanvil.so";
+    let built = format!("../target/fmu/{}-unknown-linux-gnu/fmu/libsoftanvil.so", std::env::consts::ARCH);
     std::env::var_os("SOFTANVIL_LIBRARY")
         .map_or_else(|| Path::new(env!("CARGO_MANIFEST_DIR")).join(built), PathBuf::from)
 }
