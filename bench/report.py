@@ -69,7 +69,8 @@ def machine(_):
 def ratios(f):
     simulated, triangles, steps = (f("drop", name) for name in ("simulated time s", "triangles", "steps"))
     hosts = [(f"kernel {name}", f"kernel, {label}") for name, label in SETS.items()]
-    hosts += [("C ABI", "C ABI, 50 us a call"), ("FMU", "FMU 2.0, 50 us a step, four outputs read")]
+    hosts += [("C ABI", "C ABI, 50 us a call")]
+    hosts += [(f"FMU {version}", f"FMU {version}, 50 us a step, four outputs read") for version in ("2.0", "3.0")]
     rows = []
     for name, label in hosts:
         wall = f("drop", name)

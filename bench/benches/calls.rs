@@ -4,7 +4,7 @@
 //! overhead of a call. Both ways take turns, and the fastest of each counts, so that other programs on the machine fall
 //! out. On a mesh of few elements, where a step is short, because the overhead depends on no mesh.
 
-use softanvil_bench::host::{CAbi, Fmu, Host, Kernel, Replay};
+use softanvil_bench::host::{CAbi, Fmu2, Fmu3, Host, Kernel, Replay, library_path};
 use softanvil_bench::{results, scene};
 use softanvil_kernel::InstructionSet;
 
@@ -20,9 +20,10 @@ fn main() {
         ("kernel".into(), overhead(Kernel::new(&scenario, InstructionSet::best()))),
         ("C ABI".into(), overhead(CAbi::new(&scenario))),
     ];
-    match Fmu::load(&scenario) {
-        Some(fmu) => figures.push(("FMI 2".into(), overhead(fmu))),
-        None => eprintln!("skipped: FMI 2, as {} is not there; `softanvil fmu` builds it", Fmu::path().display()),
+    figures.extend(Fmu2::load(&scenario).map(|fmu| ("FMI 2".into(), overhead(fmu))));
+    figures.extend(Fmu3::load(&scenario).map(|fmu| ("FMI 3".into(), overhead(fmu))));
+    if !library_path().is_file() {
+        eprintln!("skipped: FMI, as {} is not there; `softanvil fmu` builds it", library_path().display());
     }
     results::write("calls", &figures);
 }
