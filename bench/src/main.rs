@@ -1,0 +1,3 @@
+//! The study's drop for instruments outside of the program: `softanvil-bench drop INSTRUCTION_SET SAMPLES`.
+
+fn main() {}
