@@ -24,7 +24,7 @@ pub struct Line {
 /// Radius of a marked point.
 const POINT: u32 = 4 * UNITS;
 /// Part of the axes' height that the legend takes for each line, and around them.
-const LEGEND_SHARE: (f64, f64) = (0.066, 0.04);
+const LEGEND_SHARE: (f64, f64) = (0.07, 0.06);
 
 /// Draws `lines` over the quantity `x` (with whether its axis is logarithmic).
 ///

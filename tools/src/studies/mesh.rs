@@ -26,7 +26,8 @@ pub static STUDY: Study = Study {
             the scenario's rows and columns are refined evenly: from those, order and limit are extrapolated \
             (Richardson), and the error of the numbers is estimated as Oberkampf and Roy (2010, chapter 8) advise: factor \
             of safety 1.25 on the formal order 2 where the observed order is within a tenth of it, else 3 on the \
-            observed order. Values that do not approach a limit get no order, only their spread.",
+            observed order. Values that do not approach a limit one after the other, on these meshes and those between, \
+            get no order, only their spread.",
     values: "rows of cells through the layer",
     default_values: &["2", "3", "4", "5", "7", "10", "14", "20"],
     settings: &["rows", "columns", "element size [mm]"],
@@ -93,7 +94,7 @@ fn even_size(scenario: &Scenario, own: &Grid, rows: usize) -> Option<f64> {
     };
     let columns = sizes((width, own.n_u - own.centre));
     let common = layers.into_iter().map(sizes).fold(columns, |a: Range<f64>, b| a.start.max(b.start)..a.end.min(b.end));
-    (common.start < common.end).then(|| 0.5 * (common.start + common.end))
+    (common.start < common.end).then_some(0.5 * (common.start + common.end))
 }
 
 /// A number whose convergence is judged.
@@ -178,7 +179,7 @@ fn orders(results: &Results, rows: &[usize; 3], evaluation: &mut Evaluation) {
     };
     for judged in judged() {
         let values = [a, b, c].map(judged.read);
-        let verdict = judge(values, ratio, judged.resolution);
+        let verdict = between(results, rows[0], &judged).unwrap_or_else(|| judge(values, ratio, judged.resolution));
         let number = |value: f64| format!("{:.*}", judged.decimals, value * judged.scale);
         let percent = |error: f64| format!("{:.2} %", 100.0 * error / values[2].abs());
         let (order, limit, coarse, fine) = match verdict {
@@ -211,6 +212,17 @@ fn orders(results: &Results, rows: &[usize; 3], evaluation: &mut Evaluation) {
         sheet.rows.push(texts.collect());
     }
     evaluation.sheets.push(sheet);
+}
+
+/// The spread from `coarsest` rows on, if the meshes between the three show that the values do not settle one after the
+/// other.
+fn between(results: &Results, coarsest: usize, judged: &Judged) -> Option<Verdict> {
+    let meshes = results.done().filter(|(_, outcome)| outcome.run.constants.grid.n_v >= coarsest);
+    let values: Vec<f64> = meshes.map(|(_, outcome)| (judged.read)(outcome)).collect();
+    let changes: Vec<f64> = values.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    let oscillating = changes.windows(2).any(|pair| pair[0] * pair[1] < 0.0);
+    let (low, high) = values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(*v), h.max(*v)));
+    (oscillating && high - low > judged.resolution).then_some(Verdict::Scattered { oscillating, spread: high - low })
 }
 
 fn picture(results: &Results, finest: Option<&Outcome>) -> Picture {

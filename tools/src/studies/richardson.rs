@@ -77,7 +77,8 @@ mod tests {
     /// Source: the definition: values that are a limit plus a constant times the size to an order.
     #[test]
     fn order_and_limit_of_exact_sequences_come_back() {
-        for (exact, ratio, asymptotic) in [(2.0, 2.0, true), (1.0, 2.0, false), (1.9, 1.5, true), (0.3, 3.0, false)] {
+        for (exact, ratio, asymptotic) in [(2.0, 2.0_f64, true), (1.0, 2.0, false), (1.9, 1.5, true), (0.3, 3.0, false)]
+        {
             let values = [0, 1, 2].map(|level: i32| 7.0 + 0.4 * ratio.powf(-exact * f64::from(level)));
             let Verdict::Converging { order, asymptotic: found, limit, error } = judge(values, ratio, 0.0) else {
                 panic!("{values:?}");
