@@ -5,6 +5,7 @@ mod curve;
 mod identification;
 mod panel;
 mod span;
+mod study;
 mod style;
 
 use plotters::chart::SeriesLabelPosition;
@@ -12,6 +13,7 @@ use plotters::drawing::IntoDrawingArea;
 use plotters::prelude::SVGBackend;
 
 pub use identification::pictures as identification;
+pub use study::{Line as StudyLine, draw as study};
 
 use crate::quantity::COUNT;
 use crate::run::Run;
