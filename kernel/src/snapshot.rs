@@ -17,7 +17,7 @@ use crate::state_view::StateView;
 /// "SOFTANVL" in ASCII, least significant byte first.
 const MAGIC: u64 = u64::from_le_bytes(*b"SOFTANVL");
 /// Changes with the format.
-const VERSION: u64 = 3;
+const VERSION: u64 = 4;
 const HEADER_WORDS: usize = 4;
 const CHECKSUM_WORDS: usize = 1;
 /// Words of the scalars that are whole numbers.
@@ -184,7 +184,7 @@ fn visit_triangle(triangle: &mut TriangleHistory, number: &mut impl FnMut(&mut R
 }
 
 fn visit_deviator(deviator: &mut Deviator, number: &mut impl FnMut(&mut Real)) {
-    for lane in [&mut deviator.xx, &mut deviator.yy, &mut deviator.xy] {
+    for lane in [&mut deviator.mean, &mut deviator.difference, &mut deviator.shear] {
         lane.iter_mut().for_each(&mut *number);
     }
 }
