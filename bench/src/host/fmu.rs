@@ -95,7 +95,7 @@ impl Fmu {
         let kernel = Simulation::new(scenario).expect("a legal scenario");
         let table = Table::new();
         let reference = |name: &str| table.rows().iter().find(|row| row.name == name).expect(name).reference;
-        let guid = CString::new(token()).expect("text without zeros");
+        let guid = CString::new(token().as_str()).expect("text without zeros");
         // SAFETY: the types are those of the standard; the library has no initialisers.
         let mut fmu = unsafe {
             let library = Library::new(&path).expect("a shared library");
