@@ -640,7 +640,11 @@ enum SoftanvilField {
     /** element.von_mises_stress, Pa: von Mises stress of the last step, viscous and damping parts included. */
     SOFTANVIL_FIELD_ELEMENT_VON_MISES_STRESS = 8,
     /** element.principal_stress, Pa, 3 components: principal Cauchy stresses of the last step: larger and smaller in the section, then out of its plane. */
-    SOFTANVIL_FIELD_ELEMENT_PRINCIPAL_STRESS = 9
+    SOFTANVIL_FIELD_ELEMENT_PRINCIPAL_STRESS = 9,
+    /** element.cauchy_stress, Pa, 4 components: Cauchy stress of the last step, positive in tension: xx, yy, xy, and zz out of the section. */
+    SOFTANVIL_FIELD_ELEMENT_CAUCHY_STRESS = 10,
+    /** element.principal_stretch, 3 components: principal stretches of the last step: larger and smaller in the section, then out of its plane. */
+    SOFTANVIL_FIELD_ELEMENT_PRINCIPAL_STRETCH = 11
 };
 
 /* ================================================================================================================ */

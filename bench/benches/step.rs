@@ -10,6 +10,8 @@ use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use softanvil_bench::host::{Host, Kernel, Replay};
 use softanvil_bench::scene;
+use softanvil_kernel::lanes::LANES;
+use softanvil_kernel::mesh::Grid;
 use softanvil_kernel::snapshot::{restore, save, snapshot_size};
 use softanvil_kernel::{InstructionSet, Scenario, preset};
 
@@ -36,8 +38,11 @@ fn step(group: &mut BenchmarkGroup<WallTime>, name: &str, scenario: &Scenario, s
 fn size(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("size");
     for element_size in scene::ELEMENT_SIZES {
-        let name = format!("{} mm", 1e3 * element_size);
-        step(&mut group, &name, &scene::sized(element_size), InstructionSet::best());
+        let scenario = scene::sized(element_size);
+        let grid = Grid::new(&scenario).expect("a legal scenario");
+        let lanes = 100 * grid.n_u / (grid.blocks_per_row() * LANES);
+        let name = format!("{} triangles, {lanes} % of the lanes", grid.n_elem());
+        step(&mut group, &name, &scenario, InstructionSet::best());
     }
 }
 

@@ -3,12 +3,9 @@
 use softanvil_kernel::scenario::{ElasticLaw, Material, VolumetricBy};
 use softanvil_kernel::{Scenario, preset};
 
-/// Element size of the study, m.
-pub const STUDY_ELEMENT_SIZE: f64 = 3e-3;
-
-/// Element sizes, m, from 60 to 100,000 triangles.
-pub const ELEMENT_SIZES: [f64; 9] =
-    [6.5e-3, 4.2e-3, STUDY_ELEMENT_SIZE, 2.1e-3, 1.5e-3, 0.75e-3, 0.375e-3, 0.2e-3, 0.145e-3];
+/// Element sizes, m, from some 70 to some 100,000 triangles. All but the first fill their lanes: the last block of a row
+/// holds as many cells as the others.
+pub const ELEMENT_SIZES: [f64; 9] = [5.9e-3, 4.42e-3, 3e-3, 1.77e-3, 1.47e-3, 0.736e-3, 0.368e-3, 0.2e-3, 0.145e-3];
 
 /// The study's drop on a mesh of `element_size` m.
 pub fn sized(element_size: f64) -> Scenario {

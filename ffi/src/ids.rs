@@ -167,7 +167,7 @@ pub static OUTPUT_BY_ID: [&Output; 29] = [
 ];
 
 /// Fields by number.
-pub static FIELD_BY_ID: [&Field; 10] = [
+pub static FIELD_BY_ID: [&Field; 12] = [
     field_row("node.reference_position"),
     field_row("node.position"),
     field_row("node.displacement"),
@@ -178,6 +178,8 @@ pub static FIELD_BY_ID: [&Field; 10] = [
     field_row("element.pressure"),
     field_row("element.von_mises_stress"),
     field_row("element.principal_stress"),
+    field_row("element.cauchy_stress"),
+    field_row("element.principal_stretch"),
 ];
 
 /// The kernel's row called `name`; a name that the kernel does not have stops the compiler.

@@ -1,6 +1,8 @@
 //! [`FIELDS`]: the single table of what a simulation tells about every node, surface node and triangle.
 
+use crate::deformation;
 use crate::model::Model;
+use crate::real::Real;
 use crate::state_view::StateView;
 use crate::stress::Stress;
 use crate::surface;
@@ -20,7 +22,7 @@ pub enum Place {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Strided<'a> {
     /// The numbers, with padding between rows.
-    pub data: &'a [f64],
+    pub data: &'a [Real],
     /// Numbers from one row to the next.
     pub row_stride: usize,
 }
@@ -29,9 +31,9 @@ pub struct Strided<'a> {
 #[derive(Clone, Copy)]
 pub enum Source {
     /// They lie in memory, an array per component.
-    Stored(for<'a> fn(&Model<'a>, &StateView<'a>) -> [&'a [f64]; 2]),
+    Stored(for<'a> fn(&Model<'a>, &StateView<'a>) -> [&'a [Real]; 2]),
     /// They are computed from row, column and component.
-    Computed(fn(&Model, &StateView, usize, usize, usize) -> Option<f64>),
+    Computed(fn(&Model, &StateView, usize, usize, usize) -> Option<Real>),
 }
 
 /// One row of the table.
@@ -54,7 +56,7 @@ const fn stored(
     name: &'static str,
     unit: &'static str,
     place: Place,
-    source: for<'a> fn(&Model<'a>, &StateView<'a>) -> [&'a [f64]; 2],
+    source: for<'a> fn(&Model<'a>, &StateView<'a>) -> [&'a [Real]; 2],
     description: &'static str,
 ) -> Field {
     Field { name, unit, description, place, components: 2, source: Source::Stored(source) }
@@ -65,14 +67,14 @@ const fn computed(
     unit: &'static str,
     place: Place,
     components: usize,
-    source: fn(&Model, &StateView, usize, usize, usize) -> Option<f64>,
+    source: fn(&Model, &StateView, usize, usize, usize) -> Option<Real>,
     description: &'static str,
 ) -> Field {
     Field { name, unit, description, place, components, source: Source::Computed(source) }
 }
 
 /// Every field.
-pub static FIELDS: [Field; 10] = [
+pub static FIELDS: [Field; 12] = [
     stored(
         "node.reference_position",
         "m",
@@ -129,6 +131,22 @@ pub static FIELDS: [Field; 10] = [
         |model, state, row, column, c| Stress::of(model, state, row, column)?.principal().get(c).copied(),
         "principal Cauchy stresses of the last step: larger and smaller in the section, then out of its plane",
     ),
+    computed(
+        "element.cauchy_stress",
+        "Pa",
+        Place::Element,
+        4,
+        |model, state, row, column, c| deformation::cauchy_stress(model, state, row, column)?.get(c).copied(),
+        "Cauchy stress of the last step, positive in tension: xx, yy, xy, and zz out of the section",
+    ),
+    computed(
+        "element.principal_stretch",
+        "1",
+        Place::Element,
+        3,
+        |model, state, row, column, c| deformation::principal_stretch(model, state, row, column)?.get(c).copied(),
+        "principal stretches of the last step: larger and smaller in the section, then out of its plane",
+    ),
 ];
 
 impl Field {
@@ -150,7 +168,7 @@ impl Field {
     }
 
     /// One number; none outside the shape.
-    pub fn value(&self, model: &Model, state: &StateView, row: usize, column: usize, component: usize) -> Option<f64> {
+    pub fn value(&self, model: &Model, state: &StateView, row: usize, column: usize, component: usize) -> Option<Real> {
         let [rows, columns] = self.shape(model);
         if row >= rows || column >= columns || component >= self.components {
             return None;
@@ -170,7 +188,7 @@ impl Field {
     }
 }
 
-fn position(model: &Model, state: &StateView, row: usize, column: usize, component: usize) -> Option<f64> {
+fn position(model: &Model, state: &StateView, row: usize, column: usize, component: usize) -> Option<Real> {
     let node = row * model.constants.grid.stride() + column;
     let (rest, displacement) = (model.reference_position(), state.displacement());
     Some(rest.get(component)?.get(node)? + displacement.get(component)?.get(node)?)

@@ -7,6 +7,7 @@ use crate::error::{ModelError, StepError};
 use crate::impactor::StepInput;
 use crate::lanes::Deviator;
 use crate::model::{Constants, Model};
+use crate::real::Real;
 use crate::scenario::Scenario;
 use crate::state::{Scalars, State};
 use crate::step::step;
@@ -16,10 +17,10 @@ use crate::storage::{ModelMemory, Size, StateMemory};
 pub struct Simulation {
     constants: Constants,
     scalars: Scalars,
-    model_nodes: Vec<f64>,
+    model_nodes: Vec<Real>,
     model_cells: Vec<CellConstants>,
     model_hoops: Vec<HoopConstants>,
-    state_nodes: Vec<f64>,
+    state_nodes: Vec<Real>,
     state_cells: Vec<CellHistory>,
     state_viscous: Vec<Deviator>,
 }
@@ -39,7 +40,7 @@ impl Simulation {
     /// As [`Simulation::new`], and a cell without area.
     pub fn with_positions(
         scenario: &Scenario,
-        position: &dyn Fn(usize, usize) -> [f64; 2],
+        position: &dyn Fn(usize, usize) -> [Real; 2],
     ) -> Result<Self, ModelError> {
         Self::build(scenario, |memory| Model::with_positions(scenario, position, memory))
     }
@@ -81,7 +82,7 @@ impl Simulation {
     }
 
     /// Simulated time, s.
-    pub fn time(&self) -> f64 {
+    pub fn time(&self) -> Real {
         self.constants.time(self.scalars.step_index)
     }
 
@@ -108,7 +109,7 @@ impl Simulation {
     /// What [`step`] refuses; the steps before it stay done.
     pub fn step(&mut self, n: u64, input: &StepInput) -> Result<(), StepError> {
         self.with(|model, state| (0..n).try_for_each(|_| step(model, state, input)))
-            .unwrap_or(Err(StepError::Input { value: f64::NAN, time: 0.0 }))
+            .unwrap_or(Err(StepError::Input { value: Real::NAN, time: 0.0 }))
     }
 
     /// Back to the start of the drop.

@@ -2,6 +2,7 @@
 
 use softanvil_kernel::element::{CellConstants, CellHistory, HoopConstants};
 use softanvil_kernel::lanes::Deviator;
+use softanvil_kernel::real::Real;
 use softanvil_kernel::{Constants, ModelMemory, StateMemory};
 
 /// Blocks of cells of the largest mesh: the full section.
@@ -16,10 +17,10 @@ pub const SNAPSHOT: usize = 96 << 10;
 /// Room for a model and a state.
 pub struct Memory {
     constants: Option<Constants>,
-    model_nodes: [f64; 5 * NODES],
+    model_nodes: [Real; 5 * NODES],
     model_cells: [CellConstants; BLOCKS],
     model_hoops: [HoopConstants; BLOCKS],
-    state_nodes: [f64; 8 * NODES],
+    state_nodes: [Real; 8 * NODES],
     state_cells: [CellHistory; BLOCKS],
     state_viscous: [Deviator; 2 * TERMS * BLOCKS],
 }

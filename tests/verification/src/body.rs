@@ -3,7 +3,7 @@
 
 use softanvil_kernel::element::{CellConstants, CellHistory, Corners, ElementEnergy, HoopConstants, internal_force};
 use softanvil_kernel::lanes::{Deviator, LANES, ZERO};
-use softanvil_kernel::mesh::{out_of_plane, triangles};
+use softanvil_kernel::mesh::triangles;
 use softanvil_kernel::{Constants, Model, ModelMemory, Scenario, Size, State, StateMemory, StepInput, step};
 
 /// A number pair per node (u, v), at index `u + v (n_u + 1)`.
@@ -82,24 +82,6 @@ impl Body {
         let [n_u, n_v] = self.cells();
         let stride = self.constants.grid.stride();
         (0..=n_v).flat_map(|v| (0..=n_u).map(move |u| v * stride + u)).map(value).collect()
-    }
-
-    /// Lumped mass of the nodes, kg: a third of each triangle's mass at each of its corners.
-    pub fn lumped_mass(&self) -> Vec<f64> {
-        let (scenario, position) = (&self.constants.scenario, self.positions());
-        let mut mass = vec![0.0; self.n_node()];
-        for (u, v) in self.cell_list() {
-            for corners in triangles(&self.constants.grid, u, v) {
-                let nodes = corners.map(|corner| self.corner(u, v, corner));
-                let [a, b, c] = nodes.map(|node| position[node]);
-                let area = 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]));
-                let volume = area * out_of_plane(scenario, (a[0] + b[0] + c[0]) / 3.0);
-                for node in nodes {
-                    mass[node] += volume * scenario.silicone.density / 3.0;
-                }
-            }
-        }
-        mass
     }
 
     /// (u, v) of every cell.

@@ -3,6 +3,7 @@
 mod closed_forms;
 mod drop;
 mod elastic_laws;
+mod fields;
 mod harmonic;
 mod histories;
 mod impactor;
@@ -13,6 +14,7 @@ mod ogden;
 mod patch;
 mod problems;
 mod sections;
+mod single;
 mod slider;
 mod tear;
 mod viscoelastic;
