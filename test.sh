@@ -74,6 +74,7 @@ if need gcc gcc libc6-dev && need g++ g++ && need valgrind valgrind libc6-dbg; t
     for profile in release debug; do
         run "C and C++ rigs, $profile library" tests/c/run.sh "target/$profile"
     done
+    run "instructions of a step" bench/instructions.sh target/release
     if need cmake cmake && need pkg-config pkg-config; then
         run "installed package" tests/c/package.sh
     else

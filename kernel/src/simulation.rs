@@ -57,12 +57,18 @@ impl Simulation {
         let mut state_nodes = vec![0.0; size.state_nodes];
         let mut state_cells = vec![CellHistory::REST; size.state_cells];
         let mut state_viscous = vec![Deviator::ZERO; size.state_viscous];
-        let model = model(ModelMemory { nodes: &mut model_nodes, cells: &mut model_cells, hoops: &mut model_hoops })?;
+        let mut constants = None;
+        let model = model(ModelMemory {
+            constants: &mut constants,
+            nodes: &mut model_nodes,
+            cells: &mut model_cells,
+            hoops: &mut model_hoops,
+        })?;
         let state = State::new(
             &model,
             StateMemory { nodes: &mut state_nodes, cells: &mut state_cells, viscous: &mut state_viscous },
         )?;
-        let (constants, scalars) = (model.constants, state.scalars);
+        let (constants, scalars) = (*model.constants, state.scalars);
         Ok(Self { constants, scalars, model_nodes, model_cells, model_hoops, state_nodes, state_cells, state_viscous })
     }
 
@@ -86,7 +92,7 @@ impl Simulation {
     /// # Errors
     /// Never in practice: the memory was sized for this model.
     pub fn with<R>(&mut self, work: impl FnOnce(&Model, &mut State) -> R) -> Result<R, ModelError> {
-        let model = Model::view(self.constants, &self.model_nodes, &self.model_cells, &self.model_hoops);
+        let model = Model::view(&self.constants, &self.model_nodes, &self.model_cells, &self.model_hoops);
         let memory = StateMemory {
             nodes: &mut self.state_nodes,
             cells: &mut self.state_cells,

@@ -12,7 +12,7 @@ table=$out/table.txt rows=$out/rows
 . tests/need.sh
 rm -rf "$rows" && mkdir -p "$rows"
 { rustc --version && echo; } >"$table"
-printf '%-38s %-6s  %-16s  %-16s  %s\n' target scenes 'until 2.5 ms' 'whole scenes' 'snapshot there and back' >>"$table"
+printf '%-44s %-6s  %-16s  %-16s  %s\n' target scenes 'until 2.5 ms' 'whole scenes' 'snapshot there and back' >>"$table"
 
 # The scene whose snapshots travel, and the records (0.25 ms each) at which they are saved.
 scene=yeoh leave=6 return=8
@@ -23,8 +23,8 @@ wanted() { [[ $1 == *"$only"* ]]; }
 # Each row has a folder to work in, whose name keeps the order, and leaves its line there, marked same, failed or skipped.
 next_row() { count=$((count + 1)); work=$rows/$(printf %02d $count); mkdir "$work"; }
 line() { printf '%s\n' "$2" | tee "$work/$1"; }
-skip() { next_row; line skipped "$(printf '%-38s skipped: %s' "$1" "$2")"; }
-fail() { line failed "$(printf '%-38s FAILED: %s' "$1" "$2")"; }
+skip() { next_row; line skipped "$(printf '%-44s skipped: %s' "$1" "$2")"; }
+fail() { line failed "$(printf '%-44s FAILED: %s' "$1" "$2")"; }
 
 # beside COMMAND...: makes a row while others are made.
 processors=$(nproc)
@@ -34,11 +34,14 @@ beside() {
     "$@" &
 }
 
+# The runner, and the folder of its firmware; at the end those in single precision take their place.
+runner=softanvil-golden firmware=tests/firmware/rust
+
 # build NAME CARGO_ARGUMENT...: the runner in a folder of its own; what changes no bits is set to build fast.
 build() {
     local name=$1; shift
     CARGO_PROFILE_RELEASE_LTO=${LTO:-off} CARGO_PROFILE_RELEASE_CODEGEN_UNITS=${UNITS:-16} \
-        cargo build -q --jobs 1 -p softanvil-golden --target-dir "$out/$name" "$@"
+        cargo build -q --jobs 1 -p "$runner" --target-dir "$out/$name" "$@"
 }
 
 # snapshots COMMAND...: a state saved at home goes on there, is saved, is the same file as one that never left, and goes
@@ -67,7 +70,7 @@ row() {
     found=$(summary "$check" "$@") && [ -n "$found" ] && [ "$found" = "$expected" ] || verdict=DIFFERENT
     snapshots "$@" || carried=DIFFERENT
     read -r scenes until_short until_end <<<"$found"
-    printf -v text '%-38s %-6s  %-16s  %-16s  %s' "$name" "${scenes:--}" "${until_short:--}" "${until_end:--}" "$carried"
+    printf -v text '%-44s %-6s  %-16s  %-16s  %s' "$name" "${scenes:--}" "${until_short:--}" "${until_end:--}" "$carried"
     if [ "$verdict $carried" = "same same" ]; then
         line same "$text"
     else
@@ -85,7 +88,7 @@ make_native() {
     local name=$1 folder=$2 profile=$3; shift 3
     build "$folder" --profile "$profile" "$@" || { fail "$name" "does not build"; return; }
     [ "$profile" = dev ] && profile=debug
-    row "$name" check "$out/$folder/$profile/softanvil-golden"
+    row "$name" check "$out/$folder/$profile/$runner"
 }
 
 # have_target NAME TARGET: whether rustup has the target of a row.
@@ -100,7 +103,7 @@ foreign() {
 make_foreign() {
     local name=$1 target=$2 check=$3 extension=$4; shift 4
     build "$target" --release --target "$target" || { fail "$name" "does not build"; return; }
-    row "$name" "$check" "$@" "$out/$target/$target/release/softanvil-golden$extension"
+    row "$name" "$check" "$@" "$out/$target/$target/release/$runner$extension"
 }
 
 # board NAME TARGET FLAGS CHECK: a row of a Cortex-M7 without an operating system.
@@ -116,10 +119,10 @@ board() {
 }
 make_board() {
     local name=$1 target=$2 flags=$3 check=$4
-    (cd tests/firmware/rust && RUSTFLAGS=$flags CARGO_PROFILE_RELEASE_LTO=off CARGO_PROFILE_RELEASE_CODEGEN_UNITS=16 \
-        cargo build -q --jobs 1 --release --bin runner --target "$target" --target-dir "$out/firmware-$target") ||
+    (cd "$firmware" && RUSTFLAGS=$flags CARGO_PROFILE_RELEASE_LTO=off CARGO_PROFILE_RELEASE_CODEGEN_UNITS=16 \
+        cargo build -q --jobs 1 --release --bin runner --target "$target" --target-dir "$out/firmware-$runner-$target") ||
         { fail "$name" "does not build"; return; }
-    row "$name" "$check" bash -c 'on_board "$@"' board "$out/firmware-$target/$target/release/runner"
+    row "$name" "$check" bash -c 'on_board "$@"' board "$out/firmware-$runner-$target/$target/release/runner"
 }
 
 # chosen NAME SET: the program with every instruction set, made to take one.
@@ -133,7 +136,7 @@ refused() {
     rustup target add i586-unknown-linux-gnu >/dev/null 2>&1
     cargo check -q -p softanvil-kernel --target i586-unknown-linux-gnu --target-dir "$out/x87" >"$work/x87.txt" 2>&1
     if grep -q 'x86 without SSE2 is excluded' "$work/x87.txt"; then
-        line same "$(printf '%-38s as it must be' "$1")"
+        line same "$(printf '%-44s as it must be' "$1")"
     else
         fail "$1" "it builds, or for another reason not"
     fi
@@ -230,6 +233,29 @@ else
         board "Cortex-M7, without FPU (QEMU)" thumbv7em-none-eabi '' 'check --short yeoh'
     else
         skip "Cortex-M7" "qemu-system-arm is missing and cannot be installed"
+    fi
+fi
+
+# In single precision, with digests of its own.
+runner=softanvil-golden-f32 firmware=tests/firmware/rust/single
+if wanted "f32: " || [[ $only == f32* ]]; then
+    LTO=thin UNITS=1 build f32-o3 --release || exit 1
+    home=("$out/f32-o3/release/$runner")
+    next_row
+    row "f32: $(uname -m), opt-level 3" check "${home[@]}"
+    native "f32: $(uname -m), opt-level 0, debug" f32-o0 dev
+    # The skips of these tools were counted above.
+    if command -v rustup >/dev/null; then
+        if command -v qemu-s390x >/dev/null && command -v s390x-linux-gnu-gcc >/dev/null; then
+            foreign "f32: s390x, big-endian (qemu-user)" s390x-unknown-linux-gnu 'check --short' '' qemu-s390x
+        fi
+        if command -v node >/dev/null; then
+            foreign "f32: wasm32 (Node)" wasm32-wasip1 check .wasm node --no-warnings "$root/tests/targets/wasi.mjs"
+        fi
+        if command -v qemu-system-arm >/dev/null; then
+            board "f32: Cortex-M7, single-precision FPU (QEMU)" thumbv7em-none-eabihf '' 'check --short'
+            board "f32: Cortex-M7, without FPU (QEMU)" thumbv7em-none-eabi '' 'check --short yeoh'
+        fi
     fi
 fi
 

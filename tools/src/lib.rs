@@ -7,8 +7,10 @@
 //!    [`staging`] keeps half-written files away.
 //! 3. [`validation`] compares runs with the [`paper`], by the four [`quantity`]s of its table, [`comparison`] with a
 //!    measured trace, [`calibration`] searches; a [`reading`] is what a laboratory's instruments see of a run.
-//! 4. [`golden`] compares this machine with the golden traces, [`identification`] fits a material to test data.
-//! 5. [`run`] simulates a drop; [`scenario_file`] and [`presets`] say which, [`progress`] how far it is.
+//! 4. [`studies`] change one thing of a drop at a time, beside what the paper says of it.
+//! 5. [`golden`] compares this machine with the golden traces, [`identification`] fits a material to test data.
+//! 6. [`run`] simulates a drop; [`scenario_file`] and [`presets`] say which, [`progress`] how far it is, [`interrupt`]
+//!    when to end early.
 
 pub mod calibration;
 pub mod cli;
@@ -18,8 +20,10 @@ pub mod curve_score;
 pub mod failure;
 pub mod golden;
 pub mod identification;
+pub mod interrupt;
 pub mod json;
 pub mod paper;
+pub mod place;
 pub mod plot;
 pub mod presets;
 pub mod progress;
@@ -28,8 +32,10 @@ pub mod reading;
 pub mod report;
 pub mod run;
 pub mod scenario_file;
+pub mod section;
 pub mod series;
 pub mod staging;
+pub mod studies;
 pub mod table;
 pub mod trace;
 pub mod validation;

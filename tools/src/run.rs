@@ -31,6 +31,12 @@ pub enum RunError {
     Driven,
 }
 
+impl From<ModelError> for Failure {
+    fn from(error: ModelError) -> Self {
+        Self::Input(error.to_string())
+    }
+}
+
 impl From<RunError> for Failure {
     fn from(error: RunError) -> Self {
         match error {
@@ -70,19 +76,69 @@ impl Drop {
         self.simulation.constants().steps_per_sample
     }
 
+    /// Triangles of the mesh.
+    pub fn elements(&self) -> usize {
+        self.simulation.constants().grid.n_elem()
+    }
+
     /// Runs to the end; `progress` hears of every completed sample how many steps it took.
     ///
     /// # Errors
     /// The first step that fails.
-    pub fn run(mut self, mut progress: impl FnMut(u64)) -> Result<Run, RunError> {
-        let stride = u64::from(self.simulation.constants().steps_per_sample);
+    pub fn run(self, mut progress: impl FnMut(u64)) -> Result<Run, RunError> {
+        self.run_watched(|steps, _| {
+            progress(steps);
+            Ok(())
+        })
+    }
+
+    /// Runs to the end; `watch` sees the simulation at the start and after every sample, with the steps that it took.
+    ///
+    /// # Errors
+    /// The first step that fails, or what `watch` refuses.
+    pub fn run_watched<E: From<RunError>>(
+        mut self,
+        mut watch: impl FnMut(u64, &mut Simulation) -> Result<(), E>,
+    ) -> Result<Run, E> {
         let mut samples = vec![*self.simulation.scalars()];
-        for _ in 0..self.steps / stride {
-            self.simulation.step(stride, &StepInput::default())?;
-            samples.push(*self.simulation.scalars());
-            progress(stride);
+        watch(0, &mut self.simulation)?;
+        while self.sample(&mut samples)? {
+            watch(self.stride(), &mut self.simulation)?;
         }
-        Ok(Run { constants: *self.simulation.constants(), samples })
+        Ok(self.completed(samples))
+    }
+
+    /// The same as long as `progress` says that it is still wanted; nothing if it ends by that.
+    ///
+    /// # Errors
+    /// The first step that fails.
+    pub fn run_while(mut self, mut progress: impl FnMut(u64) -> bool) -> Result<Option<Run>, RunError> {
+        let mut samples = vec![*self.simulation.scalars()];
+        while self.sample(&mut samples)? {
+            if !progress(self.stride()) {
+                return Ok(None);
+            }
+        }
+        Ok(Some(self.completed(samples)))
+    }
+
+    fn stride(&self) -> u64 {
+        u64::from(self.steps_per_sample())
+    }
+
+    /// Simulates one sampling interval; false at the end.
+    fn sample(&mut self, samples: &mut Vec<Scalars>) -> Result<bool, RunError> {
+        let stride = self.stride();
+        if samples.len() as u64 > self.steps / stride {
+            return Ok(false);
+        }
+        self.simulation.step(stride, &StepInput::default())?;
+        samples.push(*self.simulation.scalars());
+        Ok(true)
+    }
+
+    fn completed(self, samples: Vec<Scalars>) -> Run {
+        Run { constants: *self.simulation.constants(), samples }
     }
 }
 

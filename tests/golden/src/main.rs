@@ -5,6 +5,9 @@
 use std::fmt::Arguments;
 use std::process::ExitCode;
 
+#[cfg(feature = "single")]
+use softanvil_golden_f32 as softanvil_golden;
+
 use softanvil_golden::runner::{Host, Room, execute};
 use softanvil_kernel::InstructionSet;
 

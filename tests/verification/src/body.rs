@@ -35,8 +35,9 @@ impl Body {
         let mut nodes = vec![0.0; size.model_nodes];
         let mut cells = vec![CellConstants::ZERO; size.model_cells];
         let mut hoops = vec![HoopConstants::ZERO; size.model_hoops];
-        let memory = ModelMemory { nodes: &mut nodes, cells: &mut cells, hoops: &mut hoops };
-        let constants = Model::with_positions(scenario, position, memory).expect("a legal mesh").constants;
+        let mut constants = None;
+        let memory = ModelMemory { constants: &mut constants, nodes: &mut nodes, cells: &mut cells, hoops: &mut hoops };
+        let constants = *Model::with_positions(scenario, position, memory).expect("a legal mesh").constants;
         let cells = match pressure {
             Pressure::Patch => vec![cells],
             Pressure::Triangle => (0..2).map(|t| alone(&cells, t)).collect(),
@@ -72,7 +73,7 @@ impl Body {
 
     /// Positions of the nodes at rest, m.
     pub fn positions(&self) -> Field {
-        let model = Model::view(self.constants, &self.nodes, &self.cells[0], &self.hoops);
+        let model = Model::view(&self.constants, &self.nodes, &self.cells[0], &self.hoops);
         let [x, y] = model.reference_position();
         self.packed(|index| [x[index], y[index]])
     }
@@ -115,7 +116,7 @@ impl Body {
     fn with<R>(&mut self, set: usize, displacement: &Field, work: impl FnOnce(&Model, &mut State) -> R) -> R {
         let [n_u, n_v] = self.cells();
         let stride = self.constants.grid.stride();
-        let model = Model::view(self.constants, &self.nodes, &self.cells[set], &self.hoops);
+        let model = Model::view(&self.constants, &self.nodes, &self.cells[set], &self.hoops);
         let (nodes, cells, viscous) = &mut self.state;
         let mut state = State::new(&model, StateMemory { nodes, cells, viscous }).expect("memory of the right size");
         let [x, y] = state.displacement_mut();
