@@ -15,7 +15,7 @@ mod chosen {
     /// Its bits.
     pub type Bits = u64;
 
-    /// A quotient this much, relative, above a whole number still counts as that number.
+    /// Relative difference that rounding may leave between two quotients that should be equal.
     pub const SAME: Real = 1e-9;
     /// Guess of x^(-1/2): this minus half the bits of x.
     pub const INVERSE_SQRT_MAGIC: Bits = 0x5fe6_eb50_c7b5_37a9;
@@ -62,7 +62,7 @@ mod chosen {
     /// Its bits.
     pub type Bits = u32;
 
-    /// A quotient this much, relative, above a whole number still counts as that number.
+    /// Relative difference that rounding may leave between two quotients that should be equal.
     pub const SAME: Real = 1e-6;
     /// Guess of x^(-1/2): this minus half the bits of x.
     pub const INVERSE_SQRT_MAGIC: Bits = 0x5f37_5a86;

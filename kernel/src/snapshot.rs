@@ -2,7 +2,8 @@
 //!
 //! Format: little-endian 64-bit words. Header: magic, format version, fingerprint of the scenario, number of words that
 //! follow before the checksum; then the scalars and the arrays in the order of [`visit`]; last the FNV-1a digest of
-//! everything before it. Equal states give equal bytes.
+//! everything before it. Equal states give equal bytes. A number of single precision is a word whose upper half is zero;
+//! the fingerprints of the two precisions differ, so neither takes over a state of the other.
 
 use crate::digest::Digest;
 use crate::element::TriangleHistory;
@@ -22,7 +23,8 @@ const HEADER_WORDS: usize = 4;
 const CHECKSUM_WORDS: usize = 1;
 /// Words of the scalars that are whole numbers.
 const COUNTERS: usize = 7;
-/// Most steps that a state may have behind it: up to here every count is exact as a float.
+/// Most steps that a state may have behind it: far from overflow, and every count is exact as a float of double
+/// precision.
 const MOST_STEPS: u64 = 1 << 53;
 const SCALAR_WORDS: usize = COUNTERS + 20 + LEDGER_WORDS;
 /// Lanes per triangle: stretch, elastic stress, slider stress, largest stretch, stored energy.

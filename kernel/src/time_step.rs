@@ -60,7 +60,7 @@ pub(crate) fn steps_per_sample(
             scenario.time.step
         }
     };
-    // A step within one part in 10^9 of a whole divisor counts as that divisor.
+    // A step that is a whole divisor but for `SAME` counts as that divisor.
     let count = math::larger(1.0, math::ceil(SAMPLING_INTERVAL / step * (1.0 - real::SAME)));
     if count > MAX_STEPS_PER_SAMPLE as Real {
         let smallest = SAMPLING_INTERVAL / MAX_STEPS_PER_SAMPLE as Real;
