@@ -66,6 +66,9 @@ fn starts_with_digit(cell: &str) -> bool {
 }
 
 fn split_line(line: &str, delimiter: u8) -> Vec<String> {
+    if !line.contains('"') {
+        return line.split(char::from(delimiter)).map(|cell| cell.trim().into()).collect();
+    }
     let mut reader =
         csv::ReaderBuilder::new().delimiter(delimiter).has_headers(false).flexible(true).from_reader(line.as_bytes());
     let mut record = csv::StringRecord::new();
