@@ -12,7 +12,7 @@ use plotters::chart::SeriesLabelPosition;
 use plotters::drawing::IntoDrawingArea;
 use plotters::prelude::SVGBackend;
 
-pub use energy::{BROUGHT_IN, TERMS, draw as energy, of_output};
+pub use energy::{BROUGHT_IN, TERMS, Term, draw as energy, of_output};
 pub use identification::pictures as identification;
 
 use crate::quantity::COUNT;

@@ -8,4 +8,5 @@ mod measure;
 mod quasi_static;
 mod report;
 mod run;
+mod series;
 mod wrong_input;
