@@ -61,8 +61,10 @@ run "main job" main_job
 # A Cortex-M7 without an operating system, in QEMU.
 if command -v rustup >/dev/null && need arm-none-eabi-gcc gcc-arm-none-eabi && need qemu-system-arm qemu-system-arm; then
     run "firmware on a Cortex-M7" tests/firmware/run.sh
+    if need readelf binutils; then run "footprint" tests/footprint/run.sh; else skip "footprint" "readelf is missing"; fi
 else
     skip "firmware on a Cortex-M7" "rustup, arm-none-eabi-gcc or qemu-system-arm is missing and cannot be installed"
+    skip "footprint" "rustup, arm-none-eabi-gcc or qemu-system-arm is missing and cannot be installed"
 fi
 
 run "same digests on every target" tests/targets/run.sh
@@ -72,6 +74,7 @@ if need gcc gcc libc6-dev && need g++ g++ && need valgrind valgrind libc6-dbg; t
     for profile in release debug; do
         run "C and C++ rigs, $profile library" tests/c/run.sh "target/$profile"
     done
+    run "instructions of a step" bench/instructions.sh target/release
     if need cmake cmake && need pkg-config pkg-config; then
         run "installed package" tests/c/package.sh
     else

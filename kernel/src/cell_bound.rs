@@ -13,6 +13,7 @@
 use crate::element::{CellConstants, HoopConstants};
 use crate::lanes::{LANES, Lane, ZERO};
 use crate::math;
+use crate::real::Real;
 
 /// Rows of deviatoric strain of a cell.
 const ROWS: usize = 6;
@@ -30,7 +31,7 @@ pub(crate) struct CellStiffness {
     /// Tangent of the volume, Pa.
     pub bulk: Lane,
     /// Density at rest, kg/m3.
-    pub density: f64,
+    pub density: Real,
     /// The cells at rest.
     pub cell: CellConstants,
     /// Their hoop constants, in rings.
@@ -51,7 +52,7 @@ pub(crate) fn limit_squared(stiffness: &CellStiffness) -> Lane {
             trace[l] += gram[i][i][l];
         }
     }
-    let power = trace_of_power(&gram, &trace.map(|trace| 1.0 / math::larger(trace, f64::MIN_POSITIVE)));
+    let power = trace_of_power(&gram, &trace.map(|trace| 1.0 / math::larger(trace, Real::MIN_POSITIVE)));
     core::array::from_fn(|l| {
         let mut root = power[l];
         for _ in 0..=SQUARINGS {
@@ -63,7 +64,7 @@ pub(crate) fn limit_squared(stiffness: &CellStiffness) -> Lane {
 
 /// Whether a step is stable in each cell, without a root; true where the state is not a number.
 #[inline(always)]
-pub(crate) fn within_limit(stiffness: &CellStiffness, step_squared: f64) -> [bool; LANES] {
+pub(crate) fn within_limit(stiffness: &CellStiffness, step_squared: Real) -> [bool; LANES] {
     let (gram, volumetric) = eigenvalue_parts(stiffness);
     let mut inverse = ZERO;
     for l in 0..LANES {
@@ -97,7 +98,7 @@ fn eigenvalue_parts(stiffness: &CellStiffness) -> (Matrix, Lane) {
     (gram, volumetric)
 }
 
-fn cell_volume(stiffness: &CellStiffness, l: usize) -> f64 {
+fn cell_volume(stiffness: &CellStiffness, l: usize) -> Real {
     let [a, b] = &stiffness.cell.triangle;
     a.reference_volume[l] + b.reference_volume[l]
 }
@@ -108,7 +109,7 @@ fn inverse_mass(stiffness: &CellStiffness) -> Lane {
     let mut inverse = ZERO;
     for l in 0..LANES {
         let mass = 0.25 * stiffness.density * cell_volume(stiffness, l);
-        inverse[l] = 1.0 / math::larger(mass, f64::MIN_POSITIVE);
+        inverse[l] = 1.0 / math::larger(mass, Real::MIN_POSITIVE);
     }
     inverse
 }
@@ -135,7 +136,7 @@ fn add_triangle(stiffness: &CellStiffness, t: usize, rows: &mut [Row; ROWS], dil
     let gradient = corner_gradients(stiffness, t);
     for l in 0..LANES {
         let stiff = stiffness.shear[t][l] * triangle.reference_volume[l];
-        let root = stiff * math::inverse_sqrt(math::larger(stiff, f64::MIN_POSITIVE));
+        let root = stiff * math::inverse_sqrt(math::larger(stiff, Real::MIN_POSITIVE));
         let weight = triangle.patch_weight[l];
         for a in 0..4 {
             let [x, y] = [gradient[a][0][l], gradient[a][1][l]];
@@ -221,4 +222,4 @@ fn square(matrix: &Matrix) -> Matrix {
 }
 
 /// The square root of 1/3, rounded once.
-const SQRT_THIRD: f64 = 0.577_350_269_189_625_8;
+const SQRT_THIRD: Real = 0.577_350_269_189_625_8;

@@ -10,24 +10,25 @@
 //! The standards filter a whole record forwards and backwards ([`filter_both_ways`]), which shifts no phase. A running
 //! simulation has only the past: [`Filter`] makes the forward pass alone, which lags.
 
-use core::f64::consts::{PI, SQRT_2};
+use crate::real::Real;
+use crate::real::consts::{PI, SQRT_2};
 
 use crate::error::ParameterError;
 use crate::math;
 
 /// Design frequency of one pass over the channel frequency class.
-const DESIGN_RATIO: f64 = 2.0775;
+const DESIGN_RATIO: Real = 2.0775;
 
 /// Samples per second over the channel frequency class that the standards ask for at least.
-const LEAST_SAMPLES: f64 = 10.0;
+const LEAST_SAMPLES: Real = 10.0;
 
 /// Coefficients of one pass.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Coefficients {
     /// a_0, a_1 and a_2: weights of this sample and the two before it.
-    pub a: [f64; 3],
+    pub a: [Real; 3],
     /// b_1 and b_2: weights of the two results before.
-    pub b: [f64; 2],
+    pub b: [Real; 2],
 }
 
 impl Coefficients {
@@ -36,7 +37,7 @@ impl Coefficients {
     /// # Errors
     /// A class that is not above zero, or with fewer than the ten samples a period that the standards ask for; an interval
     /// that is not a positive number leaves no legal class.
-    pub fn new(channel_class: f64, interval: f64) -> Result<Self, ParameterError> {
+    pub fn new(channel_class: Real, interval: Real) -> Result<Self, ParameterError> {
         let largest = 1.0 / (LEAST_SAMPLES * interval);
         // Also false for what is no number. The margin is for the rounding of the two quotients.
         let legal = channel_class > 0.0 && channel_class <= largest * (1.0 + 1e-12) && interval > 0.0;
@@ -56,19 +57,19 @@ impl Coefficients {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Filter {
     /// The last two samples, newest first.
-    pub(crate) x: [f64; 2],
+    pub(crate) x: [Real; 2],
     /// The last two results, newest first.
-    pub(crate) y: [f64; 2],
+    pub(crate) y: [Real; 2],
 }
 
 impl Filter {
     /// A filter that has seen nothing but `value` for ever.
-    pub const fn settled(value: f64) -> Self {
+    pub const fn settled(value: Real) -> Self {
         Self { x: [value; 2], y: [value; 2] }
     }
 
     /// Takes in the next sample; returns its filtered value.
-    pub fn take(&mut self, coefficients: &Coefficients, sample: f64) -> f64 {
+    pub fn take(&mut self, coefficients: &Coefficients, sample: Real) -> Real {
         let Coefficients { a, b } = coefficients;
         let result = a[0] * sample + a[1] * self.x[0] + a[2] * self.x[1] + b[0] * self.y[0] + b[1] * self.y[1];
         self.x = [sample, self.x[0]];
@@ -77,7 +78,7 @@ impl Filter {
     }
 
     /// The last result.
-    pub fn value(&self) -> f64 {
+    pub fn value(&self) -> Real {
         self.y[0]
     }
 }
@@ -85,17 +86,17 @@ impl Filter {
 /// Filters a whole record in place, forwards and then backwards: the filter of four poles without shift of phase that the
 /// standards prescribe. Each pass begins settled at its first sample, so a record that begins and ends at rest has no
 /// transients at its ends.
-pub fn filter_both_ways(coefficients: &Coefficients, record: &mut [f64]) {
+pub fn filter_both_ways(coefficients: &Coefficients, record: &mut [Real]) {
     pass(coefficients, record.iter_mut());
     pass(coefficients, record.iter_mut().rev());
 }
 
-fn pass<'a>(coefficients: &Coefficients, record: impl Iterator<Item = &'a mut f64>) {
+fn pass<'a>(coefficients: &Coefficients, record: impl Iterator<Item = &'a mut Real>) {
     let mut filter = None;
     for sample in record {
         *sample = filter.get_or_insert(Filter::settled(*sample)).take(coefficients, *sample);
     }
 }
 
-#[cfg(test)]
+#[cfg(all(test, not(feature = "single")))]
 mod tests;

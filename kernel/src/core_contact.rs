@@ -6,6 +6,7 @@
 use crate::face::{Contact, limited};
 use crate::math;
 use crate::model::{Model, core_radius};
+use crate::real::Real;
 use crate::scenario::Interface;
 use crate::state::State;
 
@@ -69,10 +70,10 @@ fn touch(model: &Model, state: &mut State, node: usize, contact: &mut Contact) -
 }
 
 /// Outward normal of the core below (x, y), and how deep the point lies in the core, m.
-fn surface_normal(model: &Model, x: f64, y: f64) -> ([f64; 2], f64) {
+fn surface_normal(model: &Model, x: Real, y: Real) -> ([Real; 2], Real) {
     match core_radius(&model.constants.scenario) {
         Some(radius) => {
-            let distance = math::larger(math::sqrt(x * x + y * y), f64::MIN_POSITIVE);
+            let distance = math::larger(math::sqrt(x * x + y * y), Real::MIN_POSITIVE);
             ([x / distance, y / distance], radius - distance)
         }
         None => ([0.0, 1.0], -y),

@@ -2,18 +2,16 @@
 
 use core::fmt::{self, Write};
 
+use crate::real::{self, Real};
+
 /// Shows a number with up to [`DIGITS`] significant digits: plain where it is short, with a power of ten elsewhere.
 #[derive(Clone, Copy, Debug)]
-pub struct Decimal(pub f64);
+pub struct Decimal(pub Real);
 
-/// Significant digits. The scaling errs in the 16th.
-const DIGITS: i32 = 12;
+/// Significant digits.
+const DIGITS: i32 = real::SHOWN_DIGITS;
 /// 10 to the power of [`DIGITS`].
-const WHOLE: u64 = 1_000_000_000_000;
-
-/// Powers of ten whose exponents add up to any that a float has.
-const POWERS: [(i32, f64); 9] =
-    [(256, 1e256), (128, 1e128), (64, 1e64), (32, 1e32), (16, 1e16), (8, 1e8), (4, 1e4), (2, 1e2), (1, 1e1)];
+const WHOLE: u64 = 10_u64.pow(DIGITS as u32);
 
 impl fmt::Display for Decimal {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -44,23 +42,23 @@ impl fmt::Display for Decimal {
 }
 
 /// The digits of a positive finite number as an integer of [`DIGITS`] digits, and the power of ten of the first.
-fn digits(value: f64) -> (u64, i32) {
+fn digits(value: Real) -> (u64, i32) {
     let (mut mantissa, mut exponent) = (value, 0);
-    for (power, ten) in POWERS {
+    for &(power, ten) in real::POWERS_OF_TEN {
         if mantissa >= ten {
             mantissa /= ten;
             exponent += power;
         }
     }
     if mantissa < 1.0 {
-        for (power, ten) in POWERS {
+        for &(power, ten) in real::POWERS_OF_TEN {
             if mantissa * ten < 10.0 {
                 mantissa *= ten;
                 exponent -= power;
             }
         }
     }
-    let digits = (mantissa * (WHOLE / 10) as f64 + 0.5) as u64;
+    let digits = (mantissa * (WHOLE / 10) as Real + 0.5) as u64;
     if digits >= WHOLE { (WHOLE / 10, exponent + 1) } else { (digits, exponent) }
 }
 
@@ -119,7 +117,7 @@ fn digit(value: u64) -> char {
     char::from(b'0' + (value % 10) as u8)
 }
 
-#[cfg(test)]
+#[cfg(all(test, not(feature = "single")))]
 mod tests {
     extern crate std;
     use super::*;

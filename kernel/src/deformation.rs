@@ -4,6 +4,7 @@ use crate::lanes::LANES;
 use crate::math;
 use crate::mesh::triangles;
 use crate::model::Model;
+use crate::real::Real;
 use crate::state_view::StateView;
 use crate::stress::Stress;
 use crate::stretch::largest_in_plane;
@@ -13,7 +14,7 @@ const CORNERS: [(usize, usize); 4] = [(0, 0), (1, 0), (1, 1), (0, 1)];
 
 /// Cauchy stress of triangle `column` (two per cell) in `row` along the fixed axes, Pa, positive in tension: xx, yy, xy,
 /// and zz out of the section; none outside.
-pub fn cauchy_stress(model: &Model, state: &StateView, row: usize, column: usize) -> Option<[f64; 4]> {
+pub fn cauchy_stress(model: &Model, state: &StateView, row: usize, column: usize) -> Option<[Real; 4]> {
     let stress = Stress::of(model, state, row, column)?;
     let [cos, sin] = rotation(model, state, row, column)?;
     // R s R^T of the deviator's part in the section, whose trace does not turn.
@@ -26,7 +27,7 @@ pub fn cauchy_stress(model: &Model, state: &StateView, row: usize, column: usize
 }
 
 /// Principal stretches of a triangle: the larger and the smaller one in the section, then the one out of it.
-pub fn principal_stretch(model: &Model, state: &StateView, row: usize, column: usize) -> Option<[f64; 3]> {
+pub fn principal_stretch(model: &Model, state: &StateView, row: usize, column: usize) -> Option<[Real; 3]> {
     let grid = &model.constants.grid;
     let (u, t) = (column / 2, column % 2);
     if u >= grid.n_u || row >= grid.n_v {
@@ -41,7 +42,7 @@ pub fn principal_stretch(model: &Model, state: &StateView, row: usize, column: u
 }
 
 /// Cosine and sine of the rotation R of F = R U.
-fn rotation(model: &Model, state: &StateView, row: usize, column: usize) -> Option<[f64; 2]> {
+fn rotation(model: &Model, state: &StateView, row: usize, column: usize) -> Option<[Real; 2]> {
     let corners = triangles(&model.constants.grid, column / 2, row).get(column % 2)?.map(|corner| {
         let (du, dv) = CORNERS.get(corner).copied()?;
         let node = (row + dv) * model.constants.grid.stride() + column / 2 + du;
@@ -63,14 +64,14 @@ fn rotation(model: &Model, state: &StateView, row: usize, column: usize) -> Opti
 }
 
 /// Position of a node at the time of the last step's stresses, which is one step before that of its displacement, m.
-fn position(model: &Model, state: &StateView, node: usize) -> Option<[f64; 2]> {
+fn position(model: &Model, state: &StateView, node: usize) -> Option<[Real; 2]> {
     let dt = model.constants.dt;
     let (rest, moved, velocity) =
         (at(model.reference_position(), node)?, at(state.displacement(), node)?, at(state.velocity(), node)?);
     Some([rest[0] + (moved[0] - dt * velocity[0]), rest[1] + (moved[1] - dt * velocity[1])])
 }
 
-fn at(arrays: [&[f64]; 2], node: usize) -> Option<[f64; 2]> {
+fn at(arrays: [&[Real]; 2], node: usize) -> Option<[Real; 2]> {
     let [x, y] = arrays;
     Some([*x.get(node)?, *y.get(node)?])
 }

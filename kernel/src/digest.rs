@@ -2,6 +2,8 @@
 //!
 //! It detects change and corruption; it is no protection against an adversary.
 
+use crate::real::{self, Real};
+
 /// A running digest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Digest(u64);
@@ -25,8 +27,8 @@ impl Digest {
     }
 
     /// Takes in the bits of a number.
-    pub fn number(&mut self, number: f64) {
-        self.word(number.to_bits());
+    pub fn number(&mut self, number: Real) {
+        self.word(real::to_word(number));
     }
 
     /// The digest so far.
@@ -41,7 +43,7 @@ impl Default for Digest {
     }
 }
 
-#[cfg(test)]
+#[cfg(all(test, not(feature = "single")))]
 mod tests {
     use super::*;
 

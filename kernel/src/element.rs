@@ -12,6 +12,7 @@ use crate::material::relaxation::Overstress;
 use crate::material::tear::Tear;
 use crate::math;
 use crate::mesh::out_of_plane;
+use crate::real::Real;
 use crate::scenario::Scenario;
 use crate::stretch::IsochoricStretch;
 
@@ -171,7 +172,7 @@ impl Kinematics {
 
     /// C-bar = U-bar^2 of lane `l`: components 11, 22, 12, 33.
     #[inline(always)]
-    pub fn isochoric_cauchy_green(&self, l: usize) -> [f64; 4] {
+    pub fn isochoric_cauchy_green(&self, l: usize) -> [Real; 4] {
         let IsochoricStretch { u11, u22, u12, u33 } = self.isochoric_stretch(l);
         [u11 * u11 + u12 * u12, u22 * u22 + u12 * u12, u12 * (u11 + u22), u33 * u33]
     }
@@ -488,16 +489,16 @@ fn add_hoop_force(u33: &Lane, hoop_stress: &Lane, weight: &[Lane; 4], force: &mu
 /// Constants of one triangle of one cell, before they are put into lanes.
 pub(crate) struct Triangle {
     /// dN_a/dX of the four corners, 1/m.
-    pub gradient: [[f64; 2]; 4],
+    pub gradient: [[Real; 2]; 4],
     /// V0, m3.
-    pub volume: f64,
+    pub volume: Real,
     /// 1/(3 R) for the triangle's corners, 1/m.
-    pub hoop: [f64; 4],
+    pub hoop: [Real; 4],
 }
 
 impl Triangle {
     /// The triangle of three of a cell's four `corners`, m.
-    pub fn new(scenario: &Scenario, corners: &[[f64; 2]; 4], nodes: [usize; 3]) -> Self {
+    pub fn new(scenario: &Scenario, corners: &[[Real; 2]; 4], nodes: [usize; 3]) -> Self {
         // Corners are numbered 0 to 3; the remainder changes nothing and leaves no bound to check.
         let [a, b, c] = nodes.map(|node| corners[node % 4]);
         // The corners run counter-clockwise, so this is positive.
@@ -516,7 +517,7 @@ impl Triangle {
     }
 
     /// Writes the triangle into lane `l`.
-    pub fn store(&self, l: usize, constants: &mut TriangleConstants, patch_volume: f64) {
+    pub fn store(&self, l: usize, constants: &mut TriangleConstants, patch_volume: Real) {
         // Moving the end of an edge moves the corners beyond it, too: those on the right, those on top.
         for j in 0..2 {
             constants.shape_gradient[0][j][l] = self.gradient[1][j] + self.gradient[2][j];

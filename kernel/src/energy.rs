@@ -16,6 +16,7 @@ use crate::face::Contact;
 use crate::impactor::{Prediction, StepInput};
 use crate::lanes::sum;
 use crate::model::Model;
+use crate::real::Real;
 use crate::scenario::Motion;
 
 /// Numbers of a [`Ledger`] in a snapshot.
@@ -25,33 +26,33 @@ pub(crate) const LEDGER_WORDS: usize = 15;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ledger {
     /// Kinetic energy of a falling impactor.
-    pub impactor_kinetic: f64,
+    pub impactor_kinetic: Real,
     /// Kinetic energy of the layer.
-    pub layer_kinetic: f64,
+    pub layer_kinetic: Real,
     /// Long-term elastic energy of the layer.
-    pub elastic: f64,
+    pub elastic: Real,
     /// Work done on the viscous overstress: dissipated, or still stored in its springs.
-    pub viscous: f64,
+    pub viscous: Real,
     /// Dissipation of the dashpots by the moduli at rest, not a term of the sum: exact for additive terms and at small
     /// strain, too high where a quasi-linear law stiffens.
-    pub viscous_dissipation: f64,
+    pub viscous_dissipation: Real,
     /// Energy in the damping springs.
-    pub slider_stored: f64,
+    pub slider_stored: Real,
     /// Energy dissipated by the sliders.
-    pub slider_dissipation: f64,
+    pub slider_dissipation: Real,
     /// Energy dissipated by tearing.
-    pub tear: f64,
+    pub tear: Real,
     /// Energy dissipated by friction under the face and on the core.
-    pub friction: f64,
+    pub friction: Real,
     /// Energy lost in catching nodes at the face and on the core.
-    pub contact: f64,
+    pub contact: Real,
     /// Energy brought in: kinetic energy at the start, work of gravity and of the external force, or the work of the
     /// drive.
-    pub external: f64,
+    pub external: Real,
     /// Power of the dashpots after the last step, W.
-    viscous_power: f64,
+    viscous_power: Real,
     /// The halves of this step's works that belong to the time after its forces: friction, contact, external.
-    pending: [f64; 3],
+    pending: [Real; 3],
 }
 
 impl Ledger {
@@ -80,7 +81,7 @@ impl Ledger {
     }
 
     /// What was brought in and is not accounted for, J.
-    pub fn residual(&self) -> f64 {
+    pub fn residual(&self) -> Real {
         let found = self.impactor_kinetic
             + self.layer_kinetic
             + self.elastic
@@ -94,7 +95,7 @@ impl Ledger {
     }
 
     /// Every number, for snapshots.
-    pub(crate) fn words_mut(&mut self) -> [&mut f64; LEDGER_WORDS] {
+    pub(crate) fn words_mut(&mut self) -> [&mut Real; LEDGER_WORDS] {
         let [friction, contact, external] = &mut self.pending;
         [
             &mut self.impactor_kinetic,
@@ -121,9 +122,9 @@ pub(crate) struct StepWork<'w> {
     pub element: &'w ElementEnergy,
     pub face: &'w Contact,
     pub core: &'w Contact,
-    pub layer_kinetic: f64,
+    pub layer_kinetic: Real,
     /// Velocity of the impactor before and after the forces, m/s.
-    pub impactor_velocity: [f64; 2],
+    pub impactor_velocity: [Real; 2],
     pub prediction: &'w Prediction,
     pub input: &'w StepInput,
 }
@@ -157,13 +158,13 @@ impl Ledger {
 }
 
 /// A pair of half-step works, at the face and the core together.
-fn halves(work: &StepWork, which: fn(&Contact) -> [f64; 2]) -> [f64; 2] {
+fn halves(work: &StepWork, which: fn(&Contact) -> [Real; 2]) -> [Real; 2] {
     let (face, core) = (which(work.face), which(work.core));
     [face[0] + core[0], face[1] + core[1]]
 }
 
 /// Work of the forces from outside in the half steps before and after, J.
-fn external_work(model: &Model, work: &StepWork) -> [f64; 2] {
+fn external_work(model: &Model, work: &StepWork) -> [Real; 2] {
     let impactor = &model.constants.scenario.impactor;
     let force = if work.prediction.free {
         work.input.external_force - impactor.mass * impactor.gravity

@@ -3,6 +3,7 @@
 use core::fmt;
 
 use crate::decimal::Decimal;
+use crate::real::Real;
 use crate::scenario::ElasticLaw;
 
 /// A parameter value that is not legal.
@@ -11,17 +12,17 @@ pub struct ParameterError {
     /// Name of the parameter.
     pub name: &'static str,
     /// The refused value.
-    pub value: f64,
+    pub value: Real,
     /// Unit of the value.
     pub unit: &'static str,
     /// Smallest legal value.
-    pub min: f64,
+    pub min: Real,
     /// Largest legal value.
-    pub max: f64,
+    pub max: Real,
 }
 
 /// Shows a quantity with its unit; "1" is not shown.
-struct Quantity(f64, &'static str);
+struct Quantity(Real, &'static str);
 
 impl fmt::Display for Quantity {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -52,7 +53,7 @@ pub enum ScenarioError {
         /// Group of the layer's parameters.
         layer: &'static str,
         /// sum g_i.
-        sum: f64,
+        sum: Real,
     },
     /// The elastic law has no positive shear modulus at rest.
     ShearModulus {
@@ -61,35 +62,35 @@ pub enum ScenarioError {
         /// The law.
         law: ElasticLaw,
         /// Its shear modulus at rest, Pa.
-        modulus: f64,
+        modulus: Real,
     },
     /// The material would be torn before the test.
     TearStretch {
         /// Group of the layer's parameters.
         layer: &'static str,
         /// Stretch at which it begins to tear.
-        stretch: f64,
+        stretch: Real,
     },
     /// A skin with a material of its own has next to no thickness.
     SkinTooThin {
         /// Thickness of the skin, m.
-        thickness: f64,
+        thickness: Real,
         /// Smallest legal thickness, m.
-        minimum: f64,
+        minimum: Real,
     },
     /// The face does not cover the anvil, so the chord thickness ends inside the section.
     FaceTooSmall {
         /// Diameter of the face, m.
-        diameter: f64,
+        diameter: Real,
         /// Smallest legal diameter for this anvil, m.
-        minimum: f64,
+        minimum: Real,
     },
     /// A full section of a body of revolution.
     FullAxisymmetric,
     /// An impactor beside the centre line of a half section.
     OffsetOfHalf {
         /// Distance from the centre line, m.
-        offset: f64,
+        offset: Real,
     },
 }
 
@@ -155,21 +156,21 @@ pub enum ModelError {
     /// The mesh would have more cells than [`crate::mesh::MAX_CELLS`].
     TooManyCells {
         /// Cells that the element size asks for.
-        cells: f64,
+        cells: Real,
     },
     /// The stable step is below the smallest divisor of the sampling interval that is offered.
     StepTooSmall {
         /// Stable step, s.
-        step: f64,
+        step: Real,
         /// Smallest step, s.
-        smallest: f64,
+        smallest: Real,
     },
     /// The given step is above the stability limit at rest.
     StepTooLarge {
         /// Given step, s.
-        step: f64,
+        step: Real,
         /// Stability limit, s.
-        limit: f64,
+        limit: Real,
     },
     /// A triangle without area, or with its corners in the wrong order.
     NoArea {
@@ -232,25 +233,25 @@ pub enum StepError {
         /// Index of the triangle.
         element: u32,
         /// Simulated time, s.
-        time: f64,
+        time: Real,
     },
     /// The step exceeds the current stability limit of a triangle.
     Unstable {
         /// Index of the triangle.
         element: u32,
         /// Simulated time, s.
-        time: f64,
+        time: Real,
         /// Stability limit there, s.
-        limit: f64,
+        limit: Real,
         /// The fixed step, s.
-        step: f64,
+        step: Real,
     },
     /// The input of a step (driven position, m, or external force, N) is not a finite number.
     Input {
         /// The refused value.
-        value: f64,
+        value: Real,
         /// Simulated time, s.
-        time: f64,
+        time: Real,
     },
 }
 

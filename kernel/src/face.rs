@@ -11,6 +11,7 @@ use crate::impactor::Prediction;
 use crate::lanes::{LANES, ZERO, load, store, subtract_at, sum};
 use crate::math;
 use crate::model::Model;
+use crate::real::Real;
 use crate::state::State;
 
 /// Passes of the search for the touching nodes. The end position of the face rises with each, from below, by the ratio
@@ -22,11 +23,11 @@ const PASSES: usize = 4;
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Contact {
     /// Sum of the normal forces, N.
-    pub normal_force: f64,
+    pub normal_force: Real,
     /// Energy lost in catching nodes, in the half step before and the half step after the forces, J.
-    pub catching: [f64; 2],
+    pub catching: [Real; 2],
     /// Energy lost in sliding, likewise, J.
-    pub sliding: [f64; 2],
+    pub sliding: [Real; 2],
 }
 
 /// Adds the contact forces to the forces of the surface nodes and returns what they did.
@@ -71,14 +72,14 @@ fn free_heights(model: &Model, state: &mut State) {
 }
 
 /// A height that no face reaches, m.
-const FAR_BELOW: f64 = -1e30;
+const FAR_BELOW: Real = -1e30;
 
 /// Height of the face at the end of the step, m, over surface nodes of `mass` and `free_height`.
 ///
 /// It is the root z of M (z - z_free) = sum m_i max(0, y_i - z), a concave rising function: Newton's method climbs to
 /// it from z_free through a shrinking set of touching nodes.
 #[inline(always)]
-fn face_position(impactor_mass: f64, mass: &[f64], free_height: &[f64], prediction: &Prediction) -> f64 {
+fn face_position(impactor_mass: Real, mass: &[Real], free_height: &[Real], prediction: &Prediction) -> Real {
     let mut position = prediction.position;
     if !prediction.free {
         return position;
@@ -100,7 +101,7 @@ fn face_position(impactor_mass: f64, mass: &[f64], free_height: &[f64], predicti
 
 /// The force that brings each penetrating node back to the face within the step; returns their sum in index order.
 #[inline(always)]
-fn normal_forces(dt: f64, mass: &[f64], state: &mut State, top: usize, face: f64) -> f64 {
+fn normal_forces(dt: Real, mass: &[Real], state: &mut State, top: usize, face: Real) -> Real {
     let inverse_dt_squared = 1.0 / (dt * dt);
     let mut total = ZERO;
     for index in (0..state.nodes.contact_normal.len()).step_by(LANES) {
@@ -119,7 +120,7 @@ fn normal_forces(dt: f64, mass: &[f64], state: &mut State, top: usize, face: f64
 
 /// Friction of the surface nodes, and the energy that it and the normal forces take in this step.
 #[inline(always)]
-fn slide(model: &Model, state: &mut State, top: usize, face: [f64; 2], contact: &mut Contact) {
+fn slide(model: &Model, state: &mut State, top: usize, face: [Real; 2], contact: &mut Contact) {
     let (fixed, nodes) = (&model.nodes, &mut state.nodes);
     let dt = model.constants.dt;
     let (inverse_dt, coefficient) = (1.0 / dt, model.constants.scenario.face.friction_coefficient);
@@ -152,7 +153,7 @@ fn slide(model: &Model, state: &mut State, top: usize, face: [f64; 2], contact: 
 
 /// `force`, its size limited to `limit`.
 #[inline(always)]
-pub(crate) fn limited(force: f64, limit: f64) -> f64 {
+pub(crate) fn limited(force: Real, limit: Real) -> Real {
     if force > limit {
         limit
     } else if force < -limit {

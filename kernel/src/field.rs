@@ -2,6 +2,7 @@
 
 use crate::deformation;
 use crate::model::Model;
+use crate::real::Real;
 use crate::state_view::StateView;
 use crate::stress::Stress;
 use crate::surface;
@@ -21,7 +22,7 @@ pub enum Place {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Strided<'a> {
     /// The numbers, with padding between rows.
-    pub data: &'a [f64],
+    pub data: &'a [Real],
     /// Numbers from one row to the next.
     pub row_stride: usize,
 }
@@ -30,9 +31,9 @@ pub struct Strided<'a> {
 #[derive(Clone, Copy)]
 pub enum Source {
     /// They lie in memory, an array per component.
-    Stored(for<'a> fn(&Model<'a>, &StateView<'a>) -> [&'a [f64]; 2]),
+    Stored(for<'a> fn(&Model<'a>, &StateView<'a>) -> [&'a [Real]; 2]),
     /// They are computed from row, column and component.
-    Computed(fn(&Model, &StateView, usize, usize, usize) -> Option<f64>),
+    Computed(fn(&Model, &StateView, usize, usize, usize) -> Option<Real>),
 }
 
 /// One row of the table.
@@ -55,7 +56,7 @@ const fn stored(
     name: &'static str,
     unit: &'static str,
     place: Place,
-    source: for<'a> fn(&Model<'a>, &StateView<'a>) -> [&'a [f64]; 2],
+    source: for<'a> fn(&Model<'a>, &StateView<'a>) -> [&'a [Real]; 2],
     description: &'static str,
 ) -> Field {
     Field { name, unit, description, place, components: 2, source: Source::Stored(source) }
@@ -66,7 +67,7 @@ const fn computed(
     unit: &'static str,
     place: Place,
     components: usize,
-    source: fn(&Model, &StateView, usize, usize, usize) -> Option<f64>,
+    source: fn(&Model, &StateView, usize, usize, usize) -> Option<Real>,
     description: &'static str,
 ) -> Field {
     Field { name, unit, description, place, components, source: Source::Computed(source) }
@@ -167,7 +168,7 @@ impl Field {
     }
 
     /// One number; none outside the shape.
-    pub fn value(&self, model: &Model, state: &StateView, row: usize, column: usize, component: usize) -> Option<f64> {
+    pub fn value(&self, model: &Model, state: &StateView, row: usize, column: usize, component: usize) -> Option<Real> {
         let [rows, columns] = self.shape(model);
         if row >= rows || column >= columns || component >= self.components {
             return None;
@@ -187,7 +188,7 @@ impl Field {
     }
 }
 
-fn position(model: &Model, state: &StateView, row: usize, column: usize, component: usize) -> Option<f64> {
+fn position(model: &Model, state: &StateView, row: usize, column: usize, component: usize) -> Option<Real> {
     let node = row * model.constants.grid.stride() + column;
     let (rest, displacement) = (model.reference_position(), state.displacement());
     Some(rest.get(component)?.get(node)? + displacement.get(component)?.get(node)?)

@@ -3,26 +3,27 @@
 use crate::error::StepError;
 use crate::model::Model;
 use crate::prescribed;
+use crate::real::Real;
 use crate::scenario::Motion;
 
 /// What acts on the impactor from outside during one step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct StepInput {
     /// Upward force on a falling impactor besides gravity and contact, N.
-    pub external_force: f64,
+    pub external_force: Real,
     /// Height of the face of a driven impactor above the undeformed anvil at the end of the step, m.
-    pub driven_position: f64,
+    pub driven_position: Real,
 }
 
 /// Motion of the impactor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ImpactorState {
     /// Height of the face above the undeformed anvil's top, m; negative while it presses.
-    pub position: f64,
+    pub position: Real,
     /// Velocity half a step back, m/s, upwards.
-    pub velocity_half: f64,
+    pub velocity_half: Real,
     /// Acceleration in the last step, m/s2, upwards.
-    pub acceleration: f64,
+    pub acceleration: Real,
 }
 
 impl ImpactorState {
@@ -37,12 +38,12 @@ impl ImpactorState {
     }
 
     /// Velocity at the current time, m/s, upwards: exact under constant acceleration.
-    pub fn velocity(&self, dt: f64) -> f64 {
+    pub fn velocity(&self, dt: Real) -> Real {
         self.velocity_half + 0.5 * dt * self.acceleration
     }
 
     /// Depth of the face below the undeformed anvil's top, m; 0 above it.
-    pub fn deformation(&self) -> f64 {
+    pub fn deformation(&self) -> Real {
         if self.position < 0.0 { -self.position } else { 0.0 }
     }
 
@@ -64,14 +65,14 @@ impl ImpactorState {
     }
 
     /// The end of a step that leads to `position`, whatever the contact.
-    fn moved_to(&self, position: f64, dt: f64) -> Prediction {
+    fn moved_to(&self, position: Real, dt: Real) -> Prediction {
         let velocity = (position - self.position) / dt;
         let acceleration = (velocity - self.velocity_half) / dt;
         Prediction { position, velocity, acceleration, free: false }
     }
 
     /// Completes the step with the contact force on the section, N.
-    pub(crate) fn advance(&mut self, model: &Model, prediction: &Prediction, section_force: f64) {
+    pub(crate) fn advance(&mut self, model: &Model, prediction: &Prediction, section_force: Real) {
         let dt = model.constants.dt;
         self.acceleration = prediction.acceleration;
         self.velocity_half = prediction.velocity;
@@ -90,18 +91,18 @@ impl ImpactorState {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Prediction {
     /// Height of the face, m.
-    pub position: f64,
+    pub position: Real,
     /// Velocity during the step, m/s.
-    pub velocity: f64,
+    pub velocity: Real,
     /// Acceleration without contact, m/s2.
-    pub acceleration: f64,
+    pub acceleration: Real,
     /// Whether contact can change it.
     pub free: bool,
 }
 
 impl StepInput {
     /// Refuses values that are not finite.
-    pub(crate) fn check(&self, time: f64) -> Result<(), StepError> {
+    pub(crate) fn check(&self, time: Real) -> Result<(), StepError> {
         for value in [self.external_force, self.driven_position] {
             if !value.is_finite() {
                 return Err(StepError::Input { value, time });

@@ -4,11 +4,13 @@
 //! [`Lane`] compiles to vector instructions of whatever width the target has. The width of the hardware changes
 //! nothing in the result: no operation crosses lanes except sums that are written out in index order.
 
+use crate::real::Real;
+
 /// Number of cells in a block. A constant of the data layout, not of the hardware.
 pub const LANES: usize = 8;
 
 /// One quantity of the cells of a block.
-pub type Lane = [f64; LANES];
+pub type Lane = [Real; LANES];
 
 /// A lane of zeros.
 pub const ZERO: Lane = [0.0; LANES];
@@ -42,27 +44,27 @@ impl Deviator {
 
     /// The double contraction a : b of lane `l`, with the zz components.
     #[inline(always)]
-    pub fn contract(&self, other: &Self, l: usize) -> f64 {
+    pub fn contract(&self, other: &Self, l: usize) -> Real {
         contract([self.xx[l], self.yy[l], self.xy[l]], [other.xx[l], other.yy[l], other.xy[l]])
     }
 }
 
 /// a : b of two deviators given as (xx, yy, xy).
 #[inline(always)]
-pub fn contract(a: [f64; 3], b: [f64; 3]) -> f64 {
+pub fn contract(a: [Real; 3], b: [Real; 3]) -> Real {
     let (sum, shear) = (b[0] + b[1], a[2] * b[2]);
     a[0] * (b[0] + sum) + a[1] * (b[1] + sum) + (shear + shear)
 }
 
 /// The sum of a lane, in index order.
 #[inline(always)]
-pub fn sum(lane: &Lane) -> f64 {
+pub fn sum(lane: &Lane) -> Real {
     lane.iter().fold(0.0, |total, value| total + value)
 }
 
 /// The lane that starts at `index` of `row`; zeros past its end, which the sizes of [`crate::mesh::Grid`] exclude.
 #[inline(always)]
-pub fn load(row: &[f64], index: usize) -> Lane {
+pub fn load(row: &[Real], index: usize) -> Lane {
     match row.get(index..).and_then(|tail| tail.first_chunk::<LANES>()) {
         Some(chunk) => *chunk,
         None => ZERO,
@@ -71,7 +73,7 @@ pub fn load(row: &[f64], index: usize) -> Lane {
 
 /// Writes `value` to the lane that starts at `index` of `row`.
 #[inline(always)]
-pub fn store(row: &mut [f64], index: usize, value: &Lane) {
+pub fn store(row: &mut [Real], index: usize, value: &Lane) {
     if let Some(chunk) = row.get_mut(index..).and_then(|tail| tail.first_chunk_mut::<LANES>()) {
         *chunk = *value;
     }
@@ -79,7 +81,7 @@ pub fn store(row: &mut [f64], index: usize, value: &Lane) {
 
 /// Subtracts `value` from the lane that starts at `index` of `row`.
 #[inline(always)]
-pub fn subtract_at(row: &mut [f64], index: usize, value: &Lane) {
+pub fn subtract_at(row: &mut [Real], index: usize, value: &Lane) {
     if let Some(chunk) = row.get_mut(index..).and_then(|tail| tail.first_chunk_mut::<LANES>()) {
         for l in 0..LANES {
             chunk[l] -= value[l];

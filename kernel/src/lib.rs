@@ -11,12 +11,16 @@
 //! 4. [`output`] and [`field`] are the tables of what can be read ([`stress`], [`surface`]); [`snapshot`] saves and
 //!    restores a state, [`digest`] fingerprints it.
 //! 5. [`lanes`], [`stretch`] and [`math`] are the ground: data in lanes, and mathematics with a fixed sequence of
-//!    operations.
+//!    operations; [`real`] says in which precision.
 //!
 //! No function allocates or panics, and none reads anything but its arguments.
 
 #![no_std]
 #![forbid(unsafe_code)]
+#![cfg_attr(
+    feature = "single",
+    allow(clippy::excessive_precision, reason = "constants have the digits of double precision")
+)]
 #![allow(clippy::needless_range_loop, reason = "loops over lanes read as what they compile to")]
 
 #[cfg(all(target_arch = "x86", not(target_feature = "sse2")))]
@@ -48,6 +52,7 @@ pub mod output;
 pub mod parameter;
 pub mod prescribed;
 pub mod preset;
+pub mod real;
 pub mod scenario;
 #[cfg(feature = "alloc")]
 pub mod simulation;

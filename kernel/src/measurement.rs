@@ -7,6 +7,7 @@
 use crate::cfc::Filter;
 use crate::digest::Digest;
 use crate::model::{Constants, SAMPLING_INTERVAL};
+use crate::real::Real;
 use crate::state::Forces;
 
 /// One sample.
@@ -15,9 +16,9 @@ pub struct Sample {
     /// Samples taken up to and including this one; it ends at this many [`SAMPLING_INTERVAL`]s.
     pub number: u64,
     /// Mean contact force on the impactor over the interval, N.
-    pub contact_force: f64,
+    pub contact_force: Real,
     /// Mean force of the layer on the core over the interval, N.
-    pub core_reaction: f64,
+    pub core_reaction: Real,
 }
 
 /// Averages the forces of the steps over the sampling intervals.
@@ -47,14 +48,14 @@ impl Sampler {
     };
 
     /// Takes in one step; returns the sample that it completes.
-    pub(crate) fn take(&mut self, constants: &Constants, force: &Forces, position: f64) -> Option<Sample> {
+    pub(crate) fn take(&mut self, constants: &Constants, force: &Forces, position: Real) -> Option<Sample> {
         self.steps += 1;
         self.sum.contact += force.contact;
         self.sum.core_reaction += force.core_reaction;
         if self.steps < constants.steps_per_sample {
             return None;
         }
-        let count = f64::from(constants.steps_per_sample);
+        let count = constants.steps_per_sample as Real;
         self.last = Sample {
             number: self.last.number + 1,
             contact_force: self.sum.contact / count,
@@ -76,17 +77,17 @@ impl Sampler {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Metrics {
     /// Largest sample of the contact force, N.
-    pub peak_force: f64,
+    pub peak_force: Real,
     /// Largest depth of the face below the undeformed anvil, m.
-    pub max_deformation: f64,
+    pub max_deformation: Real,
     /// Impulse of the contact force, N s.
-    pub impulse: f64,
+    pub impulse: Real,
     /// Speed of the impactor before the first contact, m/s, downwards.
-    pub impact_speed: f64,
+    pub impact_speed: Real,
     /// Speed of the impactor after the last step with contact, m/s, upwards.
-    pub rebound_speed: f64,
+    pub rebound_speed: Real,
     /// Time from the first to the last step with contact, s.
-    pub contact_time: f64,
+    pub contact_time: Real,
     /// Number of the first sample at or above the force threshold; 0 before it.
     pub(crate) first_sample: u64,
     /// Number of the last sample at or above the force threshold; 0 before it.
@@ -110,15 +111,15 @@ impl Metrics {
     };
 
     /// Time covered by the samples from the first to the last one at or above the force threshold, s.
-    pub fn impact_duration(&self) -> f64 {
+    pub fn impact_duration(&self) -> Real {
         match self.first_sample {
             0 => 0.0,
-            first => (self.last_sample - first + 1) as f64 * SAMPLING_INTERVAL,
+            first => (self.last_sample - first + 1) as Real * SAMPLING_INTERVAL,
         }
     }
 
     /// Rebound speed over impact speed; 0 before contact.
-    pub fn restitution(&self) -> f64 {
+    pub fn restitution(&self) -> Real {
         if self.impact_speed > 0.0 { self.rebound_speed / self.impact_speed } else { 0.0 }
     }
 
@@ -127,9 +128,9 @@ impl Metrics {
         &mut self,
         constants: &Constants,
         step_index: u64,
-        force: f64,
-        velocity: [f64; 2],
-        depth: f64,
+        force: Real,
+        velocity: [Real; 2],
+        depth: Real,
     ) {
         self.max_deformation = crate::math::larger(self.max_deformation, depth);
         if force <= 0.0 {
@@ -145,7 +146,7 @@ impl Metrics {
     }
 
     /// Takes in one sample.
-    pub(crate) fn take_sample(&mut self, sample: &Sample, threshold: f64) {
+    pub(crate) fn take_sample(&mut self, sample: &Sample, threshold: Real) {
         self.peak_force = crate::math::larger(self.peak_force, sample.contact_force);
         if sample.contact_force >= threshold && sample.contact_force > 0.0 {
             if self.first_sample == 0 {

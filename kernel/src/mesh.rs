@@ -9,6 +9,7 @@
 use crate::error::ModelError;
 use crate::lanes::LANES;
 use crate::math;
+use crate::real::Real;
 use crate::scenario::{Formulation, Layers, Scenario, Section, Shape};
 
 /// Largest number of cells of a mesh.
@@ -41,14 +42,14 @@ impl Grid {
             Shape::Round => HALF_PI * (geometry.core_radius + 0.5 * thickness),
             Shape::Block => 0.5 * geometry.block_width,
         };
-        let count = |length: f64| math::larger(1.0, math::round(length / scenario.mesh.element_size));
+        let count = |length: Real| math::larger(1.0, math::round(length / scenario.mesh.element_size));
         let [silicone, skin] = match geometry.layers {
             Layers::One => [count(thickness), 0.0],
             Layers::Two => [count(geometry.silicone_thickness), count(geometry.skin_thickness)],
         };
         let halves = if geometry.section == Section::Full { 2.0 } else { 1.0 };
         let cells = halves * count(width) * (silicone + skin);
-        if cells > MAX_CELLS as f64 {
+        if cells > MAX_CELLS as Real {
             return Err(ModelError::TooManyCells { cells });
         }
         let half = count(width) as usize;
@@ -100,9 +101,9 @@ impl Grid {
 }
 
 /// Position of node (u, v) at rest, m.
-pub fn reference_position(scenario: &Scenario, grid: &Grid, u: usize, v: usize) -> [f64; 2] {
+pub fn reference_position(scenario: &Scenario, grid: &Grid, u: usize, v: usize) -> [Real; 2] {
     let geometry = &scenario.geometry;
-    let across = (u as f64 - grid.centre as f64) / (grid.n_u - grid.centre) as f64;
+    let across = (u as Real - grid.centre as Real) / (grid.n_u - grid.centre) as Real;
     let depth = height_over_core(scenario, grid, v);
     match geometry.shape {
         Shape::Round => {
@@ -115,9 +116,9 @@ pub fn reference_position(scenario: &Scenario, grid: &Grid, u: usize, v: usize) 
 }
 
 /// Height of row `v` of nodes over the core at rest, m.
-fn height_over_core(scenario: &Scenario, grid: &Grid, v: usize) -> f64 {
+fn height_over_core(scenario: &Scenario, grid: &Grid, v: usize) -> Real {
     let geometry = &scenario.geometry;
-    let part = |row: usize, rows: usize| row as f64 / rows as f64;
+    let part = |row: usize, rows: usize| row as Real / rows as Real;
     match geometry.layers {
         Layers::One => geometry.layer_thickness() * part(v, grid.n_v),
         Layers::Two if v <= grid.n_v_silicone => geometry.silicone_thickness * part(v, grid.n_v_silicone),
@@ -130,10 +131,10 @@ fn height_over_core(scenario: &Scenario, grid: &Grid, v: usize) -> f64 {
 
 /// Reference volume per area of section at `x` from the centre line, m: the out-of-plane thickness in plane
 /// strain, the circumference when axisymmetric.
-pub fn out_of_plane(scenario: &Scenario, x: f64) -> f64 {
+pub fn out_of_plane(scenario: &Scenario, x: Real) -> Real {
     let geometry = &scenario.geometry;
     match (geometry.formulation, geometry.shape) {
-        (Formulation::Axisymmetric, _) => 2.0 * core::f64::consts::PI * x,
+        (Formulation::Axisymmetric, _) => 2.0 * crate::real::consts::PI * x,
         (Formulation::PlaneStrain, Shape::Block) => geometry.length,
         (Formulation::PlaneStrain, Shape::Round) => {
             let radius = 0.5 * scenario.impactor.face_diameter;
@@ -160,4 +161,4 @@ pub fn triangles(grid: &Grid, u: usize, v: usize) -> [[usize; 3]; 2] {
     if rising { [[0, 1, 2], [0, 2, 3]] } else { [[0, 1, 3], [1, 2, 3]] }
 }
 
-const HALF_PI: f64 = core::f64::consts::FRAC_PI_2;
+const HALF_PI: Real = crate::real::consts::FRAC_PI_2;

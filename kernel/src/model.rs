@@ -8,14 +8,15 @@ use crate::lanes::LANES;
 use crate::material::Laws;
 use crate::mesh::{Grid, reference_position, triangles};
 use crate::parameter::PARAMETERS;
+use crate::real::{self, Real};
 use crate::scenario::{Formulation, Interface, MAX_LAYERS, Scenario, Section, Shape};
 use crate::storage::{MODEL_NODE_FIELDS, ModelMemory, Size, split_row, take};
 use crate::time_step;
 
 /// Samples of the force per second: those of the study's load cells.
-pub const SAMPLING_RATE: f64 = 20e3;
+pub const SAMPLING_RATE: Real = 20e3;
 /// Interval between samples of the force, s.
-pub const SAMPLING_INTERVAL: f64 = 1.0 / SAMPLING_RATE;
+pub const SAMPLING_INTERVAL: Real = 1.0 / SAMPLING_RATE;
 
 /// The scalar constants of a model.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,7 +28,7 @@ pub struct Constants {
     /// Sizes of the memory of model and state.
     pub size: Size,
     /// Fixed time step, s.
-    pub dt: f64,
+    pub dt: Real,
     /// Steps in a sampling interval; `dt` times it is [`SAMPLING_INTERVAL`].
     pub steps_per_sample: u32,
     /// Channel filter of the contact force.
@@ -35,16 +36,16 @@ pub struct Constants {
     /// Laws of silicone and skin.
     pub laws: [Laws; MAX_LAYERS],
     /// Forces of the whole anvil per force of the meshed section: 2 in plane strain, which meshes one half.
-    pub section_factor: f64,
+    pub section_factor: Real,
     /// Height of the undeformed anvil's top above the origin, m.
-    pub top_height: f64,
+    pub top_height: Real,
     /// Fingerprint of the scenario, which a snapshot must match.
     pub fingerprint: u64,
 }
 
 impl Constants {
     /// Mass of the impactor that belongs to the meshed section, kg.
-    pub fn section_mass(&self) -> f64 {
+    pub fn section_mass(&self) -> Real {
         self.scenario.impactor.mass / self.section_factor
     }
 
@@ -60,16 +61,16 @@ impl Constants {
     }
 
     /// Simulated time after `step_index` steps, s: whole sampling intervals and the steps beyond them.
-    pub fn time(&self, step_index: u64) -> f64 {
+    pub fn time(&self, step_index: u64) -> Real {
         let per_sample = u64::from(self.steps_per_sample).max(1);
         // A quotient, so that the time of a sample is the double nearest to it.
-        (step_index / per_sample) as f64 / SAMPLING_RATE + (step_index % per_sample) as f64 * self.dt
+        (step_index / per_sample) as Real / SAMPLING_RATE + (step_index % per_sample) as Real * self.dt
     }
 
     /// Steps that cover `duration` s, rounded up to whole sampling intervals.
-    pub fn steps_in(&self, duration: f64) -> u64 {
+    pub fn steps_in(&self, duration: Real) -> u64 {
         // A duration within one part in 10^9 of a whole number of samples counts as that number.
-        let samples = crate::math::ceil(duration / SAMPLING_INTERVAL * (1.0 - 1e-9));
+        let samples = crate::math::ceil(duration / SAMPLING_INTERVAL * (1.0 - real::SAME));
         samples as u64 * u64::from(self.steps_per_sample)
     }
 }
@@ -77,21 +78,21 @@ impl Constants {
 /// Constants of every node, one slice per quantity, rows of [`Grid::stride`].
 pub(crate) struct ModelNodes<'a> {
     /// Reference x, m.
-    pub reference_x: &'a [f64],
+    pub reference_x: &'a [Real],
     /// Reference height above the origin, m.
-    pub reference_y: &'a [f64],
+    pub reference_y: &'a [Real],
     /// 1/m along x, 1/kg; 0 where fixed.
-    pub inverse_mass_x: &'a [f64],
+    pub inverse_mass_x: &'a [Real],
     /// 1/m along y, 1/kg; 0 where fixed.
-    pub inverse_mass_y: &'a [f64],
+    pub inverse_mass_y: &'a [Real],
     /// Lumped mass, kg.
-    pub nodal_mass: &'a [f64],
+    pub nodal_mass: &'a [Real],
 }
 
 /// The immutable part of a simulation. One model may serve any number of states at once.
 pub struct Model<'a> {
     /// Scalar constants.
-    pub constants: Constants,
+    pub constants: &'a Constants,
     pub(crate) nodes: ModelNodes<'a>,
     pub(crate) cells: &'a [CellConstants],
     pub(crate) hoops: &'a [HoopConstants],
@@ -114,7 +115,7 @@ impl<'a> Model<'a> {
     /// As [`Model::new`], and a cell without area.
     pub fn with_positions(
         scenario: &Scenario,
-        position: &dyn Fn(usize, usize) -> [f64; 2],
+        position: &dyn Fn(usize, usize) -> [Real; 2],
         memory: ModelMemory<'a>,
     ) -> Result<Self, ModelError> {
         let size = Size::of(scenario)?;
@@ -125,7 +126,7 @@ impl<'a> Model<'a> {
         build_cells(scenario, &grid, position, cells, hoops)?;
         build_nodes(scenario, &grid, position, cells, nodes);
         let steps_per_sample = time_step::steps_per_sample(scenario, &grid, cells, hoops)?;
-        let dt = SAMPLING_INTERVAL / f64::from(steps_per_sample);
+        let dt = SAMPLING_INTERVAL / steps_per_sample as Real;
         let channel = Coefficients::new(scenario.measurement.channel_class, SAMPLING_INTERVAL);
         let constants = Constants {
             scenario: *scenario,
@@ -139,13 +140,13 @@ impl<'a> Model<'a> {
             top_height: position(grid.centre, grid.n_v)[1],
             fingerprint: fingerprint(scenario),
         };
-        Ok(Self::view(constants, nodes, cells, hoops))
+        Ok(Self::view(memory.constants.insert(constants), nodes, cells, hoops))
     }
 
     /// A model over memory that [`Model::new`] filled for the same `constants`.
     pub fn view(
-        constants: Constants,
-        mut nodes: &'a [f64],
+        constants: &'a Constants,
+        mut nodes: &'a [Real],
         cells: &'a [CellConstants],
         hoops: &'a [HoopConstants],
     ) -> Self {
@@ -167,12 +168,12 @@ impl<'a> Model<'a> {
 
     /// Positions of the nodes at rest, m, in rows of [`Grid::stride`] from the core to the surface, the first
     /// `n_u + 1` of each row in use.
-    pub fn reference_position(&self) -> [&[f64]; 2] {
+    pub fn reference_position(&self) -> [&[Real]; 2] {
         [self.nodes.reference_x, self.nodes.reference_y]
     }
 
     /// Volume of all triangles of the section, m3.
-    pub fn reference_volume(&self) -> f64 {
+    pub fn reference_volume(&self) -> Real {
         self.cells
             .iter()
             .flat_map(|cell| &cell.triangle)
@@ -190,7 +191,7 @@ fn fingerprint(scenario: &Scenario) -> u64 {
 }
 
 /// Forces of the whole anvil per force of what is meshed.
-fn section_factor(scenario: &Scenario) -> f64 {
+fn section_factor(scenario: &Scenario) -> Real {
     match (scenario.geometry.formulation, scenario.geometry.section) {
         (Formulation::PlaneStrain, Section::Half) => 2.0,
         _ => 1.0,
@@ -200,7 +201,7 @@ fn section_factor(scenario: &Scenario) -> f64 {
 fn build_cells(
     scenario: &Scenario,
     grid: &Grid,
-    position: &dyn Fn(usize, usize) -> [f64; 2],
+    position: &dyn Fn(usize, usize) -> [Real; 2],
     cells: &mut [CellConstants],
     hoops: &mut [HoopConstants],
 ) -> Result<(), ModelError> {
@@ -243,13 +244,13 @@ const CORNERS: [(usize, usize); 4] = [(0, 0), (1, 0), (1, 1), (0, 1)];
 fn build_nodes(
     scenario: &Scenario,
     grid: &Grid,
-    position: &dyn Fn(usize, usize) -> [f64; 2],
+    position: &dyn Fn(usize, usize) -> [Real; 2],
     cells: &[CellConstants],
-    mut nodes: &mut [f64],
+    mut nodes: &mut [Real],
 ) {
     nodes.fill(0.0);
     let n = grid.n_node();
-    let [x, y, inverse_x, inverse_y, mass]: [&mut [f64]; MODEL_NODE_FIELDS] =
+    let [x, y, inverse_x, inverse_y, mass]: [&mut [Real]; MODEL_NODE_FIELDS] =
         core::array::from_fn(|_| split_row(&mut nodes, n));
     lump_mass(scenario, grid, cells, mass);
     for v in 0..=grid.n_v {
@@ -267,7 +268,7 @@ fn build_nodes(
 }
 
 /// Sets one number; nothing past the end, which the sizes exclude.
-fn put(row: &mut [f64], node: usize, value: f64) {
+fn put(row: &mut [Real], node: usize, value: Real) {
     if let Some(place) = row.get_mut(node) {
         *place = value;
     }
@@ -282,7 +283,7 @@ fn fixed_directions(scenario: &Scenario, u: usize, v: usize) -> [bool; 2] {
 
 /// A quarter of each cell's mass to each of its corners, whichever way its diagonal runs: even masses have the lowest
 /// highest frequency.
-fn lump_mass(scenario: &Scenario, grid: &Grid, cells: &[CellConstants], mass: &mut [f64]) {
+fn lump_mass(scenario: &Scenario, grid: &Grid, cells: &[CellConstants], mass: &mut [Real]) {
     let [silicone, skin] = scenario.layers().map(|layer| layer.material.density);
     for v in 0..grid.n_v {
         let density = if v < grid.n_v_silicone { silicone } else { skin };
@@ -300,7 +301,7 @@ fn lump_mass(scenario: &Scenario, grid: &Grid, cells: &[CellConstants], mass: &m
 }
 
 /// Radius of the curved core surface, m; none for a flat one.
-pub(crate) fn core_radius(scenario: &Scenario) -> Option<f64> {
+pub(crate) fn core_radius(scenario: &Scenario) -> Option<Real> {
     match scenario.geometry.shape {
         Shape::Round => Some(scenario.geometry.core_radius),
         Shape::Block => None,

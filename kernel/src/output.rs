@@ -3,6 +3,7 @@
 //! The C ABI, the FMU and the command line read from this table.
 
 use crate::model::Constants;
+use crate::real::Real;
 use crate::state::Scalars;
 
 /// One row of the table.
@@ -12,7 +13,7 @@ pub struct Output {
     /// SI unit; "1" for ratios.
     pub unit: &'static str,
     /// The value at the current time.
-    pub read: fn(&Constants, &Scalars) -> f64,
+    pub read: fn(&Constants, &Scalars) -> Real,
     /// Meaning, one line.
     pub description: &'static str,
 }
@@ -27,7 +28,7 @@ impl Output {
 const fn output(
     name: &'static str,
     unit: &'static str,
-    read: fn(&Constants, &Scalars) -> f64,
+    read: fn(&Constants, &Scalars) -> Real,
     description: &'static str,
 ) -> Output {
     Output { name, unit, read, description }

@@ -6,6 +6,7 @@ mod material;
 
 use self::material::{SILICONE, SKIN};
 use crate::error::ParameterError;
+use crate::real::Real;
 use crate::scenario::{DropBy, Formulation, Interface, Layers, Motion, Scenario, Section, Shape, StepBy};
 
 /// One row of the table.
@@ -27,11 +28,11 @@ pub enum Kind {
         /// SI unit.
         unit: &'static str,
         /// Smallest legal value.
-        min: f64,
+        min: Real,
         /// Largest legal value.
-        max: f64,
+        max: Real,
         /// The field in a scenario.
-        field: fn(&mut Scenario) -> &mut f64,
+        field: fn(&mut Scenario) -> &mut Real,
     },
     /// One of several named choices, numbered from 0 in this order.
     Choice {
@@ -59,18 +60,18 @@ impl Parameter {
     }
 
     /// Smallest and largest legal value.
-    pub fn range(&self) -> (f64, f64) {
+    pub fn range(&self) -> (Real, Real) {
         match self.kind {
             Kind::Real { min, max, .. } => (min, max),
-            Kind::Choice { labels, .. } => (0.0, labels.len() as f64 - 1.0),
+            Kind::Choice { labels, .. } => (0.0, labels.len() as Real - 1.0),
         }
     }
 
     /// The value in `scenario`; a choice as its index.
-    pub fn get(&self, scenario: &Scenario) -> f64 {
+    pub fn get(&self, scenario: &Scenario) -> Real {
         match self.kind {
             Kind::Real { field, .. } => *field(&mut { *scenario }),
-            Kind::Choice { read, .. } => read(scenario) as f64,
+            Kind::Choice { read, .. } => read(scenario) as Real,
         }
     }
 
@@ -78,7 +79,7 @@ impl Parameter {
     ///
     /// # Errors
     /// A value that is not legal is refused and changes nothing.
-    pub fn set(&self, scenario: &mut Scenario, value: f64) -> Result<(), ParameterError> {
+    pub fn set(&self, scenario: &mut Scenario, value: Real) -> Result<(), ParameterError> {
         self.check(value)?;
         match self.kind {
             Kind::Real { field, .. } => *field(scenario) = value,
@@ -91,12 +92,12 @@ impl Parameter {
     ///
     /// # Errors
     /// The name, value, unit and legal range of a refused value.
-    pub fn check(&self, value: f64) -> Result<(), ParameterError> {
+    pub fn check(&self, value: Real) -> Result<(), ParameterError> {
         let (min, max) = self.range();
         let in_range = value >= min && value <= max;
         let whole = match self.kind {
             Kind::Real { .. } => true,
-            Kind::Choice { .. } => in_range && value as usize as f64 == value,
+            Kind::Choice { .. } => in_range && value as usize as Real == value,
         };
         if in_range && whole {
             return Ok(());
@@ -108,8 +109,8 @@ impl Parameter {
 const fn real(
     name: &'static str,
     unit: &'static str,
-    range: (f64, f64),
-    field: fn(&mut Scenario) -> &mut f64,
+    range: (Real, Real),
+    field: fn(&mut Scenario) -> &mut Real,
     description: &'static str,
 ) -> Parameter {
     Parameter { name, kind: Kind::Real { unit, min: range.0, max: range.1, field }, description }
@@ -356,7 +357,7 @@ const NUMERICS: &[Parameter] = &[
     ),
 ];
 
-#[cfg(test)]
+#[cfg(all(test, not(feature = "single")))]
 mod tests {
     use super::*;
     use crate::preset;

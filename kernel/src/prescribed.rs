@@ -5,10 +5,11 @@
 //! velocity or of acceleration to ring the layer. Between the two the speed is exactly `prescribed_speed`, and the whole
 //! travel of gap + depth takes travel / speed + rise.
 
+use crate::real::Real;
 use crate::scenario::Impactor;
 
 /// Height of the face above the undeformed anvil's top, m, `time` s after the start.
-pub fn height(impactor: &Impactor, time: f64) -> f64 {
+pub fn height(impactor: &Impactor, time: Real) -> Real {
     let (speed, travel) = (impactor.prescribed_speed, impactor.gap + impactor.prescribed_depth);
     let rise = rise(impactor);
     let end = travel / speed + rise;
@@ -24,23 +25,23 @@ pub fn height(impactor: &Impactor, time: f64) -> f64 {
 }
 
 /// Time at which the face comes to rest, s.
-pub fn end(impactor: &Impactor) -> f64 {
+pub fn end(impactor: &Impactor) -> Real {
     (impactor.gap + impactor.prescribed_depth) / impactor.prescribed_speed + rise(impactor)
 }
 
 /// Time over which the speed rises and falls, s: as asked, and at most so long that the speed is reached.
-fn rise(impactor: &Impactor) -> f64 {
+fn rise(impactor: &Impactor) -> Real {
     let longest = (impactor.gap + impactor.prescribed_depth) / impactor.prescribed_speed;
     if impactor.prescribed_rise < longest { impactor.prescribed_rise } else { longest }
 }
 
 /// Integral over time of s^2 (3 - 2 s), s = time / rise, from rest, s; `time` is from 0 to `rise`.
-fn smooth_start(time: f64, rise: f64) -> f64 {
+fn smooth_start(time: Real, rise: Real) -> Real {
     let s = if rise > 0.0 { time / rise } else { 0.0 };
     rise * (s * s * s) * (1.0 - 0.5 * s)
 }
 
-#[cfg(test)]
+#[cfg(all(test, not(feature = "single")))]
 mod tests {
     use super::*;
     use crate::preset;

@@ -6,6 +6,7 @@
 use crate::error::ScenarioError;
 use crate::material::{Elastic, MAX_MAXWELL_TERMS, MAX_OGDEN_TERMS, MAX_PRONY_TERMS};
 use crate::parameter::PARAMETERS;
+use crate::real::Real;
 
 /// Everything that defines a simulation, in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -90,20 +91,20 @@ pub struct Geometry {
     /// Half or full section.
     pub section: Section,
     /// Radius of the rigid core of a round anvil, m.
-    pub core_radius: f64,
+    pub core_radius: Real,
     /// Thickness of the silicone, m.
-    pub silicone_thickness: f64,
+    pub silicone_thickness: Real,
     /// Thickness of the skin on top of it, m.
-    pub skin_thickness: f64,
+    pub skin_thickness: Real,
     /// Largest out-of-plane thickness in plane strain, m.
-    pub length: f64,
+    pub length: Real,
     /// Full width (plane strain) or diameter (axisymmetric) of a block, m.
-    pub block_width: f64,
+    pub block_width: Real,
 }
 
 impl Geometry {
     /// Thickness of the whole soft layer, m.
-    pub fn layer_thickness(&self) -> f64 {
+    pub fn layer_thickness(&self) -> Real {
         self.silicone_thickness + self.skin_thickness
     }
 }
@@ -136,34 +137,34 @@ pub struct Impactor {
     /// Free, driven or prescribed.
     pub motion: Motion,
     /// Mass, kg.
-    pub mass: f64,
+    pub mass: Real,
     /// Diameter of the flat face, m.
-    pub face_diameter: f64,
+    pub face_diameter: Real,
     /// Distance of the face's centre from the centre line, m, to the right (full section).
-    pub offset: f64,
+    pub offset: Real,
     /// Height of the face above the anvil at the start, m.
-    pub gap: f64,
+    pub gap: Real,
     /// Acceleration of gravity on the impactor, m/s2.
-    pub gravity: f64,
+    pub gravity: Real,
     /// Which of the next three counts.
     pub drop_by: DropBy,
     /// Free fall before the start, m: speed sqrt(2 g h).
-    pub drop_height: f64,
+    pub drop_height: Real,
     /// Kinetic energy at the start, J.
-    pub drop_energy: f64,
+    pub drop_energy: Real,
     /// Speed at the start, m/s.
-    pub drop_speed: f64,
+    pub drop_speed: Real,
     /// Speed of the prescribed motion, m/s, downwards.
-    pub prescribed_speed: f64,
+    pub prescribed_speed: Real,
     /// Depth below the undeformed anvil at which it ends, m.
-    pub prescribed_depth: f64,
+    pub prescribed_depth: Real,
     /// Time over which its speed rises at the start and falls at the end, s.
-    pub prescribed_rise: f64,
+    pub prescribed_rise: Real,
 }
 
 impl Impactor {
     /// Downward speed at the start, m/s, from whichever of height, energy and speed is chosen.
-    pub fn start_speed(&self) -> f64 {
+    pub fn start_speed(&self) -> Real {
         match self.drop_by {
             DropBy::Height => crate::math::sqrt(2.0 * self.gravity * self.drop_height),
             DropBy::Energy => crate::math::sqrt(2.0 * self.drop_energy / self.mass),
@@ -172,7 +173,7 @@ impl Impactor {
     }
 
     /// The same mass dropped with a kinetic energy of `energy` J.
-    pub fn with_energy(self, energy: f64) -> Self {
+    pub fn with_energy(self, energy: Real) -> Self {
         Self { drop_by: DropBy::Energy, drop_energy: energy, ..self }
     }
 }
@@ -222,58 +223,58 @@ pub enum Moduli {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material {
     /// Density, kg/m3.
-    pub density: f64,
+    pub density: Real,
     /// Isochoric hyperelastic law; it uses those of the next coefficients that belong to it.
     pub law: ElasticLaw,
     /// Whether the coefficients are long-term or instantaneous.
     pub moduli: Moduli,
     /// Coefficient of (I1 - 3) in all laws but Ogden's, Pa.
-    pub c10: f64,
+    pub c10: Real,
     /// Mooney-Rivlin coefficient of (I2 - 3), Pa.
-    pub c01: f64,
+    pub c01: Real,
     /// Mooney-Rivlin coefficient of (I1 - 3)(I2 - 3), Pa.
-    pub c11: f64,
+    pub c11: Real,
     /// Mooney-Rivlin and Yeoh coefficient of (I1 - 3)^2, Pa.
-    pub c20: f64,
+    pub c20: Real,
     /// Mooney-Rivlin coefficient of (I2 - 3)^2, Pa.
-    pub c02: f64,
+    pub c02: Real,
     /// Yeoh coefficient of (I1 - 3)^3, Pa.
-    pub c30: f64,
+    pub c30: Real,
     /// Ogden coefficients mu_i, Pa; a term with mu = 0 is off.
-    pub ogden_mu: [f64; MAX_OGDEN_TERMS],
+    pub ogden_mu: [Real; MAX_OGDEN_TERMS],
     /// Ogden exponents alpha_i.
-    pub ogden_alpha: [f64; MAX_OGDEN_TERMS],
+    pub ogden_alpha: [Real; MAX_OGDEN_TERMS],
     /// Energy of volume change.
     pub volumetric_law: VolumetricLaw,
     /// Which of the next two counts.
     pub volumetric_by: VolumetricBy,
     /// Bulk modulus, Pa.
-    pub bulk_modulus: f64,
+    pub bulk_modulus: Real,
     /// Poisson's ratio.
-    pub poissons_ratio: f64,
+    pub poissons_ratio: Real,
     /// Prony coefficients g_i, normalised on the instantaneous modulus; a term with g = 0 is off.
-    pub prony_g: [f64; MAX_PRONY_TERMS],
+    pub prony_g: [Real; MAX_PRONY_TERMS],
     /// Relaxation times tau_i, s.
-    pub prony_tau: [f64; MAX_PRONY_TERMS],
+    pub prony_tau: [Real; MAX_PRONY_TERMS],
     /// Shear moduli G_i of the additive Maxwell terms, Pa; a term with G = 0 is off.
-    pub maxwell_g: [f64; MAX_MAXWELL_TERMS],
+    pub maxwell_g: [Real; MAX_MAXWELL_TERMS],
     /// Their decay constants beta_i, 1/s.
-    pub maxwell_beta: [f64; MAX_MAXWELL_TERMS],
+    pub maxwell_beta: [Real; MAX_MAXWELL_TERMS],
     /// Shear modulus G of the damping spring, Pa; 0 switches the spring-slider off.
-    pub slider_stiffness: f64,
+    pub slider_stiffness: Real,
     /// Von Mises stress SIGF at which the slider slips, Pa.
-    pub slider_yield_stress: f64,
+    pub slider_yield_stress: Real,
     /// Largest principal stretch at which the material begins to tear; 0 switches tearing off.
-    pub tear_stretch: f64,
+    pub tear_stretch: Real,
     /// Stretch over which the deviatoric stress falls.
-    pub tear_width: f64,
+    pub tear_width: Real,
     /// Part of the deviatoric stress that remains.
-    pub tear_residual: f64,
+    pub tear_residual: Real,
 }
 
 impl Material {
     /// g_inf = 1 - sum g_i: the part of the instantaneous modulus that does not relax.
-    pub fn prony_g_inf(&self) -> f64 {
+    pub fn prony_g_inf(&self) -> Real {
         1.0 - self.prony_g.iter().fold(0.0, |sum, g| sum + g)
     }
 
@@ -283,12 +284,12 @@ impl Material {
     }
 
     /// Shear modulus of the long-term law at rest, Pa.
-    pub fn shear_modulus_inf(&self) -> f64 {
+    pub fn shear_modulus_inf(&self) -> Real {
         Elastic::new(self).shear_modulus()
     }
 
     /// Factor from the given coefficients to the long-term law.
-    pub fn long_term_scale(&self) -> f64 {
+    pub fn long_term_scale(&self) -> Real {
         match self.moduli {
             Moduli::LongTerm => 1.0,
             Moduli::Instantaneous => self.prony_g_inf(),
@@ -296,7 +297,7 @@ impl Material {
     }
 
     /// Bulk modulus, Pa, from whichever of bulk modulus and Poisson's ratio is chosen.
-    pub fn effective_bulk_modulus(&self) -> f64 {
+    pub fn effective_bulk_modulus(&self) -> Real {
         match self.volumetric_by {
             VolumetricBy::BulkModulus => self.bulk_modulus,
             VolumetricBy::PoissonsRatio => {
@@ -324,21 +325,21 @@ pub struct CoreInterface {
     /// Bonded or frictional.
     pub interface: Interface,
     /// Coulomb coefficient of a frictional interface.
-    pub friction_coefficient: f64,
+    pub friction_coefficient: Real,
 }
 
 /// Interface between impactor and layer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FaceInterface {
     /// Coulomb coefficient under the impactor.
-    pub friction_coefficient: f64,
+    pub friction_coefficient: Real,
 }
 
 /// Spatial discretisation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mesh {
     /// Edge length that the structured mesh aims at, m.
-    pub element_size: f64,
+    pub element_size: Real,
 }
 
 /// Which of the two numbers states the time step.
@@ -356,20 +357,20 @@ pub struct Time {
     /// Which of the next two counts.
     pub step_by: StepBy,
     /// Fraction of the stability limit.
-    pub safety_factor: f64,
+    pub safety_factor: Real,
     /// Requested step, s; the largest whole divisor of the sampling interval not above it is used.
-    pub step: f64,
+    pub step: Real,
     /// Simulated time that a run covers unless told otherwise, s.
-    pub duration: f64,
+    pub duration: Real,
 }
 
 /// How the numbers of the test are read from the force.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measurement {
     /// Force that begins and ends the impact duration, N.
-    pub force_threshold: f64,
+    pub force_threshold: Real,
     /// Channel frequency class of the filtered force (SAE J211, ISO 6487), Hz.
-    pub channel_class: f64,
+    pub channel_class: Real,
 }
 
 impl Scenario {
@@ -436,7 +437,7 @@ impl Layer<'_> {
 }
 
 /// Thinnest skin with a material of its own, m: as thin as the smallest element.
-const MIN_SKIN: f64 = 1e-5;
+const MIN_SKIN: Real = 1e-5;
 
 /// The face's chord is the thickness of the section, so the face must reach past the anvil's side by this factor.
-const FACE_MARGIN: f64 = 1.02;
+const FACE_MARGIN: Real = 1.02;

@@ -8,6 +8,7 @@ use crate::error::{ModelError, StepError};
 use crate::impactor::StepInput;
 use crate::lanes::Deviator;
 use crate::model::{Constants, Model};
+use crate::real::Real;
 use crate::scenario::Scenario;
 use crate::state::{Scalars, State};
 use crate::step::step;
@@ -17,10 +18,10 @@ use crate::storage::{ModelMemory, Size, StateMemory};
 pub struct Simulation {
     constants: Constants,
     scalars: Scalars,
-    model_nodes: Vec<f64>,
+    model_nodes: Vec<Real>,
     model_cells: Vec<CellConstants>,
     model_hoops: Vec<HoopConstants>,
-    state_nodes: Vec<f64>,
+    state_nodes: Vec<Real>,
     state_cells: Vec<CellHistory>,
     state_viscous: Vec<Deviator>,
 }
@@ -40,7 +41,7 @@ impl Simulation {
     /// As [`Simulation::new`], and a cell without area.
     pub fn with_positions(
         scenario: &Scenario,
-        position: &dyn Fn(usize, usize) -> [f64; 2],
+        position: &dyn Fn(usize, usize) -> [Real; 2],
     ) -> Result<Self, ModelError> {
         Self::build(scenario, |memory| Model::with_positions(scenario, position, memory))
     }
@@ -56,12 +57,18 @@ impl Simulation {
         let mut state_nodes = vec![0.0; size.state_nodes];
         let mut state_cells = vec![CellHistory::REST; size.state_cells];
         let mut state_viscous = vec![Deviator::ZERO; size.state_viscous];
-        let model = model(ModelMemory { nodes: &mut model_nodes, cells: &mut model_cells, hoops: &mut model_hoops })?;
+        let mut constants = None;
+        let model = model(ModelMemory {
+            constants: &mut constants,
+            nodes: &mut model_nodes,
+            cells: &mut model_cells,
+            hoops: &mut model_hoops,
+        })?;
         let state = State::new(
             &model,
             StateMemory { nodes: &mut state_nodes, cells: &mut state_cells, viscous: &mut state_viscous },
         )?;
-        let (constants, scalars) = (model.constants, state.scalars);
+        let (constants, scalars) = (*model.constants, state.scalars);
         Ok(Self { constants, scalars, model_nodes, model_cells, model_hoops, state_nodes, state_cells, state_viscous })
     }
 
@@ -76,7 +83,7 @@ impl Simulation {
     }
 
     /// Simulated time, s.
-    pub fn time(&self) -> f64 {
+    pub fn time(&self) -> Real {
         self.constants.time(self.scalars.step_index)
     }
 
@@ -85,7 +92,7 @@ impl Simulation {
     /// # Errors
     /// Never in practice: the memory was sized for this model.
     pub fn with<R>(&mut self, work: impl FnOnce(&Model, &mut State) -> R) -> Result<R, ModelError> {
-        let model = Model::view(self.constants, &self.model_nodes, &self.model_cells, &self.model_hoops);
+        let model = Model::view(&self.constants, &self.model_nodes, &self.model_cells, &self.model_hoops);
         let memory = StateMemory {
             nodes: &mut self.state_nodes,
             cells: &mut self.state_cells,
@@ -103,7 +110,7 @@ impl Simulation {
     /// What [`step`] refuses; the steps before it stay done.
     pub fn step(&mut self, n: u64, input: &StepInput) -> Result<(), StepError> {
         self.with(|model, state| (0..n).try_for_each(|_| step(model, state, input)))
-            .unwrap_or(Err(StepError::Input { value: f64::NAN, time: 0.0 }))
+            .unwrap_or(Err(StepError::Input { value: Real::NAN, time: 0.0 }))
     }
 
     /// Back to the start of the drop.

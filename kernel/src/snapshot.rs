@@ -10,6 +10,7 @@ use crate::energy::LEDGER_WORDS;
 use crate::error::SnapshotError;
 use crate::lanes::{Deviator, LANES};
 use crate::model::{Constants, Model};
+use crate::real::{self, Real};
 use crate::state::{Scalars, State};
 use crate::state_view::StateView;
 
@@ -143,25 +144,25 @@ fn read(state: &StateView, f: &mut dyn FnMut(u64)) {
     let mut scalars = *state.scalars;
     visit_scalars(&mut scalars, &mut |word| f(*word));
     for number in state.arrays.into_iter().flatten() {
-        f(number.to_bits());
+        f(real::to_word(*number));
     }
     for triangle in state.cells.iter().flat_map(|cell| &cell.triangle) {
         let mut triangle = *triangle;
-        visit_triangle(&mut triangle, &mut |number| f(number.to_bits()));
+        visit_triangle(&mut triangle, &mut |number| f(real::to_word(*number)));
     }
     for stress in state.viscous {
         let mut stress = *stress;
-        visit_deviator(&mut stress, &mut |number| f(number.to_bits()));
+        visit_deviator(&mut stress, &mut |number| f(real::to_word(*number)));
     }
 }
 
 /// Shows every word of the state to `f`, always in the same order, and takes back what `f` makes of it.
 fn visit(state: &mut State, f: &mut dyn FnMut(&mut u64)) {
     visit_scalars(&mut state.scalars, f);
-    let mut number = |value: &mut f64| {
-        let mut bits = value.to_bits();
+    let mut number = |value: &mut Real| {
+        let mut bits = real::to_word(*value);
         f(&mut bits);
-        *value = f64::from_bits(bits);
+        *value = real::from_word(bits);
     };
     for array in state.nodes.arrays_mut() {
         array.iter_mut().for_each(&mut number);
@@ -174,7 +175,7 @@ fn visit(state: &mut State, f: &mut dyn FnMut(&mut u64)) {
     }
 }
 
-fn visit_triangle(triangle: &mut TriangleHistory, number: &mut impl FnMut(&mut f64)) {
+fn visit_triangle(triangle: &mut TriangleHistory, number: &mut impl FnMut(&mut Real)) {
     triangle.stretch_prev.iter_mut().flatten().for_each(&mut *number);
     visit_deviator(&mut triangle.elastic_prev, number);
     visit_deviator(&mut triangle.slider_stress, number);
@@ -182,7 +183,7 @@ fn visit_triangle(triangle: &mut TriangleHistory, number: &mut impl FnMut(&mut f
     triangle.stored_prev.iter_mut().for_each(&mut *number);
 }
 
-fn visit_deviator(deviator: &mut Deviator, number: &mut impl FnMut(&mut f64)) {
+fn visit_deviator(deviator: &mut Deviator, number: &mut impl FnMut(&mut Real)) {
     for lane in [&mut deviator.xx, &mut deviator.yy, &mut deviator.xy] {
         lane.iter_mut().for_each(&mut *number);
     }
@@ -227,8 +228,8 @@ fn visit_scalars(scalars: &mut Scalars, f: &mut dyn FnMut(&mut u64)) {
         &mut metrics.contact_time,
     ];
     for number in numbers.into_iter().chain(energy.words_mut()) {
-        let mut bits = number.to_bits();
+        let mut bits = real::to_word(*number);
         f(&mut bits);
-        *number = f64::from_bits(bits);
+        *number = real::from_word(bits);
     }
 }

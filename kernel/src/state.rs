@@ -8,6 +8,7 @@ use crate::lanes::{Deviator, load};
 use crate::measurement::{Metrics, Sampler};
 use crate::mesh::Grid;
 use crate::model::Model;
+use crate::real::Real;
 use crate::storage::{StateMemory, split_row, take};
 
 /// The numbers of a state that are not arrays.
@@ -20,7 +21,7 @@ pub struct Scalars {
     /// Forces of the last step.
     pub force: Forces,
     /// Half of the width over which the face touches the surface, m.
-    pub contact_half_width: f64,
+    pub contact_half_width: Real,
     /// Force samples at [`crate::model::SAMPLING_INTERVAL`].
     pub sampler: Sampler,
     /// Numbers of the test so far.
@@ -35,29 +36,29 @@ pub struct Scalars {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Forces {
     /// Contact force on the impactor, upwards.
-    pub contact: f64,
+    pub contact: Real,
     /// Force of the layer on the core, downwards.
-    pub core_reaction: f64,
+    pub core_reaction: Real,
 }
 
 /// The arrays of the nodes, rows of [`Grid::stride`] from the core to the surface.
 pub(crate) struct StateNodes<'a> {
     /// Displacement along x, m.
-    pub displacement_x: &'a mut [f64],
+    pub displacement_x: &'a mut [Real],
     /// Displacement along y, m.
-    pub displacement_y: &'a mut [f64],
+    pub displacement_y: &'a mut [Real],
     /// Velocity along x half a step back, m/s.
-    pub velocity_x: &'a mut [f64],
+    pub velocity_x: &'a mut [Real],
     /// Velocity along y half a step back, m/s.
-    pub velocity_y: &'a mut [f64],
+    pub velocity_y: &'a mut [Real],
     /// Force of the step along x, N.
-    pub force_x: &'a mut [f64],
+    pub force_x: &'a mut [Real],
     /// Force of the step along y, N.
-    pub force_y: &'a mut [f64],
+    pub force_y: &'a mut [Real],
     /// Contact force on the surface nodes, downwards, N.
-    pub contact_normal: &'a mut [f64],
+    pub contact_normal: &'a mut [Real],
     /// Friction force on the surface nodes, outwards, N.
-    pub contact_tangential: &'a mut [f64],
+    pub contact_tangential: &'a mut [Real],
 }
 
 /// The changing part of a simulation.
@@ -119,43 +120,43 @@ impl<'a> State<'a> {
     }
 
     /// Simulated time, s.
-    pub fn time(&self, model: &Model) -> f64 {
+    pub fn time(&self, model: &Model) -> Real {
         model.constants.time(self.scalars.step_index)
     }
 
     /// Displacements of the nodes, m, laid out as [`Model::reference_position`].
-    pub fn displacement(&self) -> [&[f64]; 2] {
+    pub fn displacement(&self) -> [&[Real]; 2] {
         [self.nodes.displacement_x, self.nodes.displacement_y]
     }
 
     /// Displacements of the nodes, m, to be changed: initial conditions, prescribed fields. Nodes beyond `n_u + 1` in a
     /// row are padding and stay at zero.
-    pub fn displacement_mut(&mut self) -> [&mut [f64]; 2] {
+    pub fn displacement_mut(&mut self) -> [&mut [Real]; 2] {
         [self.nodes.displacement_x, self.nodes.displacement_y]
     }
 
     /// Velocities of the nodes half a step back, m/s, laid out alike.
-    pub fn velocity(&self) -> [&[f64]; 2] {
+    pub fn velocity(&self) -> [&[Real]; 2] {
         [self.nodes.velocity_x, self.nodes.velocity_y]
     }
 
     /// Velocities of the nodes half a step back, m/s, to be changed.
-    pub fn velocity_mut(&mut self) -> [&mut [f64]; 2] {
+    pub fn velocity_mut(&mut self) -> [&mut [Real]; 2] {
         [self.nodes.velocity_x, self.nodes.velocity_y]
     }
 
     /// Total force on each node in the last step, N: contact and friction minus internal forces.
-    pub fn force(&self) -> [&[f64]; 2] {
+    pub fn force(&self) -> [&[Real]; 2] {
         [self.nodes.force_x, self.nodes.force_y]
     }
 
     /// Normal force of the face on each surface node in the last step, N, by column.
-    pub fn contact_normal(&self) -> &[f64] {
+    pub fn contact_normal(&self) -> &[Real] {
         self.nodes.contact_normal
     }
 
     /// Friction force of the face on each surface node in the last step, N, outwards, by column.
-    pub fn contact_tangential(&self) -> &[f64] {
+    pub fn contact_tangential(&self) -> &[Real] {
         self.nodes.contact_tangential
     }
 
@@ -177,7 +178,7 @@ pub(crate) fn corner_indices(grid: &Grid, block: usize) -> [usize; 4] {
 
 impl StateNodes<'_> {
     /// Every array, in the order of storage.
-    pub(crate) fn arrays_mut(&mut self) -> [&mut [f64]; 8] {
+    pub(crate) fn arrays_mut(&mut self) -> [&mut [Real]; 8] {
         [
             self.displacement_x,
             self.displacement_y,

@@ -4,6 +4,7 @@ use crate::element::CellHistory;
 use crate::error::ModelError;
 use crate::lanes::Deviator;
 use crate::model::Model;
+use crate::real::Real;
 use crate::state::{Scalars, State};
 
 /// A state to read from.
@@ -12,7 +13,7 @@ pub struct StateView<'a> {
     /// The numbers that are not arrays.
     pub scalars: &'a Scalars,
     /// Displacement, velocity and force of the nodes, then the contact forces of the surface, x before y; see [`State`].
-    pub(crate) arrays: [&'a [f64]; 8],
+    pub(crate) arrays: [&'a [Real]; 8],
     pub(crate) cells: &'a [CellHistory],
     pub(crate) viscous: &'a [Deviator],
 }
@@ -21,7 +22,7 @@ pub struct StateView<'a> {
 #[derive(Clone, Copy)]
 pub struct StateContent<'a> {
     /// At least [`crate::Size::state_nodes`] numbers.
-    pub nodes: &'a [f64],
+    pub nodes: &'a [Real],
     /// At least [`crate::Size::state_cells`] blocks.
     pub cells: &'a [CellHistory],
     /// At least [`crate::Size::state_viscous`] blocks.
@@ -56,25 +57,25 @@ impl<'a> StateView<'a> {
     }
 
     /// Displacements of the nodes, m, laid out as [`Model::reference_position`].
-    pub fn displacement(&self) -> [&'a [f64]; 2] {
+    pub fn displacement(&self) -> [&'a [Real]; 2] {
         let [x, y, ..] = self.arrays;
         [x, y]
     }
 
     /// Velocities of the nodes half a step back, m/s, laid out alike.
-    pub fn velocity(&self) -> [&'a [f64]; 2] {
+    pub fn velocity(&self) -> [&'a [Real]; 2] {
         let [_, _, x, y, ..] = self.arrays;
         [x, y]
     }
 
     /// Total force on each node in the last step, N: contact and friction minus internal forces.
-    pub fn force(&self) -> [&'a [f64]; 2] {
+    pub fn force(&self) -> [&'a [Real]; 2] {
         let [_, _, _, _, x, y, ..] = self.arrays;
         [x, y]
     }
 
     /// Normal force of the face on each surface node in the last step, N, then its friction force outwards, by column.
-    pub fn contact_force(&self) -> [&'a [f64]; 2] {
+    pub fn contact_force(&self) -> [&'a [Real]; 2] {
         let [.., normal, tangential] = self.arrays;
         [normal, tangential]
     }

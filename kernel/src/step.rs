@@ -9,6 +9,7 @@ use crate::impactor::StepInput;
 use crate::instruction_set::{InstructionSet, Work};
 use crate::lanes::{LANES, ZERO, load, store, subtract_at, sum};
 use crate::model::Model;
+use crate::real::Real;
 use crate::state::{Forces, State, corner_indices};
 use crate::surface;
 use crate::time_step;
@@ -114,7 +115,7 @@ fn internal_forces(model: &Model, state: &mut State) -> Result<ElementEnergy, St
 
 /// Moves the nodes under their forces; returns the kinetic energy of the section.
 #[inline(always)]
-fn move_nodes(model: &Model, state: &mut State) -> f64 {
+fn move_nodes(model: &Model, state: &mut State) -> Real {
     let dt = model.constants.dt;
     let (fixed, nodes) = (&model.nodes, &mut state.nodes);
     let along_x =
@@ -126,13 +127,13 @@ fn move_nodes(model: &Model, state: &mut State) -> f64 {
 
 #[inline(always)]
 fn move_along(
-    dt: f64,
-    mass: &[f64],
-    inverse_mass: &[f64],
-    force: &[f64],
-    velocity: &mut [f64],
-    displacement: &mut [f64],
-) -> f64 {
+    dt: Real,
+    mass: &[Real],
+    inverse_mass: &[Real],
+    force: &[Real],
+    velocity: &mut [Real],
+    displacement: &mut [Real],
+) -> Real {
     let mut double_kinetic = ZERO;
     for index in (0..mass.len()).step_by(LANES) {
         let (mass, inverse_mass, force) = (load(mass, index), load(inverse_mass, index), load(force, index));
@@ -151,7 +152,7 @@ fn move_along(
 
 /// Records the forces of the step and what the laboratory would read.
 #[inline(always)]
-fn measure(model: &Model, state: &mut State, face: &Contact, core: &Contact, velocity_before: f64) {
+fn measure(model: &Model, state: &mut State, face: &Contact, core: &Contact, velocity_before: Real) {
     let constants = &model.constants;
     let scalars = &mut state.scalars;
     scalars.force = Forces {

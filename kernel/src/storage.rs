@@ -4,6 +4,8 @@ use crate::element::{CellConstants, CellHistory, HoopConstants};
 use crate::error::ModelError;
 use crate::lanes::Deviator;
 use crate::mesh::Grid;
+use crate::model::Constants;
+use crate::real::Real;
 use crate::scenario::{Formulation, Scenario};
 
 /// Numbers per node in a model: height of rest, inverse masses along x and y, mass, and x of rest.
@@ -53,8 +55,10 @@ impl Size {
 
 /// Memory lent to a model while it is built.
 pub struct ModelMemory<'a> {
+    /// Place for the scalar constants.
+    pub constants: &'a mut Option<Constants>,
     /// At least [`Size::model_nodes`] numbers.
-    pub nodes: &'a mut [f64],
+    pub nodes: &'a mut [Real],
     /// At least [`Size::model_cells`] blocks.
     pub cells: &'a mut [CellConstants],
     /// At least [`Size::model_hoops`] blocks.
@@ -64,7 +68,7 @@ pub struct ModelMemory<'a> {
 /// Memory lent to a state for its lifetime.
 pub struct StateMemory<'a> {
     /// At least [`Size::state_nodes`] numbers.
-    pub nodes: &'a mut [f64],
+    pub nodes: &'a mut [Real],
     /// At least [`Size::state_cells`] blocks.
     pub cells: &'a mut [CellHistory],
     /// At least [`Size::state_viscous`] blocks.
@@ -78,7 +82,7 @@ pub(crate) fn take<'a, T>(memory: &'a mut [T], needed: usize, what: &'static str
 }
 
 /// Splits `n` numbers off the front of `memory`; fewer if it is too short, which [`take`] has excluded.
-pub(crate) fn split_row<'a>(memory: &mut &'a mut [f64], n: usize) -> &'a mut [f64] {
+pub(crate) fn split_row<'a>(memory: &mut &'a mut [Real], n: usize) -> &'a mut [Real] {
     let whole = core::mem::take(memory);
     let at = n.min(whole.len());
     match whole.split_at_mut_checked(at) {

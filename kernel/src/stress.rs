@@ -3,15 +3,16 @@
 use crate::lanes::{Deviator, LANES, contract};
 use crate::math;
 use crate::model::Model;
+use crate::real::Real;
 use crate::state_view::StateView;
 
 /// Cauchy stress of a triangle in its unrotated frame, Pa, positive in tension.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stress {
     /// Deviator: xx, yy, xy; zz is minus the sum of the first two.
-    pub deviator: [f64; 3],
+    pub deviator: [Real; 3],
     /// Mean stress of the cell, from its mean dilatation.
-    pub mean: f64,
+    pub mean: Real,
 }
 
 impl Stress {
@@ -39,12 +40,12 @@ impl Stress {
     }
 
     /// Von Mises stress, Pa.
-    pub fn von_mises(&self) -> f64 {
+    pub fn von_mises(&self) -> Real {
         math::sqrt(1.5 * contract(self.deviator, self.deviator))
     }
 
     /// Principal stresses, Pa: the larger and the smaller one of the section, then the one out of the plane.
-    pub fn principal(&self) -> [f64; 3] {
+    pub fn principal(&self) -> [Real; 3] {
         let [xx, yy, xy] = self.deviator;
         let (centre, half) = (0.5 * (xx + yy), 0.5 * (xx - yy));
         let radius = math::sqrt(half * half + xy * xy);
@@ -52,7 +53,7 @@ impl Stress {
     }
 }
 
-fn add(sum: &mut [f64; 3], part: &Deviator, l: usize) -> Option<()> {
+fn add(sum: &mut [Real; 3], part: &Deviator, l: usize) -> Option<()> {
     for (total, lane) in sum.iter_mut().zip([&part.xx, &part.yy, &part.xy]) {
         *total += lane.get(l)?;
     }
@@ -60,14 +61,14 @@ fn add(sum: &mut [f64; 3], part: &Deviator, l: usize) -> Option<()> {
 }
 
 /// J of a triangle from its right stretch.
-fn jacobian(stretch: &[[f64; LANES]; 4], l: usize) -> Option<f64> {
+fn jacobian(stretch: &[[Real; LANES]; 4], l: usize) -> Option<Real> {
     let [u11, u22, u12, u33] = stretch.each_ref().map(|lane| lane.get(l).copied());
     let (u11, u22, u12, u33) = (u11?, u22?, u12?, u33?);
     Some((u11 * u22 - u12 * u12) * u33)
 }
 
 /// Volume-weighted mean J of a cell.
-fn mean_jacobian(model: &Model, state: &StateView, block: usize, l: usize) -> Option<f64> {
+fn mean_jacobian(model: &Model, state: &StateView, block: usize, l: usize) -> Option<Real> {
     let (constants, history) = (model.cells.get(block)?, state.cells.get(block)?);
     let mut mean = 1.0;
     for (constants, history) in constants.triangle.iter().zip(&history.triangle) {

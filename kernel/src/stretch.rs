@@ -1,18 +1,19 @@
 //! Right stretches of the section: one shear component in the plane, none out of it.
 
 use crate::math;
+use crate::real::Real;
 
 /// An isochoric right stretch U-bar = J^(-1/3) U.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct IsochoricStretch {
     /// Component 11.
-    pub u11: f64,
+    pub u11: Real,
     /// Component 22.
-    pub u22: f64,
+    pub u22: Real,
     /// Component 12.
-    pub u12: f64,
+    pub u12: Real,
     /// Out of the section.
-    pub u33: f64,
+    pub u33: Real,
 }
 
 impl IsochoricStretch {
@@ -20,19 +21,19 @@ impl IsochoricStretch {
     pub const REST: Self = Self { u11: 1.0, u22: 1.0, u12: 0.0, u33: 1.0 };
 
     /// Plane compression to `stretch` across the layer.
-    pub fn plane_compression(stretch: f64) -> Self {
+    pub fn plane_compression(stretch: Real) -> Self {
         Self { u11: 1.0 / stretch, u22: stretch, ..Self::REST }
     }
 
     /// I1 = tr C-bar and I2 = tr C-bar^-1.
-    pub fn invariants(&self) -> (f64, f64) {
+    pub fn invariants(&self) -> (Real, Real) {
         let (c11, c22) = (self.u11 * self.u11 + self.u12 * self.u12, self.u22 * self.u22 + self.u12 * self.u12);
         let (c33, det) = (self.u33 * self.u33, self.u11 * self.u22 - self.u12 * self.u12);
         (c11 + c22 + c33, (c11 + c22) * c33 + det * det)
     }
 
     /// The larger and the smaller stretch in the section, and the one out of it.
-    pub fn principal(&self) -> [f64; 3] {
+    pub fn principal(&self) -> [Real; 3] {
         let largest = largest_in_plane(self.u11, self.u22, self.u12);
         [largest, (self.u11 * self.u22 - self.u12 * self.u12) / largest, self.u33]
     }
@@ -40,7 +41,7 @@ impl IsochoricStretch {
 
 /// The larger principal stretch in the section.
 #[inline(always)]
-pub fn largest_in_plane(u11: f64, u22: f64, u12: f64) -> f64 {
+pub fn largest_in_plane(u11: Real, u22: Real, u12: Real) -> Real {
     let half = 0.5 * (u11 - u22);
     0.5 * (u11 + u22) + math::sqrt(half * half + u12 * u12)
 }

@@ -2,11 +2,12 @@
 
 use crate::mesh::out_of_plane;
 use crate::model::Model;
+use crate::real::Real;
 use crate::scenario::{Formulation, Section};
 use crate::state_view::StateView;
 
 /// Current position of the surface node of `column`, m; none past the last column.
-pub fn surface_position(model: &Model, state: &StateView, column: usize) -> Option<[f64; 2]> {
+pub fn surface_position(model: &Model, state: &StateView, column: usize) -> Option<[Real; 2]> {
     let grid = &model.constants.grid;
     if column > grid.n_u {
         return None;
@@ -20,7 +21,7 @@ pub fn surface_position(model: &Model, state: &StateView, column: usize) -> Opti
 /// Half of the width over which the face touches the surface, m; 0 without contact.
 ///
 /// The edge of the contact is taken midway between the last node that touches and the next.
-pub fn contact_half_width(model: &Model, state: &StateView) -> f64 {
+pub fn contact_half_width(model: &Model, state: &StateView) -> Real {
     let touching = |column: &usize| state.contact_force()[0].get(*column).is_some_and(|force| *force > 0.0);
     let columns = 0..=model.constants.grid.n_u;
     let (Some(first), Some(last)) = (columns.clone().find(touching), columns.rev().find(touching)) else {
@@ -39,7 +40,7 @@ pub fn contact_half_width(model: &Model, state: &StateView) -> f64 {
 
 /// Contact pressure at the surface node of `column`, Pa: its normal force over the current area that belongs to it, from
 /// midway to the node before to midway to the node after.
-pub fn contact_pressure(model: &Model, state: &StateView, column: usize) -> Option<f64> {
+pub fn contact_pressure(model: &Model, state: &StateView, column: usize) -> Option<Real> {
     let x = surface_position(model, state, column)?[0];
     let middle = |other: Option<usize>| {
         other.and_then(|c| surface_position(model, state, c)).map_or(x, |position| 0.5 * (x + position[0]))
@@ -48,7 +49,7 @@ pub fn contact_pressure(model: &Model, state: &StateView, column: usize) -> Opti
     let scenario = &model.constants.scenario;
     let area = match scenario.geometry.formulation {
         Formulation::PlaneStrain => out_of_plane(scenario, x) * (right - left),
-        Formulation::Axisymmetric => core::f64::consts::PI * (right * right - left * left),
+        Formulation::Axisymmetric => crate::real::consts::PI * (right * right - left * left),
     };
     let force = *state.contact_force()[0].get(column)?;
     Some(if area > 0.0 { force / area } else { 0.0 })

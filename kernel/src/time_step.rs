@@ -13,16 +13,17 @@ use crate::material::Laws;
 use crate::math;
 use crate::mesh::Grid;
 use crate::model::{Model, SAMPLING_INTERVAL};
+use crate::real::{self, Real};
 use crate::scenario::{Scenario, StepBy};
 use crate::state::State;
 use crate::stretch::IsochoricStretch;
 
 /// Stretch through the thickness that the step is chosen for. It holds up to five times the energy of the study's
 /// highest drop.
-pub const DESIGN_STRETCH: f64 = 0.56;
+pub const DESIGN_STRETCH: Real = 0.56;
 
 /// The same in rings: a dome meets the face in a point, and gets thinner there.
-pub const DESIGN_STRETCH_RINGS: f64 = 0.45;
+pub const DESIGN_STRETCH_RINGS: Real = 0.45;
 
 /// The monitor visits every block once in this many steps, an equal share in each. At the study's speeds a stretch
 /// changes by some hundredths in that time.
@@ -56,9 +57,9 @@ pub(crate) fn steps_per_sample(
         }
     };
     // A step within one part in 10^9 of a whole divisor counts as that divisor.
-    let count = math::larger(1.0, math::ceil(SAMPLING_INTERVAL / step * (1.0 - 1e-9)));
-    if count > f64::from(MAX_STEPS_PER_SAMPLE) {
-        let smallest = SAMPLING_INTERVAL / f64::from(MAX_STEPS_PER_SAMPLE);
+    let count = math::larger(1.0, math::ceil(SAMPLING_INTERVAL / step * (1.0 - real::SAME)));
+    if count > MAX_STEPS_PER_SAMPLE as Real {
+        let smallest = SAMPLING_INTERVAL / MAX_STEPS_PER_SAMPLE as Real;
         return Err(ModelError::StepTooSmall { step, smallest });
     }
     Ok(count as u32)
@@ -70,10 +71,10 @@ fn smallest_limit(
     grid: &Grid,
     cells: &[CellConstants],
     hoops: &[HoopConstants],
-    thickness: f64,
-) -> f64 {
+    thickness: Real,
+) -> Real {
     let laws = scenario.layers().map(|layer| Laws::new(layer.material, SAMPLING_INTERVAL));
-    let mut smallest = f64::INFINITY;
+    let mut smallest = Real::INFINITY;
     for (block, cell) in cells.iter().enumerate() {
         let [silicone, skin] = &laws;
         let laws = if block < grid.n_block_silicone() { silicone } else { skin };
@@ -90,7 +91,7 @@ fn smallest_limit(
 
 /// Cells pressed to `thickness` across the row, and spread along it as their unrelaxed material would if it were free to:
 /// one that resists a change of volume keeps it, one that does not stays as wide as it is.
-fn pressed_cells(laws: &Laws, cell: &CellConstants, hoop: Option<&HoopConstants>, thickness: f64) -> CellStiffness {
+fn pressed_cells(laws: &Laws, cell: &CellConstants, hoop: Option<&HoopConstants>, thickness: Real) -> CellStiffness {
     let (bulk, shear) = (laws.volumetric.tangent(1.0), laws.shear_tangent(&IsochoricStretch::REST));
     // Poisson's ratio over one minus it: the lateral strain of a plate in plane strain.
     let spread = math::larger(0.0, (3.0 * bulk - 2.0 * shear) / (3.0 * bulk + 4.0 * shear));
@@ -123,9 +124,9 @@ fn pressed_cells(laws: &Laws, cell: &CellConstants, hoop: Option<&HoopConstants>
 }
 
 /// Unit vector along the row: normal to the gradient of the edge across, which does not change along the row.
-fn direction_along_row(cell: &CellConstants, l: usize) -> [f64; 2] {
+fn direction_along_row(cell: &CellConstants, l: usize) -> [Real; 2] {
     let [x, y] = cell.triangle[0].shape_gradient[1].map(|lane| lane[l]);
-    let inverse = math::inverse_sqrt(math::larger(x * x + y * y, f64::MIN_POSITIVE));
+    let inverse = math::inverse_sqrt(math::larger(x * x + y * y, Real::MIN_POSITIVE));
     [y * inverse, -x * inverse]
 }
 

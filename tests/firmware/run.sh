@@ -24,16 +24,22 @@ arm-none-eabi-gcc -std=c11 -Wall -Wextra -Werror -O2 -ffp-contract=off -ffreesta
 
 # QEMU prints what SYS_WRITE0 gives it to its standard error.
 board() { timeout 300 qemu-system-arm -M mps2-an500 -nographic -semihosting -icount shift=0 -kernel "$1" 2>&1; }
+# And in single precision, on the same processor as if its floating-point unit knew no other.
+(cd tests/firmware/rust/single && CARGO_TARGET_THUMBV7EM_NONE_EABIHF_RUSTFLAGS= \
+    cargo build -q --release --target "$target" --target-dir "$OLDPWD/$out/single")
+
 echo "-- in C"
 board "$out/drop-c.elf" | tee "$out/c.txt"
 echo "-- in Rust"
 board "$out/$target/release/drop" | tee "$out/rust.txt"
-[ "$(grep -c '^the bits of the golden trace$' "$out/c.txt" "$out/rust.txt" | grep -c ':1$')" = 2 ]
+echo "-- in Rust, single precision"
+board "$out/single/$target/release/drop" | tee "$out/single.txt"
+[ "$(grep -c '^the bits of the golden trace$' "$out/c.txt" "$out/rust.txt" "$out/single.txt" | grep -c ':1$')" = 3 ]
 # Both have seen the same simulation.
 [ "$(grep '^state' "$out/c.txt")" = "$(grep '^state' "$out/rust.txt")" ]
 # The stack that a board must have for the deepest call, bytes; README.md states it.
-bound=32768
-for program in c rust; do
+bound=$(awk '$1 == "stack" { print $2 }' tests/footprint/limits.txt)
+for program in c rust single; do
     stack=$(sed -n 's/^stack \([0-9]*\) bytes.*/\1/p' "$out/$program.txt")
     [ -n "$stack" ] && [ "$stack" -le "$bound" ] || { echo "FAILED: $program uses $stack bytes of stack of $bound"; exit 1; }
 done

@@ -4,6 +4,7 @@
  * with address and undefined-behaviour sanitizers to see that nothing goes wrong. */
 #include <math.h>
 
+#include "check.h"
 #include "fmi3Functions.h"
 #include "load.h"
 

@@ -19,9 +19,9 @@ PLATFORMS = {
 }
 
 
-def build(folder, version, compiler="gcc", flags=()):
-    program = folder / f"master{version}.exe"
-    source = HERE / f"fmi{version}_check.c"
+def build(folder, name, compiler="gcc", flags=()):
+    program = folder / f"{name}.exe"
+    source = HERE / f"{name}.c"
     libraries = ["-lm"] if "mingw" in compiler else ["-ldl", "-lm"]
     command = [compiler, *STRICT, *flags, f"-I{HEADERS}", f"-I{HERE}", source, "-o", program, *libraries]
     subprocess.run(command, check=True)
@@ -37,7 +37,7 @@ def run(command, **options):
 @pytest.mark.parametrize("version", [2, 3])
 @pytest.mark.parametrize("flags", [[], ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"]])
 def test_under_sanitizers(tmp_path, description, kernel, version, flags):
-    program = build(tmp_path, version, flags=flags)
+    program = build(tmp_path, f"fmi{version}_check", flags=flags)
     result = run([program, os.environ["SOFTANVIL_LIBRARY"], description.guid])
     assert (result.stdout.strip(), result.stderr) == (kernel(14.7)["trace_hash"], "")
 
@@ -45,29 +45,54 @@ def test_under_sanitizers(tmp_path, description, kernel, version, flags):
 @pytest.mark.parametrize("version", [2, 3])
 @pytest.mark.skipif(not shutil.which("valgrind"), reason="valgrind is missing")
 def test_under_valgrind(tmp_path, description, kernel, version):
-    program = build(tmp_path, version)
+    program = build(tmp_path, f"fmi{version}_check")
     valgrind = ["valgrind", "--quiet", "--leak-check=full", "--errors-for-leak-kinds=definite,indirect,possible", "--error-exitcode=1"]
     brief = ["brief"] if version == 3 else []
     result = run([*valgrind, program, os.environ["SOFTANVIL_LIBRARY"], description.guid, *brief])
     assert (result.stdout.strip(), result.stderr) == (kernel(14.7)["trace_hash"], "")
 
 
+@pytest.fixture
+def foreign(tmp_path, fmu3):
+    """Runs a master of this folder on another platform, with that platform's library and the arguments given."""
+
+    def run_foreign(platform, name, *arguments):
+        compiler, member, runner = PLATFORMS[platform]
+        missing = [tool for tool in (compiler, runner[0]) if not shutil.which(tool)]
+        if missing:
+            pytest.skip(f"{missing[0]} is missing")
+        program = build(tmp_path, name, compiler)
+        with zipfile.ZipFile(fmu3) as archive:
+            library = archive.extract(f"binaries/{member}", tmp_path)
+        # Wine keeps its folders in the home folder unless told otherwise.
+        environment = {**os.environ, "WINEDEBUG": "-all", "WINEPREFIX": os.environ["SOFTANVIL_WINE"]}
+        return run([*runner, program, library, *arguments], env=environment).stdout.strip()
+
+    return run_foreign
+
+
 @pytest.mark.parametrize("version", [2, 3])
 @pytest.mark.parametrize("platform", PLATFORMS)
-def test_on_other_platforms(tmp_path, fmu3, description, kernel, platform, version):
-    compiler, member, runner = PLATFORMS[platform]
-    missing = [tool for tool in (compiler, runner[0]) if not shutil.which(tool)]
-    if missing:
-        pytest.skip(f"{missing[0]} is missing")
-    program = build(tmp_path, version, compiler)
-    with zipfile.ZipFile(fmu3) as archive:
-        library = archive.extract(f"binaries/{member}", tmp_path)
-    # Wine keeps its folders in the home folder unless told otherwise.
-    environment = {**os.environ, "WINEDEBUG": "-all", "WINEPREFIX": os.environ["SOFTANVIL_WINE"]}
+def test_on_other_platforms(foreign, description, kernel, platform, version):
     # Emulated, the interruptions of FMI 3.0 would take minutes; they are the same code on every platform.
     brief = ["brief"] if (version, platform) == (3, "aarch64") else []
-    result = run([*runner, program, library, description.guid, *brief], env=environment)
-    assert result.stdout.strip() == kernel(14.7)["trace_hash"]
+    assert foreign(platform, f"fmi{version}_check", description.guid, *brief) == kernel(14.7)["trace_hash"]
+
+
+def in_environments(folder, description, samples):
+    program = build(folder, "environment")
+    return run([program, os.environ["SOFTANVIL_LIBRARY"], description.guid, str(samples)]).stdout.strip()
+
+
+def test_in_every_floating_point_environment(tmp_path, description, kernel):
+    """Whatever rounding, flush-to-zero or traps the master has set: the same trace, and its environment put back."""
+    assert in_environments(tmp_path, description, 300) == kernel(14.7)["trace_hash"]
+
+
+@pytest.mark.parametrize("platform", PLATFORMS)
+def test_in_environments_of_other_platforms(tmp_path, foreign, description, platform):
+    """Until the face has touched the layer."""
+    assert foreign(platform, "environment", description.guid, "20") == in_environments(tmp_path, description, 20)
 
 
 def exported(nm, library):

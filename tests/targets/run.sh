@@ -10,20 +10,23 @@ root=$PWD out=$PWD/target/targets only=${1:-}
 work=$out/work table=$out/table.txt
 . tests/need.sh
 mkdir -p "$work"
-printf '%-38s %-6s  %-16s  %-16s  %s\n' target scenes 'until 2.5 ms' 'whole scenes' 'snapshot there and back' >"$table"
+printf '%-44s %-6s  %-16s  %-16s  %s\n' target scenes 'until 2.5 ms' 'whole scenes' 'snapshot there and back' >"$table"
 
 # The scene whose snapshots travel, and the records (0.25 ms each) at which they are saved.
 scene=yeoh leave=6 return=8
 rows=0 failed=0 skipped=0 home=()
 
 wanted() { [[ $1 == *"$only"* ]]; }
-skip() { skipped=$((skipped + 1)); printf '%-38s skipped: %s\n' "$1" "$2" | tee -a "$table"; }
+skip() { skipped=$((skipped + 1)); printf '%-44s skipped: %s\n' "$1" "$2" | tee -a "$table"; }
+
+# The runner, and the folder of its firmware; at the end those in single precision take their place.
+runner=softanvil-golden firmware=tests/firmware/rust
 
 # build NAME CARGO_ARGUMENT...: the runner in a folder of its own; what changes no bits is set to build fast.
 build() {
     local name=$1; shift
     CARGO_PROFILE_RELEASE_LTO=${LTO:-off} CARGO_PROFILE_RELEASE_CODEGEN_UNITS=${UNITS:-16} \
-        cargo build -q -p softanvil-golden --target-dir "$out/$name" "$@"
+        cargo build -q -p "$runner" --target-dir "$out/$name" "$@"
 }
 
 # snapshots COMMAND...: a state saved at home goes on there, is saved, is the same file as one that never left, and goes
@@ -54,7 +57,7 @@ row() {
     snapshots "$@" || carried=DIFFERENT
     rows=$((rows + 1))
     read -r scenes until_short until_end <<<"$found"
-    printf '%-38s %-6s  %-16s  %-16s  %s\n' "$name" "${scenes:--}" "${until_short:--}" "${until_end:--}" "$carried" |
+    printf '%-44s %-6s  %-16s  %-16s  %s\n' "$name" "${scenes:--}" "${until_short:--}" "${until_end:--}" "$carried" |
         tee -a "$table"
     if [ "$verdict $carried" != "same same" ]; then
         failed=$((failed + 1))
@@ -69,7 +72,7 @@ native() {
     wanted "$name" || return 0
     if build "$folder" --profile "$profile" "$@"; then
         [ "$profile" = dev ] && profile=debug
-        row "$name" check "$out/$folder/$profile/softanvil-golden"
+        row "$name" check "$out/$folder/$profile/$runner"
     else
         failed=$((failed + 1)); printf 'FAILED: %s does not build\n' "$name"
     fi
@@ -81,7 +84,7 @@ foreign() {
     wanted "$name" || return 0
     timeout 120 rustup target add "$target" >/dev/null 2>&1 || { skip "$name" "rustup has no $target"; return; }
     if build "$target" --release --target "$target"; then
-        row "$name" "$check" "$@" "$out/$target/$target/release/softanvil-golden$extension"
+        row "$name" "$check" "$@" "$out/$target/$target/release/$runner$extension"
     else
         failed=$((failed + 1)); printf 'FAILED: %s does not build\n' "$name"
     fi
@@ -99,7 +102,7 @@ board() {
     local name=$1 target=$2 flags=$3 check=$4
     wanted "$name" || return 0
     timeout 120 rustup target add "$target" >/dev/null 2>&1 || { skip "$name" "rustup has no $target"; return; }
-    if (cd tests/firmware/rust && RUSTFLAGS=$flags CARGO_PROFILE_RELEASE_LTO=off CARGO_PROFILE_RELEASE_CODEGEN_UNITS=16 \
+    if (cd "$firmware" && RUSTFLAGS=$flags CARGO_PROFILE_RELEASE_LTO=off CARGO_PROFILE_RELEASE_CODEGEN_UNITS=16 \
         cargo build -q --release --bin runner --target "$target" --target-dir "$out/firmware"); then
         row "$name" "$check" bash -c 'on_board "$@"' board "$out/firmware/$target/release/runner"
     else
@@ -143,7 +146,7 @@ else
             cargo check -q -p softanvil-kernel --target i586-unknown-linux-gnu --target-dir "$out/x87" \
                 >"$work/x87.txt" 2>&1
             if grep -q 'x86 without SSE2 is excluded' "$work/x87.txt"; then
-                printf '%-38s as it must be\n' "x87 is refused" | tee -a "$table"
+                printf '%-44s as it must be\n' "x87 is refused" | tee -a "$table"
             else
                 failed=$((failed + 1)); printf 'FAILED: x87 is refused\n'
             fi
@@ -187,6 +190,24 @@ else
         board "Cortex-M7, without FPU (QEMU)" thumbv7em-none-eabi '' 'check --short yeoh'
     else
         skip "Cortex-M7" "qemu-system-arm is missing and cannot be installed"
+    fi
+fi
+
+# In single precision, with digests of its own.
+runner=softanvil-golden-f32 firmware=tests/firmware/rust/single home=()
+LTO=thin UNITS=1 native "f32: $(uname -m), opt-level 3" f32-o3 release
+native "f32: $(uname -m), opt-level 0, debug" f32-o0 dev
+if [ ${#home[@]} -gt 0 ] && command -v rustup >/dev/null; then
+    # The skips of these tools were counted above.
+    if command -v qemu-s390x >/dev/null && command -v s390x-linux-gnu-gcc >/dev/null; then
+        foreign "f32: s390x, big-endian (qemu-user)" s390x-unknown-linux-gnu 'check --short' '' qemu-s390x
+    fi
+    if command -v node >/dev/null; then
+        foreign "f32: wasm32 (Node)" wasm32-wasip1 check .wasm node --no-warnings "$root/tests/targets/wasi.mjs"
+    fi
+    if command -v qemu-system-arm >/dev/null; then
+        board "f32: Cortex-M7, single-precision FPU (QEMU)" thumbv7em-none-eabihf '' 'check --short'
+        board "f32: Cortex-M7, without FPU (QEMU)" thumbv7em-none-eabi '' 'check --short yeoh'
     fi
 fi
 

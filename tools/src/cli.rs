@@ -4,7 +4,7 @@ use std::ffi::OsString;
 
 use clap::{Parser, Subcommand};
 
-use crate::commands::{calibrate, fit, fmu, golden, measure, report, run, scenario, validate};
+use crate::commands::{calibrate, fit, fmu, golden, measure, report, run, scenario, study, validate};
 use crate::failure::Failure;
 
 /// Drop-weight impact on a soft anvil, by explicit finite elements that give the same bits everywhere.
@@ -26,6 +26,7 @@ enum Command {
     Measure(measure::Options),
     Validate(validate::Options),
     Calibrate(calibrate::Options),
+    Study(Box<study::Options>),
     Scenario(scenario::Options),
     Fit(Box<fit::Options>),
     Fmu(fmu::Options),
@@ -44,6 +45,7 @@ impl Cli {
             Some(Command::Measure(options)) => measure::carry_out(options),
             Some(Command::Validate(options)) => validate::carry_out(options),
             Some(Command::Calibrate(options)) => calibrate::carry_out(options),
+            Some(Command::Study(options)) => study::carry_out(options),
             Some(Command::Scenario(options)) => scenario::carry_out(options),
             Some(Command::Fit(options)) => fit::carry_out(options),
             Some(Command::Fmu(options)) => fmu::carry_out(options),

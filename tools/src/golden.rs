@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
 use softanvil_golden::run::Failure as RunFailure;
-use softanvil_golden::{Checker, Memory, Record, Run, SCENES, Scene};
+use softanvil_golden::{Checker, Header, Memory, Record, Run, SCENES, Scene};
 
 use crate::failure::Failure;
 
@@ -15,10 +15,7 @@ pub struct Played {
     pub scene: &'static Scene,
     /// A record per stride, the start included.
     pub records: Vec<Record>,
-    /// Triangles of the mesh.
-    elements: usize,
-    /// Time step, s.
-    dt: f64,
+    header: Header,
 }
 
 impl Played {
@@ -29,8 +26,7 @@ impl Played {
         while let Some(record) = run.advance()? {
             records.push(record);
         }
-        let constants = &run.model.constants;
-        Ok(Self { scene, records, elements: constants.grid.n_elem(), dt: constants.dt })
+        Ok(Self { scene, records, header: Header::new(scene, &run.model) })
     }
 
     /// The last record.
@@ -51,17 +47,7 @@ impl Played {
 
     /// The trace file.
     pub fn text(&self) -> String {
-        let mut text = format!(
-            "# {}: {}\n# {} triangles, time step {:e} s\n#{:>5} {:>24} {:>24}  {}\n",
-            self.scene.name,
-            self.scene.description,
-            self.elements,
-            self.dt,
-            "step",
-            "contact_force_N",
-            "position_m",
-            "state"
-        );
+        let mut text = format!("{}\n", self.header);
         for record in &self.records {
             let _ = writeln!(text, "{record}");
         }

@@ -3,12 +3,14 @@
 //! From top to bottom:
 //!
 //! 1. [`cli`] is the command line; each file of [`commands`] is one subcommand, [`failure`] how one ends badly.
-//! 2. [`report`] writes the report folder; [`plot`], [`table`] and [`trace`] draw, print and store results,
+//! 2. [`report`] writes the report folder; [`plot`], [`section`], [`table`] and [`trace`] draw, print and store results,
 //!    [`staging`] keeps half-written files away.
 //! 3. [`validation`] compares runs with the [`paper`], by the four [`quantity`]s of its table, [`comparison`] with a
 //!    measured trace, [`calibration`] searches; a [`reading`] is what a laboratory's instruments see of a run.
-//! 4. [`golden`] compares this machine with the golden traces, [`identification`] fits a material to test data.
-//! 5. [`run`] simulates a drop; [`scenario_file`] and [`presets`] say which, [`progress`] how far it is.
+//! 4. [`studies`] change one thing of a drop at a time, beside what the paper says of it.
+//! 5. [`golden`] compares this machine with the golden traces, [`identification`] fits a material to test data.
+//! 6. [`run`] simulates a drop; [`scenario_file`] and [`presets`] say which, [`progress`] how far it is, [`interrupt`]
+//!    when to end early.
 
 pub mod calibration;
 pub mod cli;
@@ -18,6 +20,7 @@ pub mod curve_score;
 pub mod failure;
 pub mod golden;
 pub mod identification;
+pub mod interrupt;
 pub mod json;
 pub mod paper;
 pub mod place;
@@ -32,6 +35,7 @@ pub mod scenario_file;
 pub mod section;
 pub mod series;
 pub mod staging;
+pub mod studies;
 pub mod table;
 pub mod trace;
 pub mod validation;

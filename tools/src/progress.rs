@@ -25,3 +25,13 @@ pub fn evaluations(count: u64) -> ProgressBar {
     bar.enable_steady_tick(Duration::from_millis(100));
     bar
 }
+
+/// A bar over the work of many simulations, in updates of elements; hidden if standard error is no terminal.
+pub fn sweep(work: u64) -> ProgressBar {
+    let style = ProgressStyle::with_template("{prefix}: {msg} [{bar:30}] {percent:>3} %, {eta} left")
+        .unwrap_or_else(|_| ProgressStyle::default_bar())
+        .progress_chars("=> ");
+    let bar = ProgressBar::new(work).with_style(style).with_finish(ProgressFinish::AndClear);
+    bar.enable_steady_tick(Duration::from_millis(100));
+    bar
+}

@@ -76,6 +76,11 @@ impl Drop {
         self.simulation.constants().steps_per_sample
     }
 
+    /// Triangles of the mesh.
+    pub fn elements(&self) -> usize {
+        self.simulation.constants().grid.n_elem()
+    }
+
     /// Runs to the end; `progress` hears of every completed sample how many steps it took.
     ///
     /// # Errors
@@ -95,15 +100,45 @@ impl Drop {
         mut self,
         mut watch: impl FnMut(u64, &mut Simulation) -> Result<(), E>,
     ) -> Result<Run, E> {
-        let stride = u64::from(self.simulation.constants().steps_per_sample);
         let mut samples = vec![*self.simulation.scalars()];
         watch(0, &mut self.simulation)?;
-        for _ in 0..self.steps / stride {
-            self.simulation.step(stride, &StepInput::default()).map_err(RunError::from)?;
-            samples.push(*self.simulation.scalars());
-            watch(stride, &mut self.simulation)?;
+        while self.sample(&mut samples)? {
+            watch(self.stride(), &mut self.simulation)?;
         }
-        Ok(Run { constants: *self.simulation.constants(), samples })
+        Ok(self.completed(samples))
+    }
+
+    /// The same as long as `progress` says that it is still wanted; nothing if it ends by that.
+    ///
+    /// # Errors
+    /// The first step that fails.
+    pub fn run_while(mut self, mut progress: impl FnMut(u64) -> bool) -> Result<Option<Run>, RunError> {
+        let mut samples = vec![*self.simulation.scalars()];
+        while self.sample(&mut samples)? {
+            if !progress(self.stride()) {
+                return Ok(None);
+            }
+        }
+        Ok(Some(self.completed(samples)))
+    }
+
+    fn stride(&self) -> u64 {
+        u64::from(self.steps_per_sample())
+    }
+
+    /// Simulates one sampling interval; false at the end.
+    fn sample(&mut self, samples: &mut Vec<Scalars>) -> Result<bool, RunError> {
+        let stride = self.stride();
+        if samples.len() as u64 > self.steps / stride {
+            return Ok(false);
+        }
+        self.simulation.step(stride, &StepInput::default())?;
+        samples.push(*self.simulation.scalars());
+        Ok(true)
+    }
+
+    fn completed(self, samples: Vec<Scalars>) -> Run {
+        Run { constants: *self.simulation.constants(), samples }
     }
 }
 

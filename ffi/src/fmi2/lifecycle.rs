@@ -47,22 +47,24 @@ pub extern "C" fn fmi2Instantiate(
     _visible: Boolean,
     logging_on: Boolean,
 ) -> types::Component {
-    let Some(callbacks) = functions.get() else { return Handle::NULL };
-    let name = instance_name.get().unwrap_or_default();
-    let logger = callbacks.logger.map_or(Logger::Silent, |logger| Logger::Format(logger, name.into()));
-    let log = Log::new(logger, callbacks.environment, logging_on != 0);
-    let refusal = if name.is_empty() {
-        "the instance name is missing"
-    } else if fmu_type != CO_SIMULATION {
-        "fmuType is refused: legal is fmi2CoSimulation (1)"
-    } else if guid.get().map(CStr::to_bytes) != Some(token().as_bytes()) {
-        "the GUID is not that of this library: model description and binary do not belong together"
-    } else {
-        log.event("instantiated");
-        return Handle::new(neutral(|| Session::new(Instance::new(Version::Fmi2), log)));
-    };
-    log.error("fmi2Instantiate", &refusal);
-    Handle::NULL
+    neutral(|| {
+        let Some(callbacks) = functions.get() else { return Handle::NULL };
+        let name = instance_name.get().unwrap_or_default();
+        let logger = callbacks.logger.map_or(Logger::Silent, |logger| Logger::Format(logger, name.into()));
+        let log = Log::new(logger, callbacks.environment, logging_on != 0);
+        let refusal = if name.is_empty() {
+            "the instance name is missing"
+        } else if fmu_type != CO_SIMULATION {
+            "fmuType is refused: legal is fmi2CoSimulation (1)"
+        } else if guid.get().map(CStr::to_bytes) != Some(token().as_bytes()) {
+            "the GUID is not that of this library: model description and binary do not belong together"
+        } else {
+            log.event("instantiated");
+            return Handle::new(Session::new(Instance::new(Version::Fmi2), log));
+        };
+        log.error("fmi2Instantiate", &refusal);
+        Handle::NULL
+    })
 }
 
 /// Ends an instance, in whatever mode; null is fine.

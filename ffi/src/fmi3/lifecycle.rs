@@ -4,7 +4,8 @@ use core::ffi::{CStr, c_char};
 
 use super::calls;
 use super::types::{
-    self, Boolean, Flag, Float64, InstanceEnvironment, IntermediateUpdate, UnusedCallback, ValueReference,
+    self, Boolean, ClockUpdate, Flag, Float64, InstanceEnvironment, IntermediateUpdate, LockPreemption,
+    UnlockPreemption, ValueReference,
 };
 use crate::environment::neutral;
 use crate::foreign::{Array, Handle, Room, Text};
@@ -119,9 +120,9 @@ pub extern "C" fn fmi3InstantiateScheduledExecution(
     logging_on: Flag,
     instance_environment: InstanceEnvironment,
     log_message: Option<TextLogger>,
-    _clock_update: UnusedCallback,
-    _lock_preemption: UnusedCallback,
-    _unlock_preemption: UnusedCallback,
+    _clock_update: Option<ClockUpdate>,
+    _lock_preemption: Option<LockPreemption>,
+    _unlock_preemption: Option<UnlockPreemption>,
 ) -> types::Instance {
     let logger = (log_message, instance_environment, logging_on);
     let reason = "scheduled execution is not supported, see the model description";

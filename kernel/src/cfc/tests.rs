@@ -3,16 +3,16 @@ extern crate std;
 use std::vec::Vec;
 
 /// The sampling interval of the kernel, s.
-const T: f64 = 50e-6;
+const T: Real = 50e-6;
 
-fn close(a: f64, b: f64, tolerance: f64) -> bool {
+fn close(a: Real, b: Real, tolerance: Real) -> bool {
     (a - b).abs() <= tolerance * b.abs()
 }
 
 /// Gain of both passes at a whole `frequency`, dB, measured on a sine of whole periods in the middle of a long record.
-fn gain(coefficients: &Coefficients, frequency: f64) -> f64 {
-    let angle = |i: usize| 2.0 * PI * frequency * T * i as f64;
-    let mut record: Vec<f64> = (0..60_000).map(|i| math::sin(angle(i))).collect();
+fn gain(coefficients: &Coefficients, frequency: Real) -> Real {
+    let angle = |i: usize| 2.0 * PI * frequency * T * i as Real;
+    let mut record: Vec<Real> = (0..60_000).map(|i| math::sin(angle(i))).collect();
     filter_both_ways(coefficients, &mut record);
     // 20,000 samples are 1 s: whole periods of every whole frequency.
     let (mut sine, mut cosine) = (0.0, 0.0);
@@ -108,11 +108,11 @@ fn classes_that_the_sampling_cannot_carry_are_refused() {
     for legal in [1e-3, 60.0, 2000.0] {
         assert!(Coefficients::new(legal, T).is_ok(), "{legal}");
     }
-    for refused in [0.0, -60.0, 2001.0, f64::NAN, f64::INFINITY] {
+    for refused in [0.0, -60.0, 2001.0, Real::NAN, Real::INFINITY] {
         let error = Coefficients::new(refused, T).unwrap_err();
         assert_eq!((error.unit, error.max), ("Hz", 2000.0));
     }
-    for interval in [0.0, -T, f64::NAN, f64::INFINITY] {
+    for interval in [0.0, -T, Real::NAN, Real::INFINITY] {
         assert!(Coefficients::new(60.0, interval).is_err());
     }
 }

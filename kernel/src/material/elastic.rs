@@ -4,6 +4,7 @@ use crate::element::Kinematics;
 use crate::lanes::{Deviator, Lane};
 use crate::material::{MooneyRivlin, NeoHookean, Ogden, Yeoh};
 use crate::math;
+use crate::real::Real;
 use crate::scenario::{ElasticLaw, Material};
 use crate::stretch::IsochoricStretch;
 
@@ -32,7 +33,7 @@ impl Elastic {
     }
 
     /// W, J/m3 of reference volume.
-    pub fn strain_energy_density(&self, stretch: &IsochoricStretch) -> f64 {
+    pub fn strain_energy_density(&self, stretch: &IsochoricStretch) -> Real {
         match self {
             Self::NeoHookean(law) => law.strain_energy_density(stretch),
             Self::MooneyRivlin(law) => law.strain_energy_density(stretch),
@@ -53,7 +54,7 @@ impl Elastic {
     }
 
     /// Shear modulus at rest, Pa.
-    pub fn shear_modulus(&self) -> f64 {
+    pub fn shear_modulus(&self) -> Real {
         match self {
             Self::NeoHookean(law) => law.shear_modulus(),
             Self::MooneyRivlin(law) => law.shear_modulus(),
@@ -63,7 +64,7 @@ impl Elastic {
     }
 
     /// An upper bound of the shear tangent, Pa, at a stretch.
-    pub fn shear_tangent(&self, stretch: &IsochoricStretch) -> f64 {
+    pub fn shear_tangent(&self, stretch: &IsochoricStretch) -> Real {
         match self {
             Self::NeoHookean(law) => law.shear_tangent(stretch),
             Self::MooneyRivlin(law) => law.shear_tangent(stretch),
@@ -78,7 +79,7 @@ impl Elastic {
 /// In a plane isochoric stretch l, where I1 = I2 = I and l^2 + l^-2 = I - 1, the tangent of pure shear is
 /// W' (I-1) + W'' ((I-1)^2 - 4) with the derivatives along I1 = I2; it exceeds those of simple shear. The larger
 /// invariant makes it a bound for other stretches; a negative derivative is not counted.
-pub(crate) fn plane_shear_tangent((i1, i2): (f64, f64), first: f64, second: f64) -> f64 {
+pub(crate) fn plane_shear_tangent((i1, i2): (Real, Real), first: Real, second: Real) -> Real {
     let i = math::larger(i1, i2) - 1.0;
     math::larger(first, 0.0) * i + math::larger(second, 0.0) * math::larger(i * i - 4.0, 0.0)
 }

@@ -8,6 +8,7 @@
 
 use crate::lanes::Deviator;
 use crate::material::relaxation::{Branches, MAX_BRANCHES, Overstress};
+use crate::real::Real;
 use crate::scenario::Material;
 
 /// Most additive Maxwell terms.
@@ -17,12 +18,12 @@ pub const MAX_MAXWELL_TERMS: usize = MAX_BRANCHES;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Maxwell {
     branches: Branches,
-    shear_modulus: f64,
+    shear_modulus: Real,
 }
 
 impl Maxwell {
     /// The terms of `material` with G > 0, for steps of `dt` s.
-    pub fn new(material: &Material, dt: f64) -> Self {
+    pub fn new(material: &Material, dt: Real) -> Self {
         let mut maxwell = Self { branches: Branches::NONE, shear_modulus: 0.0 };
         for (g, beta) in material.maxwell_g.iter().zip(material.maxwell_beta) {
             if *g > 0.0 {
@@ -39,7 +40,7 @@ impl Maxwell {
     }
 
     /// Shear modulus of all terms unrelaxed, Pa.
-    pub fn shear_modulus(&self) -> f64 {
+    pub fn shear_modulus(&self) -> Real {
         self.shear_modulus
     }
 

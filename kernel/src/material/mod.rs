@@ -34,6 +34,7 @@ pub use tear::Tear;
 pub use volumetric::Volumetric;
 pub use yeoh::Yeoh;
 
+use crate::real::Real;
 use crate::scenario::Material;
 use crate::stretch::IsochoricStretch;
 
@@ -41,7 +42,7 @@ use crate::stretch::IsochoricStretch;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Laws {
     /// Density, kg/m3.
-    pub density: f64,
+    pub density: Real,
     /// Long-term isochoric elasticity.
     pub elastic: Elastic,
     /// Pressure.
@@ -58,7 +59,7 @@ pub struct Laws {
 
 impl Laws {
     /// The laws of `material` for steps of `dt` s.
-    pub fn new(material: &Material, dt: f64) -> Self {
+    pub fn new(material: &Material, dt: Real) -> Self {
         Self {
             density: material.density,
             elastic: Elastic::new(material),
@@ -78,7 +79,7 @@ impl Laws {
     /// An upper bound of the shear tangent of elasticity, overstress and damping together, Pa.
     ///
     /// All viscous terms count as unrelaxed, and nothing as torn.
-    pub fn shear_tangent(&self, stretch: &IsochoricStretch) -> f64 {
+    pub fn shear_tangent(&self, stretch: &IsochoricStretch) -> Real {
         self.elastic.shear_tangent(stretch) * (1.0 + self.prony.overstress())
             + self.maxwell.shear_modulus()
             + self.slider.stiffness

@@ -9,6 +9,7 @@
 use crate::element::Kinematics;
 use crate::lanes::{Deviator, LANES, Lane};
 use crate::material::plane_shear_tangent;
+use crate::real::Real;
 use crate::scenario::Material;
 use crate::stretch::IsochoricStretch;
 
@@ -16,15 +17,15 @@ use crate::stretch::IsochoricStretch;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MooneyRivlin {
     /// Of (I1-3).
-    pub c10: f64,
+    pub c10: Real,
     /// Of (I2-3).
-    pub c01: f64,
+    pub c01: Real,
     /// Of (I1-3)(I2-3).
-    pub c11: f64,
+    pub c11: Real,
     /// Of (I1-3)^2.
-    pub c20: f64,
+    pub c20: Real,
     /// Of (I2-3)^2.
-    pub c02: f64,
+    pub c02: Real,
 }
 
 impl MooneyRivlin {
@@ -42,20 +43,20 @@ impl MooneyRivlin {
 
     /// (dW/dI1, dW/dI2), Pa.
     #[inline(always)]
-    fn derivatives(&self, i1: f64, i2: f64) -> (f64, f64) {
+    fn derivatives(&self, i1: Real, i2: Real) -> (Real, Real) {
         let (a, b) = (i1 - 3.0, i2 - 3.0);
         (self.c10 + 2.0 * self.c20 * a + self.c11 * b, self.c01 + 2.0 * self.c02 * b + self.c11 * a)
     }
 
     /// W at the invariants.
     #[inline(always)]
-    fn energy(&self, i1: f64, i2: f64) -> f64 {
+    fn energy(&self, i1: Real, i2: Real) -> Real {
         let (a, b) = (i1 - 3.0, i2 - 3.0);
         a * (self.c10 + self.c20 * a + self.c11 * b) + b * (self.c01 + self.c02 * b)
     }
 
     /// W, J/m3 of reference volume.
-    pub fn strain_energy_density(&self, stretch: &IsochoricStretch) -> f64 {
+    pub fn strain_energy_density(&self, stretch: &IsochoricStretch) -> Real {
         let (i1, i2) = stretch.invariants();
         self.energy(i1, i2)
     }
@@ -88,12 +89,12 @@ impl MooneyRivlin {
     }
 
     /// Shear modulus at rest, Pa.
-    pub fn shear_modulus(&self) -> f64 {
+    pub fn shear_modulus(&self) -> Real {
         2.0 * (self.c10 + self.c01)
     }
 
     /// An upper bound of the shear tangent, Pa.
-    pub fn shear_tangent(&self, stretch: &IsochoricStretch) -> f64 {
+    pub fn shear_tangent(&self, stretch: &IsochoricStretch) -> Real {
         let (i1, i2) = stretch.invariants();
         let (w1, w2) = self.derivatives(i1, i2);
         plane_shear_tangent((i1, i2), w1 + w2, 2.0 * (self.c20 + self.c02 + self.c11))

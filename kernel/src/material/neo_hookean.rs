@@ -4,6 +4,7 @@
 use crate::element::Kinematics;
 use crate::lanes::{Deviator, LANES, Lane};
 use crate::material::plane_shear_tangent;
+use crate::real::Real;
 use crate::scenario::Material;
 use crate::stretch::IsochoricStretch;
 
@@ -11,7 +12,7 @@ use crate::stretch::IsochoricStretch;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NeoHookean {
     /// Of (I1-3).
-    pub c10: f64,
+    pub c10: Real,
 }
 
 impl NeoHookean {
@@ -21,7 +22,7 @@ impl NeoHookean {
     }
 
     /// W, J/m3 of reference volume.
-    pub fn strain_energy_density(&self, stretch: &IsochoricStretch) -> f64 {
+    pub fn strain_energy_density(&self, stretch: &IsochoricStretch) -> Real {
         self.c10 * (stretch.invariants().0 - 3.0)
     }
 
@@ -44,12 +45,12 @@ impl NeoHookean {
     }
 
     /// Shear modulus at rest, Pa.
-    pub fn shear_modulus(&self) -> f64 {
+    pub fn shear_modulus(&self) -> Real {
         2.0 * self.c10
     }
 
     /// An upper bound of the shear tangent, Pa.
-    pub fn shear_tangent(&self, stretch: &IsochoricStretch) -> f64 {
+    pub fn shear_tangent(&self, stretch: &IsochoricStretch) -> Real {
         plane_shear_tangent(stretch.invariants(), self.c10, 0.0)
     }
 }

@@ -20,6 +20,7 @@
 use crate::element::Kinematics;
 use crate::lanes::{Deviator, LANES, Lane};
 use crate::math;
+use crate::real::Real;
 use crate::scenario::Material;
 use crate::stretch::IsochoricStretch;
 
@@ -30,21 +31,21 @@ pub const MAX_OGDEN_TERMS: usize = 3;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ogden {
     /// Coefficients, Pa; 0 where a term is off.
-    pub mu: [f64; MAX_OGDEN_TERMS],
+    pub mu: [Real; MAX_OGDEN_TERMS],
     /// Exponents.
-    pub alpha: [f64; MAX_OGDEN_TERMS],
+    pub alpha: [Real; MAX_OGDEN_TERMS],
 }
 
 /// An isochoric stretch as the law sees it.
 struct Mohr {
     /// ln g.
-    log: f64,
+    log: Real,
     /// r / g = sinh x.
-    sinh: f64,
+    sinh: Real,
     /// x.
-    x: f64,
+    x: Real,
     /// Deviatoric in-plane part of U-bar over g: (u11 - u22) / 2 and u12.
-    direction: [f64; 2],
+    direction: [Real; 2],
 }
 
 impl Mohr {
@@ -59,15 +60,15 @@ impl Mohr {
 /// What one term adds, per mu.
 struct Term {
     /// Mean of the section less the stress out of it.
-    step: f64,
+    step: Real,
     /// Half difference in the section over r / g.
-    slope: f64,
+    slope: Real,
     /// alpha W / mu.
-    energy: f64,
+    energy: Real,
 }
 
 impl Term {
-    fn new(alpha: f64, mohr: &Mohr) -> Self {
+    fn new(alpha: Real, mohr: &Mohr) -> Self {
         // E = e^y - 1 and S = sinh(alpha x / 2): cosh(alpha x) = 1 + 2 S^2, sinh(alpha x) = 2 S sqrt(1 + S^2).
         let e = math::expm1(alpha * mohr.log);
         let s = math::sinh(0.5 * (alpha * mohr.x));
@@ -92,12 +93,12 @@ impl Ogden {
 
     /// The terms that are on: (mu, alpha).
     #[inline(always)]
-    fn terms(&self) -> impl Iterator<Item = (f64, f64)> {
+    fn terms(&self) -> impl Iterator<Item = (Real, Real)> {
         self.mu.into_iter().zip(self.alpha).filter(|(mu, alpha)| *mu != 0.0 && *alpha != 0.0)
     }
 
     /// W, J/m3 of reference volume.
-    pub fn strain_energy_density(&self, stretch: &IsochoricStretch) -> f64 {
+    pub fn strain_energy_density(&self, stretch: &IsochoricStretch) -> Real {
         let mohr = Mohr::new(stretch);
         self.terms().fold(0.0, |sum, (mu, alpha)| sum + mu / alpha * Term::new(alpha, &mohr).energy)
     }
@@ -125,7 +126,7 @@ impl Ogden {
     }
 
     /// Shear modulus at rest, Pa.
-    pub fn shear_modulus(&self) -> f64 {
+    pub fn shear_modulus(&self) -> Real {
         0.5 * self.terms().fold(0.0, |sum, (mu, alpha)| sum + mu * alpha)
     }
 
@@ -135,12 +136,12 @@ impl Ogden {
     /// largest of the three bounds it. Turning the directions of l_i and l_j meets
     /// (tau_i - tau_j)(l_i^2 + l_j^2) / (2 (l_i^2 - l_j^2)), which exceeds it only for exponents between -2 and 2, by
     /// a factor of at most h coth h < 1 + h with h = |ln(l_i / l_j)|.
-    pub fn shear_tangent(&self, stretch: &IsochoricStretch) -> f64 {
+    pub fn shear_tangent(&self, stretch: &IsochoricStretch) -> Real {
         let stiffening = || self.terms().filter(|(mu, alpha)| mu * alpha > 0.0);
         let logs = stretch.principal().map(math::ln);
         let along =
             logs.map(|log| 0.5 * stiffening().fold(0.0, |sum, (mu, alpha)| sum + mu * alpha * math::exp(alpha * log)));
-        let largest = |v: [f64; 3]| math::larger(v[0], math::larger(v[1], v[2]));
+        let largest = |v: [Real; 3]| math::larger(v[0], math::larger(v[1], v[2]));
         let spread = largest(logs) + largest(logs.map(|log| -log));
         let soft = stiffening().any(|(_, alpha)| math::abs(alpha) < 2.0);
         largest(along) * if soft { 1.0 + spread } else { 1.0 }

@@ -9,6 +9,7 @@
 
 use crate::lanes::{Deviator, LANES};
 use crate::material::relaxation::{Branches, MAX_BRANCHES, Overstress};
+use crate::real::Real;
 use crate::scenario::Material;
 
 /// Most terms of a Prony series.
@@ -18,12 +19,12 @@ pub const MAX_PRONY_TERMS: usize = MAX_BRANCHES;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Prony {
     branches: Branches,
-    overstress: f64,
+    overstress: Real,
 }
 
 impl Prony {
     /// The terms of `material` with g > 0, for steps of `dt` s.
-    pub fn new(material: &Material, dt: f64) -> Self {
+    pub fn new(material: &Material, dt: Real) -> Self {
         let mut prony = Self { branches: Branches::NONE, overstress: 0.0 };
         let g_inf = material.prony_g_inf();
         let shear_modulus = material.shear_modulus_inf();
@@ -43,7 +44,7 @@ impl Prony {
     }
 
     /// Ratio of instantaneous overstress to long-term stress, sum g_k / g_inf.
-    pub fn overstress(&self) -> f64 {
+    pub fn overstress(&self) -> Real {
         self.overstress
     }
 

@@ -9,6 +9,7 @@
 
 use crate::lanes::{Deviator, LANES, Lane, ZERO};
 use crate::math;
+use crate::real::Real;
 
 /// Most branches of one kind.
 pub const MAX_BRANCHES: usize = 5;
@@ -17,10 +18,10 @@ pub const MAX_BRANCHES: usize = 5;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Branches {
     n_term: usize,
-    decay: [f64; MAX_BRANCHES],
-    gain: [f64; MAX_BRANCHES],
+    decay: [Real; MAX_BRANCHES],
+    gain: [Real; MAX_BRANCHES],
     /// 1 / (G tau), 1/(Pa s).
-    fluidity: [f64; MAX_BRANCHES],
+    fluidity: [Real; MAX_BRANCHES],
 }
 
 /// Stress of a block with its overstress, and what the overstress does in a step.
@@ -47,7 +48,7 @@ impl Branches {
         Self { n_term: 0, decay: [0.0; MAX_BRANCHES], gain: [0.0; MAX_BRANCHES], fluidity: [0.0; MAX_BRANCHES] };
 
     /// Adds a branch: `ratio` of what drives it, Pa per its unit, `steps` = dt / tau, fluidity 1 / (G tau).
-    pub(crate) fn push(&mut self, ratio: f64, steps: f64, fluidity: f64) {
+    pub(crate) fn push(&mut self, ratio: Real, steps: Real, fluidity: Real) {
         let decay = math::exp(-steps);
         if let (Some(d), Some(g), Some(f)) =
             (self.decay.get_mut(self.n_term), self.gain.get_mut(self.n_term), self.fluidity.get_mut(self.n_term))

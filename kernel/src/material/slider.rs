@@ -10,14 +10,15 @@
 
 use crate::lanes::{Deviator, LANES, Lane, ZERO, contract};
 use crate::math;
+use crate::real::Real;
 
 /// Constants of the spring-slider.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slider {
     /// Shear modulus G of the spring, Pa.
-    pub stiffness: f64,
+    pub stiffness: Real,
     /// Von Mises stress SIGF at which the slider slips, Pa.
-    pub yield_stress: f64,
+    pub yield_stress: Real,
 }
 
 /// Energies of a block's springs and sliders, J/m3.
@@ -67,4 +68,4 @@ impl Slider {
 }
 
 /// The square root of 2/3, rounded once.
-const SQRT_TWO_THIRDS: f64 = 0.816_496_580_927_726;
+const SQRT_TWO_THIRDS: Real = 0.816_496_580_927_726;

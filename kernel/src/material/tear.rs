@@ -12,6 +12,7 @@
 
 use crate::element::Kinematics;
 use crate::lanes::{LANES, Lane};
+use crate::real::Real;
 use crate::scenario::Material;
 use crate::stretch::largest_in_plane;
 
@@ -19,11 +20,11 @@ use crate::stretch::largest_in_plane;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tear {
     /// Largest principal stretch at which the tear begins; 0 for a material that does not tear.
-    pub limit: f64,
+    pub limit: Real,
     /// Stretch over which the stress falls.
-    pub width: f64,
+    pub width: Real,
     /// Part of the stress that remains.
-    pub residual: f64,
+    pub residual: Real,
 }
 
 impl Tear {
@@ -39,7 +40,7 @@ impl Tear {
     }
 
     /// phi at the largest stretch so far.
-    pub fn factor(&self, largest: f64) -> f64 {
+    pub fn factor(&self, largest: Real) -> Real {
         let x = (largest - self.limit) / self.width;
         if x <= 0.0 {
             1.0

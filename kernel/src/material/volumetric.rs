@@ -6,6 +6,7 @@
 
 use crate::lanes::{LANES, Lane};
 use crate::math;
+use crate::real::Real;
 use crate::scenario::{Material, VolumetricLaw};
 
 /// The chosen law and its modulus.
@@ -14,7 +15,7 @@ pub struct Volumetric {
     /// Which U(J).
     pub law: VolumetricLaw,
     /// Bulk modulus K at rest, Pa.
-    pub bulk_modulus: f64,
+    pub bulk_modulus: Real,
 }
 
 impl Volumetric {
@@ -70,7 +71,7 @@ impl Volumetric {
 
     /// An upper bound of the modulus of volume strain at `jacobian`, Pa: J^2 d2U/dJ2, the modulus against spatial
     /// gradients, and not less than that at rest.
-    pub fn tangent(&self, jacobian: f64) -> f64 {
+    pub fn tangent(&self, jacobian: Real) -> Real {
         let square = jacobian * jacobian;
         let relative = match self.law {
             VolumetricLaw::Quadratic => square,

@@ -4,6 +4,7 @@
 use crate::element::Kinematics;
 use crate::lanes::{Deviator, LANES, Lane};
 use crate::material::plane_shear_tangent;
+use crate::real::Real;
 use crate::scenario::Material;
 use crate::stretch::IsochoricStretch;
 
@@ -11,11 +12,11 @@ use crate::stretch::IsochoricStretch;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Yeoh {
     /// Of (I1-3).
-    pub c10: f64,
+    pub c10: Real,
     /// Of (I1-3)^2.
-    pub c20: f64,
+    pub c20: Real,
     /// Of (I1-3)^3.
-    pub c30: f64,
+    pub c30: Real,
 }
 
 impl Yeoh {
@@ -27,18 +28,18 @@ impl Yeoh {
 
     /// W at a = I1 - 3.
     #[inline(always)]
-    fn energy(&self, a: f64) -> f64 {
+    fn energy(&self, a: Real) -> Real {
         a * (self.c10 + a * (self.c20 + a * self.c30))
     }
 
     /// dW/dI1 at a = I1 - 3.
     #[inline(always)]
-    fn slope(&self, a: f64) -> f64 {
+    fn slope(&self, a: Real) -> Real {
         self.c10 + a * (2.0 * self.c20 + a * (3.0 * self.c30))
     }
 
     /// W, J/m3 of reference volume.
-    pub fn strain_energy_density(&self, stretch: &IsochoricStretch) -> f64 {
+    pub fn strain_energy_density(&self, stretch: &IsochoricStretch) -> Real {
         self.energy(stretch.invariants().0 - 3.0)
     }
 
@@ -61,12 +62,12 @@ impl Yeoh {
     }
 
     /// Shear modulus at rest, Pa.
-    pub fn shear_modulus(&self) -> f64 {
+    pub fn shear_modulus(&self) -> Real {
         2.0 * self.c10
     }
 
     /// An upper bound of the shear tangent, Pa.
-    pub fn shear_tangent(&self, stretch: &IsochoricStretch) -> f64 {
+    pub fn shear_tangent(&self, stretch: &IsochoricStretch) -> Real {
         let (i1, i2) = stretch.invariants();
         let a = i1 - 3.0;
         plane_shear_tangent((i1, i2), self.slope(a), 2.0 * self.c20 + 6.0 * self.c30 * a)

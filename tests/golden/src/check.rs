@@ -79,7 +79,7 @@ impl fmt::Display for Difference<'_> {
     }
 }
 
-#[cfg(test)]
+#[cfg(all(test, not(feature = "single")))]
 mod tests {
     extern crate std;
 

@@ -19,6 +19,6 @@ pub mod scenes;
 
 pub use check::{Checker, Difference};
 pub use memory::Memory;
-pub use record::Record;
+pub use record::{Header, Record};
 pub use run::{Failure, Run};
 pub use scenes::{SCENES, Scene};

@@ -4,6 +4,9 @@
 use std::fmt::Arguments;
 use std::process::ExitCode;
 
+#[cfg(feature = "single")]
+use softanvil_golden_f32 as softanvil_golden;
+
 use softanvil_golden::runner::{Host, Room, execute};
 
 struct Terminal {

@@ -2,6 +2,11 @@
 
 use core::fmt;
 
+use softanvil_kernel::Model;
+use softanvil_kernel::real::Real;
+
+use crate::scenes::Scene;
+
 /// What is compared, in the order of a line's columns.
 pub const QUANTITIES: [&str; 4] = ["step", "contact_force_N", "position_m", "state"];
 
@@ -11,9 +16,9 @@ pub struct Record {
     /// Steps completed.
     pub step: u64,
     /// Contact force of the step on the impactor, N.
-    pub force: f64,
+    pub force: Real,
     /// Height of the face above the undeformed anvil, m.
-    pub position: f64,
+    pub position: Real,
     /// Digest of the full state: every number that a snapshot holds.
     pub state: u64,
 }
@@ -23,6 +28,31 @@ pub struct Record {
 impl fmt::Display for Record {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{:>6} {:>24e} {:>24e}  {:016x}", self.step, self.force, self.position, self.state)
+    }
+}
+
+/// The comments at the start of a trace.
+#[derive(Clone, Copy, Debug)]
+pub struct Header {
+    scene: &'static Scene,
+    elements: usize,
+    dt: Real,
+}
+
+impl Header {
+    /// The comments of the trace of `scene`, whose model is `model`.
+    pub fn new(scene: &'static Scene, model: &Model) -> Self {
+        Self { scene, elements: model.constants.grid.n_elem(), dt: model.constants.dt }
+    }
+}
+
+/// Three lines; the last is not ended.
+impl fmt::Display for Header {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [step, force, position, state] = QUANTITIES;
+        writeln!(f, "# {}: {}", self.scene.name, self.scene.description)?;
+        writeln!(f, "# {} triangles, time step {:e} s", self.elements, self.dt)?;
+        write!(f, "#{step:>5} {force:>24} {position:>24}  {state}")
     }
 }
 

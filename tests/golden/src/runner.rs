@@ -2,6 +2,7 @@
 //!
 //! * `check [--short] [SCENE...]` runs scenes against their traces, all unless named. One line each, then a summary line
 //!   with the digests of all scenes.
+//! * `trace SCENE` prints the trace of a scene, for a change of the results that is meant.
 //! * `save SCENE RECORD FILE` runs a scene up to a record and saves it.
 //! * `resume SCENE FILE [RECORD FILE]` takes over a saved state, goes on to the end, or up to a record and saves again,
 //!   and compares every record on the way.
@@ -12,7 +13,7 @@ use softanvil_kernel::digest::Digest;
 
 use crate::check::Checker;
 use crate::memory::{Memory, SNAPSHOT};
-use crate::record::Record;
+use crate::record::{Header, Record};
 use crate::run::{Failure, Run};
 use crate::scenes::{SCENES, SHORT, Scene};
 
@@ -45,7 +46,8 @@ impl Default for Room {
     }
 }
 
-const USAGE: &str = "usage: check [--short] [SCENE...] | save SCENE RECORD FILE | resume SCENE FILE [RECORD FILE]";
+const USAGE: &str =
+    "usage: check [--short] [SCENE...] | trace SCENE | save SCENE RECORD FILE | resume SCENE FILE [RECORD FILE]";
 
 /// Carries out a command line without the name of the program; returns whether everything agrees.
 pub fn execute<'w>(words: impl Iterator<Item = &'w str> + Clone, host: &mut dyn Host, room: &mut Room) -> bool {
@@ -53,6 +55,10 @@ pub fn execute<'w>(words: impl Iterator<Item = &'w str> + Clone, host: &mut dyn 
     let mut next = || arguments.next();
     let result = match words.clone().next() {
         Some("check") => return check(words.skip(1), host, room),
+        Some("trace") => match next().and_then(Scene::find) {
+            Some(scene) => trace(scene, host, room).map_err(Refusal::Run),
+            None => Err(Refusal::Usage),
+        },
         Some("save") => match (next().and_then(Scene::find), next().map(str::parse), next()) {
             (Some(scene), Some(Ok(record)), Some(file)) => save(scene, record, file, host, room),
             _ => Err(Refusal::Usage),
@@ -193,6 +199,16 @@ fn play(
         same = false;
     }
     Ok(Played { record, same })
+}
+
+fn trace(scene: &'static Scene, host: &mut dyn Host, room: &mut Room) -> Result<bool, Failure> {
+    let mut run = Run::new(scene, &mut room.memory)?;
+    host.line(format_args!("{}", Header::new(scene, &run.model)));
+    host.line(format_args!("{}", run.record()));
+    while let Some(record) = run.advance()? {
+        host.line(format_args!("{record}"));
+    }
+    Ok(true)
 }
 
 fn save<'w>(

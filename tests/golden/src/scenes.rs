@@ -1,6 +1,7 @@
 //! The table of scenes. The drops of the study follow the preset; every other scene states its own numbers, so that it
 //! changes only with the mathematics.
 
+use softanvil_kernel::real::Real;
 use softanvil_kernel::scenario::{
     DropBy, ElasticLaw, Formulation, Interface, Layers, Material, Moduli, Motion, Section, StepBy, VolumetricBy,
     VolumetricLaw,
@@ -28,6 +29,20 @@ pub struct Scene {
     pub trace: &'static str,
 }
 
+/// The trace of a scene: single precision has its own.
+#[cfg(not(feature = "single"))]
+macro_rules! trace_file {
+    ($name:literal) => {
+        concat!("../traces/", $name, ".txt")
+    };
+}
+#[cfg(feature = "single")]
+macro_rules! trace_file {
+    ($name:literal) => {
+        concat!("../traces/single/", $name, ".txt")
+    };
+}
+
 macro_rules! scene {
     ($name:literal, $scenario:expr, $input:expr, $description:literal) => {
         Scene {
@@ -35,7 +50,7 @@ macro_rules! scene {
             description: $description,
             scenario: $scenario,
             input: $input,
-            trace: include_str!(concat!("../traces/", $name, ".txt")),
+            trace: include_str!(trace_file!($name)),
         }
     };
 }
@@ -70,7 +85,7 @@ impl Scene {
     }
 }
 
-fn study(energy: f64) -> Scenario {
+fn study(energy: Real) -> Scenario {
     let scenario = preset::study();
     Scenario { impactor: scenario.impactor.with_energy(energy), ..scenario }
 }
@@ -211,8 +226,8 @@ fn nothing(_: &Constants, _: u64) -> StepInput {
 /// Down by 3.5 mm and back, in 5 ms, and then at rest: p(s) = s^3 (10 - 15 s + 6 s^2) each way, which starts and ends
 /// without speed and acceleration.
 fn press(constants: &Constants, step_index: u64) -> StepInput {
-    const STROKE: f64 = 3.5e-3;
-    const EACH_WAY: f64 = 2.5e-3;
+    const STROKE: Real = 3.5e-3;
+    const EACH_WAY: Real = 2.5e-3;
     let s = constants.time(step_index + 1) / EACH_WAY;
     let s = if s > 2.0 {
         0.0
@@ -227,5 +242,5 @@ fn press(constants: &Constants, step_index: u64) -> StepInput {
 
 /// Half a newton more upwards in every step.
 fn pull(_: &Constants, step_index: u64) -> StepInput {
-    StepInput { external_force: 0.5 * step_index as f64, driven_position: 0.0 }
+    StepInput { external_force: 0.5 * step_index as Real, driven_position: 0.0 }
 }

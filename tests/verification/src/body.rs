@@ -3,7 +3,7 @@
 
 use softanvil_kernel::element::{CellConstants, CellHistory, Corners, ElementEnergy, HoopConstants, internal_force};
 use softanvil_kernel::lanes::{Deviator, LANES, ZERO};
-use softanvil_kernel::mesh::{out_of_plane, triangles};
+use softanvil_kernel::mesh::triangles;
 use softanvil_kernel::{Constants, Model, ModelMemory, Scenario, Size, State, StateMemory, StepInput, step};
 
 /// A number pair per node (u, v), at index `u + v (n_u + 1)`.
@@ -35,8 +35,9 @@ impl Body {
         let mut nodes = vec![0.0; size.model_nodes];
         let mut cells = vec![CellConstants::ZERO; size.model_cells];
         let mut hoops = vec![HoopConstants::ZERO; size.model_hoops];
-        let memory = ModelMemory { nodes: &mut nodes, cells: &mut cells, hoops: &mut hoops };
-        let constants = Model::with_positions(scenario, position, memory).expect("a legal mesh").constants;
+        let mut constants = None;
+        let memory = ModelMemory { constants: &mut constants, nodes: &mut nodes, cells: &mut cells, hoops: &mut hoops };
+        let constants = *Model::with_positions(scenario, position, memory).expect("a legal mesh").constants;
         let cells = match pressure {
             Pressure::Patch => vec![cells],
             Pressure::Triangle => (0..2).map(|t| alone(&cells, t)).collect(),
@@ -72,7 +73,7 @@ impl Body {
 
     /// Positions of the nodes at rest, m.
     pub fn positions(&self) -> Field {
-        let model = Model::view(self.constants, &self.nodes, &self.cells[0], &self.hoops);
+        let model = Model::view(&self.constants, &self.nodes, &self.cells[0], &self.hoops);
         let [x, y] = model.reference_position();
         self.packed(|index| [x[index], y[index]])
     }
@@ -81,24 +82,6 @@ impl Body {
         let [n_u, n_v] = self.cells();
         let stride = self.constants.grid.stride();
         (0..=n_v).flat_map(|v| (0..=n_u).map(move |u| v * stride + u)).map(value).collect()
-    }
-
-    /// Lumped mass of the nodes, kg: a third of each triangle's mass at each of its corners.
-    pub fn lumped_mass(&self) -> Vec<f64> {
-        let (scenario, position) = (&self.constants.scenario, self.positions());
-        let mut mass = vec![0.0; self.n_node()];
-        for (u, v) in self.cell_list() {
-            for corners in triangles(&self.constants.grid, u, v) {
-                let nodes = corners.map(|corner| self.corner(u, v, corner));
-                let [a, b, c] = nodes.map(|node| position[node]);
-                let area = 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]));
-                let volume = area * out_of_plane(scenario, (a[0] + b[0] + c[0]) / 3.0);
-                for node in nodes {
-                    mass[node] += volume * scenario.silicone.density / 3.0;
-                }
-            }
-        }
-        mass
     }
 
     /// (u, v) of every cell.
@@ -133,7 +116,7 @@ impl Body {
     fn with<R>(&mut self, set: usize, displacement: &Field, work: impl FnOnce(&Model, &mut State) -> R) -> R {
         let [n_u, n_v] = self.cells();
         let stride = self.constants.grid.stride();
-        let model = Model::view(self.constants, &self.nodes, &self.cells[set], &self.hoops);
+        let model = Model::view(&self.constants, &self.nodes, &self.cells[set], &self.hoops);
         let (nodes, cells, viscous) = &mut self.state;
         let mut state = State::new(&model, StateMemory { nodes, cells, viscous }).expect("memory of the right size");
         let [x, y] = state.displacement_mut();

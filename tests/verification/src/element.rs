@@ -45,9 +45,10 @@ impl Cell {
             vec![softanvil_kernel::element::CellConstants::ZERO; size.model_cells],
             vec![softanvil_kernel::element::HoopConstants::ZERO; size.model_hoops],
         );
-        let model =
-            Model::new(&scenario, ModelMemory { nodes: &mut memory.0, cells: &mut memory.1, hoops: &mut memory.2 })
-                .expect("a legal model");
+        let mut constants = None;
+        let (nodes, cells, hoops) = (&mut memory.0, &mut memory.1, &mut memory.2);
+        let model = Model::new(&scenario, ModelMemory { constants: &mut constants, nodes, cells, hoops })
+            .expect("a legal model");
         let [x, y] = model.reference_position();
         let stride = model.constants.grid.stride();
         let corners = [0, 1, stride + 1, stride].map(|node| [x[node], y[node]]);

@@ -160,3 +160,7 @@ pub const SMALLEST_STIFFNESS: f64 = 1e-3;
 /// stresses come from those after the step less the velocity's share, which leaves round-off of a displacement in a
 /// difference of neighbours.
 pub const FIELD_FORCE: f64 = 1e-10;
+
+/// The four numbers in single precision against double, and the closure of its energy ledger over the impact energy. Round-off
+/// of 6e-8 in each of 5,000 steps grows with their square root at best, in proportion at worst.
+pub const SINGLE_PRECISION: f64 = 1e-3;

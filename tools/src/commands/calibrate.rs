@@ -1,8 +1,6 @@
 //! `softanvil calibrate`: parameters from measured impacts.
 
 use std::path::PathBuf;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Args;
 
@@ -11,7 +9,7 @@ use crate::calibration::problem::Problem;
 use crate::calibration::result::Found;
 use crate::calibration::search::search;
 use crate::failure::Failure;
-use crate::progress;
+use crate::{interrupt, progress};
 
 /// Search for the parameters with which simulated impacts come closest to measured ones.
 ///
@@ -46,7 +44,7 @@ pub fn carry_out(options: &Options) -> Result<String, Failure> {
     problem.search.seed = options.seed.unwrap_or(problem.search.seed);
     std::fs::create_dir_all(&options.out).map_err(|error| Failure::writing(&options.out, error))?;
     let mut log = Log::open(&options.out.join("evaluations.csv"), &problem)?;
-    let stop = stop_on_interrupt();
+    let stop = interrupt::flag();
     let bar = progress::evaluations(problem.search.evaluations as u64);
     let pool = rayon::ThreadPoolBuilder::new().num_threads(options.threads).build();
     let pool = pool.map_err(|error| Failure::Failed(format!("threads: {error}")))?;
@@ -66,17 +64,4 @@ pub fn carry_out(options: &Options) -> Result<String, Failure> {
         "{text}Written: best.toml, summary.json, summary.txt and evaluations.csv in {}\n",
         options.out.display()
     ))
-}
-
-/// A flag that the first Ctrl-C sets; the second ends the program.
-fn stop_on_interrupt() -> Arc<AtomicBool> {
-    let stop = Arc::new(AtomicBool::new(false));
-    let flag = Arc::clone(&stop);
-    // Without a handler Ctrl-C ends the program, which loses nothing but the summary.
-    let _ = ctrlc::set_handler(move || {
-        if flag.swap(true, Ordering::Relaxed) {
-            std::process::exit(130);
-        }
-    });
-    stop
 }

@@ -12,4 +12,5 @@ pub mod reading_options;
 pub mod report;
 pub mod run;
 pub mod scenario;
+pub mod study;
 pub mod validate;

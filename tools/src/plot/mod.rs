@@ -6,6 +6,7 @@ mod energy;
 mod identification;
 mod panel;
 mod span;
+mod study;
 pub mod style;
 
 use plotters::chart::SeriesLabelPosition;
@@ -14,6 +15,7 @@ use plotters::prelude::SVGBackend;
 
 pub use energy::{BROUGHT_IN, TERMS, Term, draw as energy, of_output};
 pub use identification::pictures as identification;
+pub use study::{Line as StudyLine, draw as study};
 
 use crate::quantity::COUNT;
 use crate::run::Run;

@@ -51,8 +51,14 @@ pub const INK: RGBColor = RGBColor(38, 42, 48);
 pub const GRID: RGBColor = RGBColor(226, 229, 233);
 
 /// Colours of the runs: from the palette of Okabe and Ito, told apart with any colour vision.
-const RUNS: [RGBColor; 4] =
-    [RGBColor(0, 114, 178), RGBColor(213, 94, 0), RGBColor(0, 158, 115), RGBColor(204, 121, 167)];
+const RUNS: [RGBColor; 6] = [
+    RGBColor(0, 114, 178),
+    RGBColor(213, 94, 0),
+    RGBColor(0, 158, 115),
+    RGBColor(204, 121, 167),
+    RGBColor(230, 159, 0),
+    RGBColor(86, 180, 233),
+];
 
 /// Colour of the run with this index.
 pub fn colour(index: usize) -> RGBColor {

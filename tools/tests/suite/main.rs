@@ -9,4 +9,5 @@ mod quasi_static;
 mod report;
 mod run;
 mod series;
+mod study;
 mod wrong_input;

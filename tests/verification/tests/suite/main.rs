@@ -14,6 +14,7 @@ mod ogden;
 mod patch;
 mod problems;
 mod sections;
+mod single;
 mod slider;
 mod tear;
 mod viscoelastic;

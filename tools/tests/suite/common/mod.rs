@@ -42,16 +42,19 @@ pub fn entries(folder: &Path) -> Vec<String> {
     names
 }
 
+/// Header and lines of a CSV file.
+pub fn read_table(path: &Path) -> (Vec<String>, Vec<Vec<String>>) {
+    let texts = |record: &csv::StringRecord| record.iter().map(String::from).collect();
+    let mut reader = csv::Reader::from_path(path).unwrap();
+    let header = texts(reader.headers().unwrap());
+    (header, reader.records().map(|record| texts(&record.unwrap())).collect())
+}
+
 /// Header and columns of a CSV file of numbers.
 pub fn read_csv(path: &Path) -> (Vec<String>, Vec<Vec<f64>>) {
-    let mut reader = csv::Reader::from_path(path).unwrap();
-    let header: Vec<String> = reader.headers().unwrap().iter().map(String::from).collect();
-    let mut columns = vec![Vec::new(); header.len()];
-    for record in reader.records() {
-        for (column, field) in columns.iter_mut().zip(record.unwrap().iter()) {
-            column.push(field.parse().unwrap());
-        }
-    }
+    let (header, lines) = read_table(path);
+    let column = |i: usize| lines.iter().map(|line| line[i].parse().unwrap()).collect();
+    let columns = (0..header.len()).map(column).collect();
     (header, columns)
 }
 

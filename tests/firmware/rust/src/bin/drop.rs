@@ -13,8 +13,9 @@ use softanvil_firmware::{Counter, INSTRUCTIONS_PER_TICK, end, flash, stack_high_
 use softanvil_golden::{Checker, Record, Scene, scenes::SAMPLES_PER_RECORD};
 use softanvil_kernel::element::{CellConstants, CellHistory, HoopConstants};
 use softanvil_kernel::lanes::Deviator;
-use softanvil_kernel::snapshot::state_digest;
-use softanvil_kernel::{Model, ModelMemory, Size, State, StateMemory, StepInput, step};
+use softanvil_kernel::real::Real;
+use softanvil_kernel::snapshot::{snapshot_size, state_digest};
+use softanvil_kernel::{Constants, Model, ModelMemory, Size, State, StateMemory, StepInput, step};
 
 /// The study's mesh: nodes with padding, nodes of the surface, blocks of cells, viscous terms. `Size::of` tells what a
 /// scenario needs; too little is an error that names the numbers.
@@ -36,12 +37,13 @@ macro_rules! array {
 #[entry]
 fn main() -> ! {
     let model_memory = ModelMemory {
-        nodes: array!(5 * NODES, f64, 0.0),
+        constants: singleton!(: Option<Constants> = None).unwrap(),
+        nodes: array!(5 * NODES, Real, 0.0),
         cells: array!(BLOCKS, CellConstants, CellConstants::ZERO),
         hoops: array!(0, HoopConstants, HoopConstants::ZERO),
     };
     let state_memory = StateMemory {
-        nodes: array!(6 * NODES + 2 * SURFACE, f64, 0.0),
+        nodes: array!(6 * NODES + 2 * SURFACE, Real, 0.0),
         cells: array!(BLOCKS, CellHistory, CellHistory::REST),
         viscous: array!(2 * TERMS * BLOCKS, Deviator, Deviator::ZERO),
     };
@@ -91,19 +93,32 @@ fn run(model_memory: ModelMemory<'static>, state_memory: StateMemory<'static>) -
     println!("state {:016x}, trace {:016x}", state_digest(&state), state.scalars.sampler.trace_hash);
     println!("flash {} bytes, static RAM {} bytes", flash(), static_ram());
     println!("model {} bytes, state {} bytes", model_bytes(&size), state_bytes(&size));
+    let grid = &model.constants.grid;
+    let nodes = (grid.n_u + 1) * (grid.n_v + 1);
+    println!(
+        "{} triangles take {} bytes, {nodes} nodes {} bytes, a snapshot {} bytes",
+        grid.n_elem(),
+        model_bytes(&size) + state_bytes(&size) - node_bytes(&size),
+        node_bytes(&size),
+        snapshot_size(&model.constants)
+    );
     println!("stack {} bytes at most", stack_high_water());
     work.print(steps);
     same
 }
 
+fn node_bytes(size: &Size) -> usize {
+    (size.model_nodes + size.state_nodes) * size_of::<Real>()
+}
+
 fn model_bytes(size: &Size) -> usize {
-    size.model_nodes * size_of::<f64>()
+    size.model_nodes * size_of::<Real>()
         + size.model_cells * size_of::<CellConstants>()
         + size.model_hoops * size_of::<HoopConstants>()
 }
 
 fn state_bytes(size: &Size) -> usize {
-    size.state_nodes * size_of::<f64>()
+    size.state_nodes * size_of::<Real>()
         + size.state_cells * size_of::<CellHistory>()
         + size.state_viscous * size_of::<Deviator>()
 }

@@ -1,0 +1,176 @@
+#!/usr/bin/env python3
+"""Writes the tables of docs/performance.md: report.py TARGET_FOLDER, after the benchmarks (report.sh).
+
+A table stands between a line `<!-- table: NAME -->` and the next `<!-- end -->`. Of the times that criterion has sampled
+the fastest counts: what other programs on the machine add is never negative.
+"""
+import csv
+import json
+import platform
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+PAGE = ROOT / "docs/performance.md"
+PEERS = ROOT / "tests/peers/peers.csv"
+SETS = {"Baseline": "SSE2", "Avx2": "AVX2", "Avx512": "AVX-512"}
+
+
+class Figures:
+    """What the benchmarks have left in the target folder."""
+
+    def __init__(self, target):
+        self.target = Path(target)
+        self.files = {}
+
+    def __call__(self, file, figure, default=None):
+        if file not in self.files:
+            with (self.target / "softanvil-bench" / f"{file}.csv").open() as lines:
+                self.files[file] = {row["figure"]: float(row["value"]) for row in csv.DictReader(lines)}
+        return self.files[file].get(figure, default)
+
+    def names(self, file, start):
+        self(file, "")
+        return [name for name in self.files[file] if name.startswith(start)]
+
+    def samples(self, group):
+        """Name, time of an iteration in ns, and triangles, of every benchmark of criterion's group, the least first."""
+        found = []
+        for sample in (self.target / "criterion" / group).glob("*/new/sample.json"):
+            data, about = (json.loads(path.read_text()) for path in (sample, sample.with_name("benchmark.json")))
+            fastest = min(time / n for time, n in zip(data["times"], data["iters"]))
+            name = about["value_str"] or about["function_id"]
+            found.append((name, fastest, (about["throughput"] or {}).get("Elements")))
+        return sorted(found, key=lambda row: (row[2] or 0, row[1]))
+
+    def instructions(self):
+        with (self.target / "softanvil-bench/instructions.csv").open() as lines:
+            return list(csv.DictReader(lines))
+
+
+def table(head, rows):
+    lines = [head, ["---"] + ["---:"] * (len(head) - 1), *rows]
+    return "\n".join("| " + " | ".join(map(str, line)) + " |" for line in lines)
+
+
+def processor():
+    text = Path("/proc/cpuinfo")
+    found = re.search(r"model name\s*: (.*)", text.read_text()) if text.is_file() else None
+    return found[1] if found else platform.processor() or platform.machine()
+
+
+def machine(_):
+    compiler = subprocess.run(["rustc", "--version"], check=True, capture_output=True, text=True).stdout.strip()
+    return f"Measured on: {processor()}, {compiler}."
+
+
+def ratios(f):
+    simulated, triangles, steps = (f("drop", name) for name in ("simulated time s", "triangles", "steps"))
+    hosts = [(f"kernel {name}", f"kernel, {label}") for name, label in SETS.items()]
+    hosts += [("C ABI", "C ABI, 50 us a call")]
+    hosts += [(f"FMU {version}", f"FMU {version}, 50 us a step, four outputs read") for version in ("2.0", "3.0")]
+    rows = []
+    for name, label in hosts:
+        wall = f("drop", name)
+        if wall is not None:
+            update = 1e9 * wall / triangles / steps
+            rows.append([label, f"{1e3 * wall:.1f}", f"{wall / simulated:.2f}", f"{update:.1f}"])
+    head = ["the study's drop", "wall time ms", "real-time factor (wall / simulated)", "ns per triangle and step"]
+    return table(head, rows)
+
+
+def summary(f):
+    rows = [[f"efficiency of {f('scaling', 'threads'):.0f} threads, memory apart / side by side",
+             f"{f('scaling', 'efficiency, own memory'):.2f} / {f('scaling', 'efficiency, memory side by side'):.2f}"]]
+    rows += [[f"overhead of a call: {name}", f"{f('calls', name):.0f} ns"] for name in f.names("calls", "")]
+    for row in f.instructions():
+        rows.append([f"instructions per triangle and step, {SETS[row['instruction set']]}; dearest step / cheapest",
+                     f"{row['instructions per triangle and step']}; {row['dearest step over cheapest']}"])
+    rows += [[f"snapshot of the study's state: {name}", f"{1e-3 * time:.1f} us"] for name, time, _ in f.samples("snapshot")]
+    return table(["ratio or cost", "figure"], rows)
+
+
+def steps(f, group):
+    rows = [[SETS.get(name, name), f"{1e-3 * time:.2f}", f"{time / n:.1f}"] for name, time, n in f.samples(group)]
+    return table([group, "us per step", "ns per triangle and step"], rows)
+
+
+def many(f):
+    start = "ns per update: "
+    rows = [[name.removeprefix(start), f"{f('scaling', name):.1f}"] for name in f.names("scaling", start)]
+    return table(["small models, one after another", "ns per triangle and step"], rows)
+
+
+def stages(f):
+    names = f.names("anatomy", "share: ")
+    return table(["stage", "part of the instructions"],
+                 [[name.removeprefix("share: "), f"{100 * f('anatomy', name):.1f} %"] for name in names])
+
+
+def roofline(f):
+    """Lower bounds of the time per triangle and step, from operations, and from bytes that come from the second cache."""
+    operations = f("anatomy", "floating-point operations")
+    streamed = sum(f("drop", name) * passes for name, passes in STREAMED.items())
+    measured = {name: time / n for name, time, n in f.samples("instruction set")}
+    rows = []
+    for name, label in SETS.items():
+        peak, cache = f("peak", f"{name} Gflop/s"), f("peak", f"{name} L2 GB/s")
+        if peak is None:
+            continue
+        compute, memory = operations / peak, streamed / cache
+        wall = measured[name]
+        bound = max(compute, memory)
+        rows.append([label, f"{peak:.1f}", f"{cache:.0f}", f"{compute:.1f}", f"{memory:.1f}", f"{wall:.1f}",
+                     f"{100 * bound / wall:.0f} %"])
+    text = (f"{operations:.0f} floating-point operations, {f('anatomy', 'divisions and roots'):.1f} of them divisions and "
+            f"roots, and {streamed:.0f} bytes of constants and history per triangle and step; with AVX2, "
+            f"{f('anatomy', 'bytes read'):.0f} bytes are read and {f('anatomy', 'bytes written'):.0f} written between "
+            "registers and the first cache.")
+    head = ["instruction set", "peak Gflop/s", "L2 GB/s", "ns by operations", "ns by L2", "ns measured", "achieved"]
+    return text + "\n\n" + table(head, rows)
+
+
+# Passes over what a triangle keeps in memory: read once, or read and written.
+STREAMED = {"bytes a triangle, constants": 1, "bytes a triangle, history": 2, "bytes a triangle, viscous terms": 2}
+
+
+def memory(f):
+    return table(["memory of the study's drop", "bytes"],
+                 [[name, f"{f('drop', name):.0f}"] for name in f.names("drop", "bytes a ")])
+
+
+def peers(_):
+    """The results of tests/peers, and how many times Softanvil's each code takes."""
+    if not PEERS.is_file():
+        return "Not run."
+    with PEERS.open() as lines:
+        rows = list(csv.DictReader(lines))
+    time, ours = "ns per element and step", float(rows[0]["ns per element and step"])
+    head = [name for name in rows[0] if name not in ("what runs", "processor")] + ["times ours", "what runs"]
+    cells = [{**row, "times ours": f"{float(row[time]) / ours:.0f}"} for row in rows]
+    return table(head, [[row[name] for name in head] for row in cells])
+
+
+TABLES = {
+    "machine": machine, "ratios": ratios, "summary": summary, "many": many, "stages": stages, "roofline": roofline,
+    "memory": memory, "peers": peers,
+    **{name: lambda f, name=name: steps(f, name) for name in ("size", "law", "overlay", "instruction set")},
+}
+
+
+def main():
+    figures = Figures(sys.argv[1])
+    only = sys.argv[2:]
+
+    def fill(match):
+        name = match[2]
+        return match[0] if only and name not in only else f"{match[1]}\n{TABLES[name](figures)}\n{match[3]}"
+
+    page = PAGE.read_text()
+    PAGE.write_text(re.sub(r"(<!-- table: ([a-z ]+) -->)\n.*?(<!-- end -->)", fill, page, flags=re.S))
+
+
+if __name__ == "__main__":
+    main()

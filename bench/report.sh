@@ -1,0 +1,24 @@
+#!/usr/bin/env bash
+# Runs every benchmark and writes the tables of docs/performance.md from what they measure; some four minutes on a quiet
+# machine. The figures stay in target/softanvil-bench and target/criterion. The peers have a command of their own,
+# tests/peers/run.sh, whose results this one takes as they are.
+set -euo pipefail
+here=$(cd "$(dirname "$0")" && pwd)
+cd "$here/.."
+for command in valgrind objdump addr2line python3; do
+    command -v "$command" >/dev/null || { echo "$command is missing" >&2; exit 1; }
+done
+target=${CARGO_TARGET_DIR:-$PWD/target}
+results=$target/softanvil-bench
+# Nothing of an earlier run, whose benchmarks may have had other names.
+rm -rf "$results" "$target/criterion"
+mkdir -p "$results"
+
+fmu=$(mktemp -d)
+trap 'rm -rf "$fmu"' EXIT
+cargo run -q --release -p softanvil -- fmu --target "$(uname -m)-unknown-linux-gnu" --out "$fmu"
+cargo bench -q -p softanvil-bench
+cargo build -q --profile bench -p softanvil-bench --bin softanvil-bench
+SOFTANVIL_INSTRUCTIONS=$results/instructions.csv "$here/instructions.sh" "$target/release"
+python3 "$here/anatomy.py" "$target/release/softanvil-bench" "$results/anatomy.csv"
+python3 "$here/report.py" "$target"

@@ -1,0 +1,5 @@
+//! What the benchmarks share: scenarios, and hosts that make steps through the kernel, the C ABI and the FMU.
+
+pub mod host;
+pub mod results;
+pub mod scene;

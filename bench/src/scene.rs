@@ -1,0 +1,79 @@
+//! Scenarios to measure.
+
+use softanvil_kernel::scenario::{ElasticLaw, Material, VolumetricBy};
+use softanvil_kernel::{Scenario, preset};
+
+/// Element sizes, m, from some 70 to some 100,000 triangles. All but the first fill their lanes: the last block of a row
+/// holds as many cells as the others.
+pub const ELEMENT_SIZES: [f64; 9] = [5.9e-3, 4.42e-3, 3e-3, 1.77e-3, 1.47e-3, 0.736e-3, 0.368e-3, 0.2e-3, 0.145e-3];
+
+/// The study's drop on a mesh of `element_size` m.
+pub fn sized(element_size: f64) -> Scenario {
+    let mut scenario = preset::study();
+    scenario.mesh.element_size = element_size;
+    scenario
+}
+
+/// The smallest mesh that still fills a row: a step is so short that the cost of a call shows.
+pub fn tiny() -> Scenario {
+    sized(15e-3)
+}
+
+/// The study's drop with other material.
+pub fn with_material(material: Material) -> Scenario {
+    let mut scenario = preset::study();
+    scenario.silicone = material;
+    scenario
+}
+
+/// The study's elastic law without Prony terms and slider.
+fn bare() -> Material {
+    Material {
+        volumetric_by: VolumetricBy::BulkModulus,
+        prony_g: [0.0; 5],
+        slider_stiffness: 0.0,
+        slider_yield_stress: 0.0,
+        ..preset::study().silicone
+    }
+}
+
+/// The elastic laws alone, all with the stiffness that takes the study's drop.
+pub fn laws() -> [(&'static str, Material); 4] {
+    let base = Material { c10: 0.25e6, c01: 0.0, c11: 0.0, c20: 0.0, c02: 0.0, ..bare() };
+    [
+        ("neo-Hooke", Material { law: ElasticLaw::NeoHookean, ..base }),
+        ("Mooney-Rivlin 5", Material { c10: 0.15e6, c01: 0.1e6, c11: 0.09e6, c20: 0.1e3, c02: 15e3, ..base }),
+        ("Yeoh 3", Material { law: ElasticLaw::Yeoh, c20: 50e3, c30: 10e3, ..base }),
+        (
+            "Ogden 3",
+            Material { law: ElasticLaw::Ogden, ogden_mu: [0.4e6, 20e3, -20e3], ogden_alpha: [1.3, 5.0, -2.0], ..base },
+        ),
+    ]
+}
+
+/// The study's elastic law with 0, 2 and 5 Prony terms, without and with the slider.
+pub fn overlays() -> Vec<(String, Material)> {
+    let study = preset::study().silicone;
+    let series = [[0.0; 5], study.prony_g, [0.3, 0.25, 0.2, 0.15, 0.05]];
+    let mut overlays = Vec::new();
+    for prony_g in series {
+        let terms = prony_g.iter().filter(|g| **g > 0.0).count();
+        for slider in [false, true] {
+            let (stiffness, limit) =
+                if slider { (study.slider_stiffness, study.slider_yield_stress) } else { (0.0, 0.0) };
+            let material = Material {
+                prony_g,
+                prony_tau: [study.prony_tau[0], 1e-3, 10e-3, 0.1, 1.0],
+                slider_stiffness: stiffness,
+                slider_yield_stress: limit,
+                c10: 0.15e6,
+                c01: 0.1e6,
+                bulk_modulus: 1.5e6,
+                ..bare()
+            };
+            let name = format!("{terms} Prony terms{}", if slider { ", slider" } else { "" });
+            overlays.push((name, material));
+        }
+    }
+    overlays
+}

@@ -1,0 +1,116 @@
+//! One simulation of a study, and what came of it.
+
+use softanvil_kernel::scenario::{Motion, StepBy};
+use softanvil_kernel::{Scenario, StepError};
+
+use crate::quantity::{self, COUNT, PEAK_FORCE};
+use crate::reading::Reading;
+use crate::run::{Drop, Run, RunError};
+use crate::series::{Sensor, Series};
+
+/// What is to be simulated.
+#[derive(Clone, Debug)]
+pub struct Case {
+    /// What tells it from the others: a text for each of the study's settings.
+    pub settings: Vec<String>,
+    /// The scenario, or why there is none.
+    pub scenario: Result<Scenario, String>,
+}
+
+/// What was simulated.
+#[derive(Debug)]
+pub struct Outcome {
+    /// The run.
+    pub run: Run,
+    /// Its four numbers, in SI and in the order of [`quantity::QUANTITIES`].
+    pub values: [f64; COUNT],
+}
+
+/// Channel frequency class of the filtered peak force, Hz.
+pub const CHANNEL_CLASS: f64 = 600.0;
+
+/// A step that turns out to be too long is shortened by this factor, at most [`RETRIES`] times.
+const SHORTER: f64 = 0.7;
+/// See [`SHORTER`].
+const RETRIES: u32 = 5;
+
+impl Case {
+    /// Simulates; nothing if `go_on`, which hears of the steps made, says no.
+    ///
+    /// A stiff variant may deform beyond what its step was chosen for; it then starts again with a shorter one.
+    ///
+    /// # Errors
+    /// A scenario that is refused, or a step that fails.
+    pub fn simulate(&self, mut go_on: impl FnMut(u64) -> bool) -> Result<Option<Outcome>, String> {
+        let mut scenario = self.scenario.clone()?;
+        for retry in 0.. {
+            let outcome = Drop::new(&scenario).and_then(|drop| drop.run_while(&mut go_on));
+            match outcome {
+                Err(RunError::Step(StepError::Unstable { .. }))
+                    if retry < RETRIES && scenario.time.step_by == StepBy::SafetyFactor =>
+                {
+                    scenario.time.safety_factor *= SHORTER;
+                }
+                Err(error) => return Err(error.to_string()),
+                Ok(run) => return Ok(run.map(Outcome::new)),
+            }
+        }
+        Ok(None)
+    }
+
+    /// Updates of elements that it will take; 0 if it is refused.
+    pub fn work(&self) -> u64 {
+        let drop = self.scenario.as_ref().ok().and_then(|scenario| Drop::new(scenario).ok());
+        drop.map_or(0, |drop| drop.steps() * drop.elements() as u64)
+    }
+}
+
+impl Outcome {
+    fn new(run: Run) -> Self {
+        Self { values: quantity::measure(&run), run }
+    }
+
+    /// Peak force, N; of a press, the force that holds it.
+    pub fn force(&self) -> f64 {
+        self.held_force().unwrap_or(self.values[PEAK_FORCE])
+    }
+
+    /// Rebound speed over impact speed.
+    pub fn restitution(&self) -> f64 {
+        self.run.end().metrics.restitution()
+    }
+
+    /// Peak of the force through a channel filter of [`CHANNEL_CLASS`], N.
+    pub fn filtered_peak(&self) -> f64 {
+        let reading = Reading { channel_class: Some(CHANNEL_CLASS), ..Reading::PLAIN };
+        reading.take(&self.run).map_or(f64::NAN, |record| record.values[PEAK_FORCE])
+    }
+
+    /// Mean force over the hold at the end of a press, N.
+    pub fn held_force(&self) -> Option<f64> {
+        let impactor = &self.run.constants.scenario.impactor;
+        if impactor.motion != Motion::Prescribed {
+            return None;
+        }
+        let depth = impactor.prescribed_depth;
+        let held = self.run.samples().iter().filter(|sample| sample.impactor.deformation() >= depth);
+        let (sum, count) = held.fold((0.0, 0.0), |(sum, count), s| (sum + s.sampler.last.contact_force, count + 1.0));
+        (count > 0.0).then(|| sum / count)
+    }
+
+    /// Largest difference of the contact forces of two drops at the same time, N.
+    pub fn largest_difference(&self, other: &Self) -> f64 {
+        let [ours, theirs] = [self, other].map(|outcome| Series::of_run(&outcome.run, Sensor::Contact).force);
+        ours.iter().zip(&theirs).fold(0.0, |largest, (a, b)| f64::max(largest, (a - b).abs()))
+    }
+
+    /// How much the force rises and falls beyond one rise to the peak and one fall from it, % of the peak.
+    pub fn vibration(&self) -> f64 {
+        let force = Series::of_run(&self.run, Sensor::Contact).force;
+        let travel: f64 = force.windows(2).map(|pair| (pair[1] - pair[0]).abs()).sum();
+        let [first, last] = [force.first(), force.last()].map(|force| force.copied().unwrap_or_default());
+        // A record that begins or ends under load has travelled that much less.
+        // Rounding may take a single rise and fall below nothing.
+        100.0 * ((travel + first + last) / (2.0 * self.values[PEAK_FORCE]) - 1.0).max(0.0)
+    }
+}

@@ -1,0 +1,260 @@
+//! What a study shows: for people as text or Markdown, for programs as JSON and CSV, and as a picture.
+
+use std::fmt::Write;
+
+use comfy_table::ContentArrangement;
+use serde_json::{Map, Value, json};
+
+use super::columns::{self, COLUMNS};
+use super::results::Results;
+use crate::plot::{self, PlotError, StudyLine};
+use crate::table;
+
+/// A table for people.
+pub struct Sheet {
+    /// Above the table.
+    pub title: String,
+    /// Titles of the columns.
+    pub header: Vec<String>,
+    /// The rows.
+    pub rows: Vec<Vec<String>>,
+    /// Leading columns that are texts; the others are numbers.
+    pub n_text: usize,
+}
+
+/// A figure of the paper beside ours.
+pub struct Finding {
+    /// Name for programs.
+    pub key: &'static str,
+    /// What it is.
+    pub what: String,
+    /// What the paper says.
+    pub paper: String,
+    /// What is found here, with its unit.
+    pub here: String,
+    /// The same as a number, in the unit of `here`.
+    pub value: f64,
+}
+
+/// What a study draws.
+pub enum Picture {
+    /// Results over the value that is changed.
+    Lines {
+        /// Above the axes.
+        title: &'static str,
+        /// Quantity and unit of the horizontal axis, and whether it is logarithmic.
+        x: (&'static str, bool),
+        /// Quantity and unit of the vertical axis.
+        y: &'static str,
+        /// The lines.
+        lines: Vec<StudyLine>,
+    },
+    /// Forces over time: points of ms and N.
+    Forces {
+        /// Above the axes.
+        title: &'static str,
+        /// What the legend calls them, and their points.
+        curves: Vec<(String, Vec<(f64, f64)>)>,
+    },
+}
+
+/// What the results of a study say.
+pub struct Evaluation {
+    /// Tables.
+    pub sheets: Vec<Sheet>,
+    /// The paper beside ours.
+    pub findings: Vec<Finding>,
+    /// Sentences.
+    pub notes: Vec<String>,
+    /// The picture.
+    pub picture: Picture,
+}
+
+/// Everything about one study.
+pub struct Page {
+    results: Results,
+    evaluation: Evaluation,
+    subject: String,
+}
+
+impl Page {
+    /// Evaluates `results` of the drop that `subject` describes.
+    pub fn new(results: Results, subject: String) -> Self {
+        let mut evaluation = (results.study.evaluate)(&results);
+        for (case, reason) in results.failures() {
+            evaluation.notes.push(format!("Not simulated: {}: {reason}.", named(&results, &case.settings)));
+        }
+        if results.missing() > 0 {
+            let (missing, all) = (results.missing(), results.cases.len());
+            evaluation.notes.push(format!("Interrupted: {missing} of {all} simulations are missing."));
+        }
+        Self { results, evaluation, subject }
+    }
+
+    /// Name of the study.
+    pub fn name(&self) -> &'static str {
+        self.results.study.name
+    }
+
+    /// Title of the study.
+    pub fn title(&self) -> &'static str {
+        self.results.study.title
+    }
+
+    /// The paper beside ours.
+    pub fn findings(&self) -> &[Finding] {
+        &self.evaluation.findings
+    }
+
+    /// For a terminal.
+    pub fn text(&self) -> String {
+        let study = self.results.study;
+        let mut text = format!("{}\n{}\n\n{}\n", study.title, study.about, self.subject);
+        for sheet in self.sheets() {
+            let header: Vec<&str> = sheet.header.iter().map(String::as_str).collect();
+            let mut table = table::new_plain_table(&header);
+            table.set_content_arrangement(ContentArrangement::Dynamic);
+            table.add_rows(&sheet.rows);
+            table::align_right(&mut table, sheet.n_text..sheet.header.len());
+            let _ = write!(text, "\n{}\n{}\n", sheet.title, table.trim_fmt());
+        }
+        if !self.evaluation.notes.is_empty() {
+            text.push('\n');
+        }
+        for note in &self.evaluation.notes {
+            let _ = writeln!(text, "* {note}");
+        }
+        text
+    }
+
+    /// For the documentation; the picture is expected beside the page.
+    pub fn markdown(&self) -> String {
+        let study = self.results.study;
+        let mut text = format!("# {}\n\n{}\n\n{}\n", study.title, study.about, self.subject);
+        for sheet in self.sheets() {
+            let _ = write!(text, "\n## {}\n\n{}", sheet.title, sheet.markdown());
+        }
+        if !self.evaluation.notes.is_empty() {
+            text.push('\n');
+        }
+        for note in &self.evaluation.notes {
+            let _ = writeln!(text, "* {note}");
+        }
+        let _ = write!(text, "\n![{}]({}.svg)\n\n", study.title, study.name);
+        let _ = writeln!(
+            text,
+            "Every simulation is a line of [{name}.csv]({name}.csv). Made by `softanvil study {name}`.",
+            name = study.name
+        );
+        text
+    }
+
+    /// The tables, the one of the findings first.
+    fn sheets(&self) -> impl Iterator<Item = Sheet> {
+        let findings = (!self.evaluation.findings.is_empty()).then(|| findings_sheet(&self.evaluation.findings));
+        findings.into_iter().chain(self.evaluation.sheets.iter().map(Sheet::copy))
+    }
+
+    /// For other programs, in SI.
+    pub fn json(&self) -> Value {
+        let study = self.results.study;
+        let findings = self.evaluation.findings.iter().map(|finding| {
+            json!({ "key": finding.key, "what": finding.what, "paper": finding.paper, "here": finding.here,
+                    "value": finding.value })
+        });
+        let rows = self.results.cases.iter().zip(&self.results.outcomes).filter_map(|(case, outcome)| {
+            let mut object = Map::new();
+            let settings = study.settings.iter().zip(&case.settings);
+            object.extend(settings.map(|(name, text)| ((*name).to_string(), Value::from(text.as_str()))));
+            match outcome.as_ref()? {
+                Ok(outcome) => {
+                    object.extend(COLUMNS.iter().map(|column| (column.key.into(), (column.read)(outcome).into())));
+                    object.insert("trace_hash".into(), outcome.run.trace_hash().into());
+                }
+                Err(reason) => {
+                    object.insert("failure".into(), reason.as_str().into());
+                }
+            }
+            Some(Value::Object(object))
+        });
+        json!({
+            "study": study.name,
+            "subject": self.subject,
+            "missing": self.results.missing(),
+            "findings": findings.collect::<Vec<_>>(),
+            "notes": self.evaluation.notes,
+            "cases": rows.collect::<Vec<_>>(),
+        })
+    }
+
+    /// The picture, as SVG.
+    ///
+    /// # Errors
+    /// What the drawing library refuses.
+    pub fn svg(&self) -> Result<String, PlotError> {
+        match &self.evaluation.picture {
+            Picture::Lines { title, x, y, lines } => plot::study(title, *x, y, lines),
+            Picture::Forces { title, curves } => plot::forces(title, curves.clone()),
+        }
+    }
+
+    /// The simulations as CSV.
+    ///
+    /// # Errors
+    /// What the CSV library refuses.
+    pub fn csv(&self) -> Result<Vec<u8>, csv::Error> {
+        let mut csv = csv::Writer::from_writer(Vec::new());
+        csv.write_record(columns::header(self.results.study))?;
+        for (number, outcome) in self.results.outcomes.iter().enumerate() {
+            if let Some(outcome) = outcome {
+                csv.write_record(columns::record(number, &self.results.cases[number].settings, outcome))?;
+            }
+        }
+        csv.into_inner().map_err(|error| csv::Error::from(error.into_error()))
+    }
+}
+
+impl Sheet {
+    fn copy(&self) -> Self {
+        Self { title: self.title.clone(), header: self.header.clone(), rows: self.rows.clone(), n_text: self.n_text }
+    }
+
+    /// As a table of Markdown.
+    fn markdown(&self) -> String {
+        let line = |cells: &[String]| format!("| {} |\n", cells.join(" | "));
+        let rule = (0..self.header.len()).map(|i| if i < self.n_text { "---" } else { "---:" });
+        let mut text = line(&self.header) + &format!("|{}|\n", rule.collect::<Vec<_>>().join("|"));
+        self.rows.iter().for_each(|row| text += &line(row));
+        text
+    }
+}
+
+/// The findings as a table.
+fn findings_sheet(findings: &[Finding]) -> Sheet {
+    let rows = findings.iter().map(|finding| vec![finding.what.clone(), finding.paper.clone(), finding.here.clone()]);
+    Sheet {
+        title: "The paper beside this model".into(),
+        header: ["", "paper", "here"].map(String::from).to_vec(),
+        rows: rows.collect(),
+        n_text: 3,
+    }
+}
+
+/// A table of the findings of all `pages`, in Markdown, with links to the pages.
+pub fn overview(pages: &[Page]) -> String {
+    let mut rows = Vec::new();
+    for page in pages {
+        for (index, finding) in page.findings().iter().enumerate() {
+            let study = if index == 0 { format!("[{}]({}.md)", page.name(), page.name()) } else { String::new() };
+            rows.push(vec![study, finding.what.clone(), finding.paper.clone(), finding.here.clone()]);
+        }
+    }
+    let header = ["study", "", "paper", "here"].map(String::from).to_vec();
+    Sheet { title: String::new(), header, rows, n_text: 4 }.markdown()
+}
+
+/// Settings with their names.
+fn named(results: &Results, settings: &[String]) -> String {
+    let pairs = results.study.settings.iter().zip(settings).filter(|(_, text)| !text.is_empty());
+    pairs.map(|(name, text)| format!("{name} {text}")).collect::<Vec<_>>().join(", ")
+}

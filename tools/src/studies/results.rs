@@ -1,0 +1,93 @@
+//! The cases of a study with what came of them.
+
+use softanvil_kernel::Scenario;
+
+use super::Study;
+use super::case::{Case, Outcome};
+use super::page::Sheet;
+use crate::quantity::QUANTITIES;
+use crate::validation::error_percent;
+
+/// The cases of a study with what came of them.
+pub struct Results {
+    /// The study.
+    pub study: &'static Study,
+    /// The scenario that it starts from.
+    pub scenario: Scenario,
+    /// Its cases.
+    pub cases: Vec<Case>,
+    /// For each case what came of it, or why nothing did; none if it was not simulated.
+    pub outcomes: Vec<Option<Result<Outcome, String>>>,
+}
+
+impl Results {
+    /// The cases that were simulated.
+    pub fn done(&self) -> impl Iterator<Item = (&Case, &Outcome)> {
+        self.cases.iter().zip(&self.outcomes).filter_map(|(case, outcome)| match outcome {
+            Some(Ok(outcome)) => Some((case, outcome)),
+            _ => None,
+        })
+    }
+
+    /// The cases that failed, and why.
+    pub fn failures(&self) -> impl Iterator<Item = (&Case, &str)> {
+        self.cases.iter().zip(&self.outcomes).filter_map(|(case, outcome)| match outcome {
+            Some(Err(reason)) => Some((case, reason.as_str())),
+            _ => None,
+        })
+    }
+
+    /// How many cases were not simulated.
+    pub fn missing(&self) -> usize {
+        self.outcomes.iter().filter(|outcome| outcome.is_none()).count()
+    }
+
+    /// The outcome of the case with these settings.
+    pub fn find(&self, settings: &[&str]) -> Option<&Outcome> {
+        self.done().find(|(case, _)| case.settings == settings).map(|(_, outcome)| outcome)
+    }
+
+    /// A sheet of the four numbers and the restitution of the cases that `wanted` takes, told apart by `settings`
+    /// (indices). Changes from `reference` stand in brackets.
+    pub fn sheet(
+        &self,
+        title: &str,
+        settings: &[usize],
+        wanted: impl Fn(&Case) -> bool,
+        reference: Option<&Outcome>,
+    ) -> Sheet {
+        let names = settings.iter().filter_map(|index| self.study.settings.get(*index)).map(|name| (*name).into());
+        let numbers = QUANTITIES.iter().map(|quantity| format!("{} ({})", quantity.label, quantity.display_unit));
+        let header = names.chain(numbers).chain(["restitution".into()]).collect();
+        let rows = self.cases.iter().zip(&self.outcomes).filter(|(case, _)| wanted(case)).map(|(case, outcome)| {
+            let texts = settings.iter().map(|index| case.settings.get(*index).cloned().unwrap_or_default());
+            let outcome = outcome.as_ref().and_then(|outcome| outcome.as_ref().ok());
+            texts.chain(numbers_of(outcome, reference)).collect()
+        });
+        Sheet { title: title.into(), header, rows: rows.collect(), n_text: settings.len() }
+    }
+}
+
+/// The four numbers and the restitution, as texts.
+fn numbers_of(outcome: Option<&Outcome>, reference: Option<&Outcome>) -> Vec<String> {
+    let Some(outcome) = outcome else { return vec!["-".into(); QUANTITIES.len() + 1] };
+    let number = |(i, quantity): (usize, &crate::quantity::Quantity)| {
+        let value = format!("{:.*}", quantity.decimals, outcome.values[i] * quantity.display_scale);
+        match reference {
+            Some(reference) if !std::ptr::eq(reference, outcome) => {
+                format!("{value} ({})", percent(error_percent(outcome.values[i], reference.values[i])))
+            }
+            _ => value,
+        }
+    };
+    let numbers = QUANTITIES.iter().enumerate().map(number);
+    numbers.chain([format!("{:.2}", outcome.restitution())]).collect()
+}
+
+/// A change in %, to a tenth, or to two digits where it is small.
+pub fn percent(change: f64) -> String {
+    let decimals = if change.abs() >= 0.95 || change == 0.0 { 1 } else { 2 };
+    let text = format!("{change:+.decimals$} %");
+    // No sign before a zero.
+    if text.contains(['1', '2', '3', '4', '5', '6', '7', '8', '9']) { text } else { "0 %".into() }
+}

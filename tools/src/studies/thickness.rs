@@ -1,0 +1,77 @@
+//! Thickness of the silicone.
+
+use softanvil_kernel::Scenario;
+
+use super::case::Case;
+use super::page::{Evaluation, Finding, Picture};
+use super::results::{Results, percent};
+use super::values::{numbers, short, with_own};
+use super::{Study, set};
+use crate::failure::Failure;
+use crate::plot::StudyLine;
+use crate::quantity::{MAX_DEFORMATION, PEAK_FORCE, QUANTITIES};
+use crate::validation::error_percent;
+
+/// The study.
+pub static STUDY: Study = Study {
+    name: "thickness",
+    title: "Thickness of the silicone",
+    about: "The layer is made thinner and thicker on the same core, with everything else as it is. The paper has one \
+            thickness, 14 mm under a skin of 1 mm; a layer is never cast to the last tenth of a millimetre.",
+    values: "thicknesses of the silicone, mm",
+    default_values: &["10", "12", "13", "14", "15", "16", "18"],
+    settings: &["thickness [mm]"],
+    plan,
+    evaluate,
+};
+
+fn plan(scenario: &Scenario, values: &[String]) -> Result<Vec<Case>, Failure> {
+    let own = 1e3 * scenario.geometry.silicone_thickness;
+    let case = |thickness: f64| {
+        let mut scenario = *scenario;
+        set(&mut scenario, "geometry.silicone_thickness", 1e-3 * thickness)?;
+        Ok(Case { settings: vec![short(thickness)], scenario: Ok(scenario) })
+    };
+    with_own(numbers("thickness", values)?, own).into_iter().map(case).collect()
+}
+
+fn evaluate(results: &Results) -> Evaluation {
+    let own = 1e3 * results.scenario.geometry.silicone_thickness;
+    let reference = results.find(&[&short(own)]);
+    let points = |i: usize| {
+        let change = |outcome: &super::case::Outcome| Some(error_percent(outcome.values[i], reference?.values[i]));
+        results.done().filter_map(|(case, outcome)| Some((case.settings[0].parse().ok()?, change(outcome)?))).collect()
+    };
+    let lines: Vec<StudyLine> = QUANTITIES
+        .iter()
+        .enumerate()
+        .map(|(i, quantity)| StudyLine { label: quantity.label.into(), dashed: false, points: points(i) })
+        .collect();
+    let mut findings = Vec::new();
+    for (i, key, what) in [
+        (PEAK_FORCE, "peak_force_per_mm", "peak force, per mm of thickness"),
+        (MAX_DEFORMATION, "max_deformation_per_mm", "largest deformation, per mm of thickness"),
+    ] {
+        if let Some(slope) = slope(&lines[i].points, own) {
+            findings.push(Finding { key, what: what.into(), paper: "-".into(), here: percent(slope), value: slope });
+        }
+    }
+    Evaluation {
+        sheets: vec![results.sheet("Impacts", &[0], |_| true, reference)],
+        findings,
+        notes: Vec::new(),
+        picture: Picture::Lines {
+            title: "Change of the four numbers with the thickness of the silicone",
+            x: ("thickness of the silicone (mm)", false),
+            y: "change (%)",
+            lines,
+        },
+    }
+}
+
+/// Slope between the neighbours of `at` among `points`.
+fn slope(points: &[(f64, f64)], at: f64) -> Option<f64> {
+    let below = points.iter().rev().find(|point| point.0 < at - 1e-9)?;
+    let above = points.iter().find(|point| point.0 > at + 1e-9)?;
+    Some((above.1 - below.1) / (above.0 - below.0))
+}
