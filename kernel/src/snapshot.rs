@@ -55,7 +55,7 @@ pub fn save_view(model: &Model, state: &StateView, bytes: &mut [u8]) -> Result<(
     if state.scalars.failure.is_some() {
         return Err(SnapshotError::Failed);
     }
-    let payload = payload_words(&model.constants) as u64;
+    let payload = payload_words(model.constants) as u64;
     let mut digest = Digest::new();
     let (words, _) = bytes.as_chunks_mut::<8>();
     let mut words = words.iter_mut();
@@ -92,14 +92,14 @@ pub fn restore(model: &Model, state: &mut State, bytes: &[u8]) -> Result<(), Sna
 }
 
 fn check_length(model: &Model, given: usize) -> Result<(), SnapshotError> {
-    let needed = snapshot_size(&model.constants);
+    let needed = snapshot_size(model.constants);
     if given == needed { Ok(()) } else { Err(SnapshotError::Length { given, needed }) }
 }
 
 fn check_content(model: &Model, bytes: &[u8]) -> Result<(), SnapshotError> {
     let mut words = bytes.chunks_exact(8).map(word_of);
     let header: [u64; HEADER_WORDS] = core::array::from_fn(|_| words.next().unwrap_or_default());
-    let payload = payload_words(&model.constants);
+    let payload = payload_words(model.constants);
     if header[0] != MAGIC || header[1] != VERSION || header[3] != payload as u64 {
         return Err(SnapshotError::Format);
     }
@@ -111,7 +111,7 @@ fn check_content(model: &Model, bytes: &[u8]) -> Result<(), SnapshotError> {
     header.into_iter().chain(counters).for_each(|word| digest.word(word));
     (&mut words).take(payload - COUNTERS).for_each(|word| digest.word(word));
     let whole = words.next() == Some(digest.value());
-    if whole && counters_fit(&model.constants, counters) { Ok(()) } else { Err(SnapshotError::Corrupt) }
+    if whole && counters_fit(model.constants, counters) { Ok(()) } else { Err(SnapshotError::Corrupt) }
 }
 
 /// Whether the counters at the front of the scalars can belong to one state. A checksum that fits is no proof: counters
