@@ -2,7 +2,8 @@
 //!
 //! Format: little-endian 64-bit words. Header: magic, format version, fingerprint of the scenario, number of words that
 //! follow before the checksum; then the scalars and the arrays in the order of [`visit`]; last the FNV-1a digest of
-//! everything before it. Equal states give equal bytes.
+//! everything before it. Equal states give equal bytes. A number of single precision is a word whose upper half is zero;
+//! the fingerprints of the two precisions differ, so neither takes over a state of the other.
 
 use crate::digest::Digest;
 use crate::element::TriangleHistory;
@@ -17,12 +18,13 @@ use crate::state_view::StateView;
 /// "SOFTANVL" in ASCII, least significant byte first.
 const MAGIC: u64 = u64::from_le_bytes(*b"SOFTANVL");
 /// Changes with the format.
-const VERSION: u64 = 3;
+const VERSION: u64 = 4;
 const HEADER_WORDS: usize = 4;
 const CHECKSUM_WORDS: usize = 1;
 /// Words of the scalars that are whole numbers.
 const COUNTERS: usize = 7;
-/// Most steps that a state may have behind it: up to here every count is exact as a float.
+/// Most steps that a state may have behind it: far from overflow, and every count is exact as a float of double
+/// precision.
 const MOST_STEPS: u64 = 1 << 53;
 const SCALAR_WORDS: usize = COUNTERS + 20 + LEDGER_WORDS;
 /// Lanes per triangle: stretch, elastic stress, slider stress, largest stretch, stored energy.
@@ -184,7 +186,7 @@ fn visit_triangle(triangle: &mut TriangleHistory, number: &mut impl FnMut(&mut R
 }
 
 fn visit_deviator(deviator: &mut Deviator, number: &mut impl FnMut(&mut Real)) {
-    for lane in [&mut deviator.xx, &mut deviator.yy, &mut deviator.xy] {
+    for lane in [&mut deviator.mean, &mut deviator.difference, &mut deviator.shear] {
         lane.iter_mut().for_each(&mut *number);
     }
 }
