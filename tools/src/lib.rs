@@ -3,7 +3,7 @@
 //! From top to bottom:
 //!
 //! 1. [`cli`] is the command line; each file of [`commands`] is one subcommand, [`failure`] how one ends badly.
-//! 2. [`report`] writes the report folder; [`plot`], [`table`] and [`trace`] draw, print and store results,
+//! 2. [`report`] writes the report folder; [`plot`], [`section`], [`table`] and [`trace`] draw, print and store results,
 //!    [`staging`] keeps half-written files away.
 //! 3. [`validation`] compares runs with the [`paper`], by the four [`quantity`]s of its table, [`comparison`] with a
 //!    measured trace, [`calibration`] searches; a [`reading`] is what a laboratory's instruments see of a run.

@@ -13,7 +13,7 @@ use plotters::chart::SeriesLabelPosition;
 use plotters::drawing::IntoDrawingArea;
 use plotters::prelude::SVGBackend;
 
-pub use energy::{BROUGHT_IN, TERMS, draw as energy, of_output};
+pub use energy::{BROUGHT_IN, TERMS, Term, draw as energy, of_output};
 pub use identification::pictures as identification;
 pub use study::{Line as StudyLine, draw as study};
 

@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 use softanvil_kernel::SAMPLING_INTERVAL;
 
 use crate::plot::curve::{self, Curve, Measured};
-use crate::plot::{self, style};
+use crate::plot::{self, Term, style};
 use crate::quantity::{MAX_DEFORMATION, PEAK_FORCE};
 use crate::report::{Content, shown};
 use crate::section::film::DISPLACEMENT;
@@ -32,6 +32,7 @@ pub fn of(content: &Content) -> Value {
         ranges.fold([0.0, 0.0], |[a, b]: [f64; 2], [low, high]| [a.min(low), b.max(high)])
     });
     let stresses = ranges.map(|[low, high]| quantum([low, high].into_iter()));
+    let terms = terms(content);
     let times = curve::force_time(&shown(content.validation));
     let loops = curve::force_deformation(&shown(content.validation));
     let cases = content.validation.cases.iter().zip(content.films).zip(times.iter().zip(&loops)).enumerate();
@@ -56,7 +57,7 @@ pub fn of(content: &Content) -> Value {
                 "zero": levels.zero(),
             })
         }).collect::<Vec<_>>(),
-        "terms": plot::TERMS.iter().map(|term| json!({
+        "terms": terms.iter().map(|term| json!({
             "label": term.label, "colour": hex(term.colour)
         })).collect::<Vec<_>>(),
         "films": cases.map(|(number, ((case, film), (time, path)))| {
@@ -65,7 +66,7 @@ pub fn of(content: &Content) -> Value {
             value["colour"] = hex({ let c = style::colour(number); [c.0, c.1, c.2] }).into();
             value["curve"] = curve_data(time, path);
             value["measured"] = measured(case, time);
-            value["energy"] = energy(case, film);
+            value["energy"] = energy(case, film, &terms);
             value
         }).collect::<Vec<_>>(),
     })
@@ -108,7 +109,7 @@ fn film_data(film: &Film, displacement: f64, stresses: &[f64; 2]) -> Value {
     let moments = film.moments().into_iter().filter(|moment| range.contains(&moment.frame));
     json!({
         "time": each(&|frame| since_contact(film, frame)),
-        "force": each(&|frame| round(frame.scalars.sampler.last.contact_force, 1)),
+        "force": each(&|frame| round(frame.scalars.sampler.last.contact_force, 2)),
         "deformation": each(&|frame| round(MILLI * frame.scalars.impactor.deformation(), 4)),
         "face": each(&|frame| round(MILLI * frame.face(), 4)),
         "displacement": packed(frames.iter().flat_map(|frame| frame.values(DISPLACEMENT).to_vec()), displacement),
@@ -124,7 +125,7 @@ fn film_data(film: &Film, displacement: f64, stresses: &[f64; 2]) -> Value {
 fn curve_data(time: &Curve, path: &Curve) -> Value {
     json!({
         "time": time.points.iter().map(|point| round(point.0, 4)).collect::<Vec<_>>(),
-        "force": time.points.iter().map(|point| round(point.1, 1)).collect::<Vec<_>>(),
+        "force": time.points.iter().map(|point| round(point.1, 2)).collect::<Vec<_>>(),
         "deformation": path.points.iter().map(|point| round(point.0, 4)).collect::<Vec<_>>(),
     })
 }
@@ -141,11 +142,19 @@ fn measured(case: &Comparison, time: &Curve) -> Value {
     })
 }
 
-fn energy(case: &Comparison, film: &Film) -> Value {
+/// The terms of the balance that occur in any of the runs.
+fn terms(content: &Content) -> Vec<&'static Term> {
+    let occurs = |term: &&Term| {
+        content.validation.cases.iter().any(|case| plot::of_output(&case.run, term.output).iter().any(|e| *e != 0.0))
+    };
+    plot::TERMS.iter().filter(occurs).collect()
+}
+
+fn energy(case: &Comparison, film: &Film, terms: &[&Term]) -> Value {
     let numbers = |name: &str| plot::of_output(&case.run, name).into_iter().map(|e| round(e, 5)).collect::<Vec<_>>();
     json!({
         "time": film.frames().iter().map(|frame| since_contact(film, frame)).collect::<Vec<_>>(),
-        "terms": plot::TERMS.iter().map(|term| numbers(term.output)).collect::<Vec<_>>(),
+        "terms": terms.iter().map(|term| numbers(term.output)).collect::<Vec<_>>(),
         "external": numbers(plot::BROUGHT_IN),
     })
 }
