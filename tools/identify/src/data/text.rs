@@ -45,7 +45,8 @@ pub fn without_comments(text: &str) -> (String, Vec<(usize, String)>) {
 fn is_comment(rest: &str) -> bool {
     let separated = rest.trim_start_matches(' ').starts_with([';', ',', '\t', '|']);
     let mut words = rest.split_whitespace().peekable();
-    !separated && !(words.peek().is_some() && words.all(|word| Unit::parse(word).is_some()))
+    let units = words.peek().is_some() && words.all(|word| Unit::parse(word).is_some());
+    !(separated || units)
 }
 
 #[cfg(test)]

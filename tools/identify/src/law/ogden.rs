@@ -20,7 +20,7 @@ const SMALLEST_ALPHA: f64 = 1e-3;
 /// Exponents of the starts, denser where rubbers are.
 const GRID: [f64; 14] = [-20.0, -12.0, -8.0, -5.0, -3.0, -2.0, -1.0, 1.0, 2.0, 3.0, 5.0, 8.0, 12.0, 20.0];
 /// Exponents of a term that is added to the law of one term less.
-const ADDED: [f64; 6] = [-10.0, -4.0, -1.0, 1.0, 4.0, 10.0];
+const ADDED: [f64; 2] = [-4.0, 4.0];
 /// Starts that are refined.
 const REFINED: usize = 16;
 /// Refined starts that are finished on all points.

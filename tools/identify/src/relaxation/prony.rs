@@ -151,7 +151,7 @@ struct Problem<'a> {
 
 /// Whether the parameter with this index of Y_inf, Y_1, tau_1, ... is a time.
 fn is_time(index: usize) -> bool {
-    index > 0 && index % 2 == 0
+    index > 0 && index.is_multiple_of(2)
 }
 
 impl Problem<'_> {
