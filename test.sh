@@ -104,10 +104,17 @@ if need python3 python3 && have_venv && need gcc gcc libc6-dev; then
     run "FMU in other tools, debug library" tests/fmi/run.sh target/debug test_results.py -k "last_bit"
     run "programs and picture of the README" tests/readme.sh target/release "$SOFTANVIL_VENV"
     run "fitted material files in other tools" tests/identify/run.sh target/release "$SOFTANVIL_VENV"
+    if need chromium chromium; then
+        run "report in a browser, series for ParaView" tests/report/run.sh target/release "$SOFTANVIL_VENV"
+    else
+        skip "report in a browser" "chromium is missing and cannot be installed"
+        run "series for ParaView" tests/report/run.sh target/release "$SOFTANVIL_VENV" test_series.py
+    fi
 else
     skip "FMU in other tools" "python3 with venv, or gcc, is missing and cannot be installed"
     skip "programs and picture of the README" "python3 with venv, or gcc, is missing and cannot be installed"
     skip "fitted material files in other tools" "python3 with venv, or gcc, is missing and cannot be installed"
+    skip "report in a browser, series for ParaView" "python3 with venv, or gcc, is missing and cannot be installed"
 fi
 
 printf '\n'

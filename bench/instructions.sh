@@ -6,6 +6,7 @@
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 program=$(cd "${1:?usage: instructions.sh BUILD_FOLDER}" && pwd)/softanvil-bench
+[ "$(uname -m)" = x86_64 ] || { echo "skipped: the limits are those of x86-64"; exit 0; }
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 

@@ -16,7 +16,7 @@ mkdir -p "$results"
 
 fmu=$(mktemp -d)
 trap 'rm -rf "$fmu"' EXIT
-cargo run -q --release -p softanvil -- fmu --target x86_64-unknown-linux-gnu --out "$fmu"
+cargo run -q --release -p softanvil -- fmu --target "$(uname -m)-unknown-linux-gnu" --out "$fmu"
 cargo bench -q -p softanvil-bench
 cargo build -q --profile bench -p softanvil-bench --bin softanvil-bench
 SOFTANVIL_INSTRUCTIONS=$results/instructions.csv "$here/instructions.sh" "$target/release"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The programs and the picture of the README: readme.sh BUILD_FOLDER VENV. The C and the Python program must print the peak
-# force that the command line finds; the picture must be the one that the main job draws.
+# The programs and the pictures of the README: readme.sh BUILD_FOLDER VENV. The C and the Python program must print the peak
+# force that the command line finds; the pictures must be those that the main job draws (docs/pictures.sh).
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
 build=$(cd "$1" && pwd)
@@ -24,4 +24,4 @@ peak() {
 printf 'expected %s and %s\n' "$(peak 14.7)" "$(peak 9.8)"
 [ "$("$work/drop")" = "$(peak 14.7)" ]
 [ "$(cd "$work" && "$python" drop.py)" = "$(peak 9.8)" ]
-cmp "$root/docs/force-time.svg" "$work/report/force-time.svg"
+for picture in force-time von-mises; do cmp "$root/docs/$picture.svg" "$work/report/$picture.svg"; done

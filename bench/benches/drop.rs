@@ -1,9 +1,9 @@
 //! Wall time of the study's drop through kernel, C ABI and FMU: `cargo bench -p softanvil-bench --bench drop`.
 //!
-//! All hosts take turns, and the fastest drop of each counts. All must give the same trace. C ABI and FMU make the steps of
-//! 50 us a call, and the master of the FMU reads four outputs after each.
+//! Every call makes the steps of 50 us; the master of an FMU reads four outputs after each. All hosts take turns, and of each
+//! of the calls of a drop the fastest in all drops counts. All must give the same trace.
 
-use softanvil_bench::host::{CAbi, Fmu, Host, Kernel, whole_drop};
+use softanvil_bench::host::{CAbi, Fmu2, Fmu3, Host, Kernel, library_path, whole_drop};
 use softanvil_bench::results;
 use softanvil_kernel::element::{CellConstants, CellHistory};
 use softanvil_kernel::lanes::Deviator;
@@ -22,20 +22,20 @@ fn main() {
         .map(|set| (format!("kernel {set:?}"), Box::new(Kernel::new(&scenario, set)) as Box<dyn Host>))
         .collect();
     hosts.push(("C ABI".into(), Box::new(CAbi::new(&scenario))));
-    match Fmu::load(&scenario) {
-        Some(mut fmu) => {
-            fmu.reads_outputs = true;
-            hosts.push(("FMU".into(), Box::new(fmu)));
+    match (Fmu2::load(&scenario), Fmu3::load(&scenario)) {
+        (Some(mut two), Some(mut three)) => {
+            (two.reads_outputs, three.reads_outputs) = (true, true);
+            hosts.push(("FMU 2.0".into(), Box::new(two)));
+            hosts.push(("FMU 3.0".into(), Box::new(three)));
         }
-        None => eprintln!("skipped: the FMU, as {} is not there; `softanvil fmu` builds it", Fmu::path().display()),
+        _ => eprintln!("skipped: the FMU, as {} is not there; `softanvil fmu` builds it", library_path().display()),
     }
     let mut expected = None;
-    let mut fastest = vec![f64::INFINITY; hosts.len()];
+    let mut fastest = vec![Vec::new(); hosts.len()];
     for _ in 0..DROPS {
         for ((name, host), fastest) in hosts.iter_mut().zip(&mut fastest) {
-            let (time, hash) = whole_drop(host.as_mut(), per_sample);
+            let hash = whole_drop(host.as_mut(), per_sample, fastest);
             assert_eq!(*expected.get_or_insert(hash), hash, "{name} gives another trace");
-            *fastest = fastest.min(time.as_secs_f64());
         }
     }
     let mut figures = vec![
@@ -44,7 +44,7 @@ fn main() {
         ("steps".into(), hosts[0].1.steps_of_drop() as f64),
     ];
     figures.extend(memory(simulation.constants()));
-    figures.extend(hosts.into_iter().map(|(name, _)| name).zip(fastest));
+    figures.extend(hosts.into_iter().zip(fastest).map(|((name, _), calls)| (name, calls.iter().sum())));
     results::write("drop", &figures);
 }
 

@@ -7,7 +7,6 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use pulp::NullaryFnOnce;
-use pulp::x86::{V3, V4};
 use softanvil_bench::results;
 use softanvil_kernel::InstructionSet;
 
@@ -76,11 +75,15 @@ impl NullaryFnOnce for Triad<'_> {
 }
 
 fn run<W: NullaryFnOnce>(set: InstructionSet, work: W) -> W::Output {
+    #[cfg(target_arch = "x86_64")]
     match set {
-        InstructionSet::Baseline => work.call(),
-        InstructionSet::Avx2 => V3::try_new().expect("AVX2").vectorize(work),
-        InstructionSet::Avx512 => V4::try_new().expect("AVX-512").vectorize(work),
+        InstructionSet::Avx2 => return pulp::x86::V3::try_new().expect("AVX2").vectorize(work),
+        InstructionSet::Avx512 => return pulp::x86::V4::try_new().expect("AVX-512").vectorize(work),
+        InstructionSet::Baseline => {}
     }
+    #[cfg(not(target_arch = "x86_64"))]
+    let _ = set;
+    work.call()
 }
 
 fn arithmetic(set: InstructionSet) -> f64 {

@@ -100,7 +100,7 @@ fn with_model(scenario: &Scenario, work: impl FnOnce(&Model)) {
     let mut nodes = vec![0.0; size.model_nodes];
     let mut cells = vec![CellConstants::ZERO; size.model_cells];
     let mut hoops = vec![HoopConstants::ZERO; size.model_hoops];
-    let memory = ModelMemory { nodes: &mut nodes, cells: &mut cells, hoops: &mut hoops };
+    let memory = ModelMemory { constants: &mut None, nodes: &mut nodes, cells: &mut cells, hoops: &mut hoops };
     work(&Model::new(scenario, memory).expect("a legal scenario"));
 }
 

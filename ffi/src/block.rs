@@ -37,18 +37,18 @@ impl SoftanvilSimulation {
 
 /// The arrays behind the header.
 struct Arrays<'a> {
-    model: ModelMemory<'a>,
+    nodes: &'a mut [f64],
+    cells: &'a mut [CellConstants],
+    hoops: &'a mut [HoopConstants],
     state: StateMemory<'a>,
 }
 
 impl<'a> Arrays<'a> {
     fn cut(size: &Size, region: &mut Region<'a>) -> Option<Self> {
         Some(Self {
-            model: ModelMemory {
-                nodes: region.take(size.model_nodes)?,
-                cells: region.take(size.model_cells)?,
-                hoops: region.take(size.model_hoops)?,
-            },
+            nodes: region.take(size.model_nodes)?,
+            cells: region.take(size.model_cells)?,
+            hoops: region.take(size.model_hoops)?,
             state: StateMemory {
                 nodes: region.take(size.state_nodes)?,
                 cells: region.take(size.state_cells)?,
@@ -76,13 +76,14 @@ pub(crate) fn bytes(size: &Size) -> usize {
 pub(crate) fn build(scenario: &Scenario, size: &Size, mut region: Region) -> Result<*mut SoftanvilSimulation, Failure> {
     let short = Failure::Short { argument: "memory", given: 0, needed: bytes(size) };
     let slot = region.slot::<SoftanvilSimulation>().ok_or(short)?;
-    let arrays = Arrays::cut(size, &mut region).ok_or(short)?;
-    let model = Model::new(scenario, arrays.model)?;
-    let state = State::new(&model, arrays.state)?;
+    let Arrays { nodes, cells, hoops, state } = Arrays::cut(size, &mut region).ok_or(short)?;
+    let mut constants = None;
+    let model = Model::new(scenario, ModelMemory { constants: &mut constants, nodes, cells, hoops })?;
+    let state = State::new(&model, state)?;
     Ok(slot.place(SoftanvilSimulation {
         marker: SoftanvilSimulation::MARKER,
         bytes: bytes(size),
-        constants: model.constants,
+        constants: *model.constants,
         scalars: state.scalars,
     }))
 }
@@ -94,7 +95,7 @@ pub(crate) fn with<R>(
 ) -> Result<R, Failure> {
     let damaged = Failure::Uninitialised { argument: "simulation" };
     let arrays = Arrays::cut(&header.constants.size, &mut region).ok_or(damaged)?;
-    let model = Model::view(header.constants, arrays.model.nodes, arrays.model.cells, arrays.model.hoops);
+    let model = Model::view(&header.constants, arrays.nodes, arrays.cells, arrays.hoops);
     let mut state = State::view(&model, header.scalars, arrays.state).map_err(|_| damaged)?;
     let result = work(&model, &mut state);
     header.scalars = state.scalars;
@@ -113,10 +114,10 @@ pub(crate) fn look<'a, R>(
 }
 
 /// Model and state behind the header, in the order of [`Arrays::cut`].
-fn parts<'a>(header: &SoftanvilSimulation, region: &mut SharedRegion<'a>) -> Option<(Model<'a>, StateContent<'a>)> {
+fn parts<'a>(header: &'a SoftanvilSimulation, region: &mut SharedRegion<'a>) -> Option<(Model<'a>, StateContent<'a>)> {
     let size = &header.constants.size;
     let (nodes, cells) = (region.take(size.model_nodes)?, region.take(size.model_cells)?);
-    let model = Model::view(header.constants, nodes, cells, region.take(size.model_hoops)?);
+    let model = Model::view(&header.constants, nodes, cells, region.take(size.model_hoops)?);
     let (nodes, cells) = (region.take(size.state_nodes)?, region.take(size.state_cells)?);
     Some((model, StateContent { nodes, cells, viscous: region.take(size.state_viscous)? }))
 }

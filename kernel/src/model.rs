@@ -92,7 +92,7 @@ pub(crate) struct ModelNodes<'a> {
 /// The immutable part of a simulation. One model may serve any number of states at once.
 pub struct Model<'a> {
     /// Scalar constants.
-    pub constants: Constants,
+    pub constants: &'a Constants,
     pub(crate) nodes: ModelNodes<'a>,
     pub(crate) cells: &'a [CellConstants],
     pub(crate) hoops: &'a [HoopConstants],
@@ -140,12 +140,12 @@ impl<'a> Model<'a> {
             top_height: position(grid.centre, grid.n_v)[1],
             fingerprint: fingerprint(scenario),
         };
-        Ok(Self::view(constants, nodes, cells, hoops))
+        Ok(Self::view(memory.constants.insert(constants), nodes, cells, hoops))
     }
 
     /// A model over memory that [`Model::new`] filled for the same `constants`.
     pub fn view(
-        constants: Constants,
+        constants: &'a Constants,
         mut nodes: &'a [Real],
         cells: &'a [CellConstants],
         hoops: &'a [HoopConstants],

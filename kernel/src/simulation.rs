@@ -1,6 +1,5 @@
 //! A model and its state in memory of their own, for hosts that can allocate (feature `alloc`).
 
-use alloc::vec;
 use alloc::vec::Vec;
 
 use crate::element::{CellConstants, CellHistory, HoopConstants};
@@ -30,7 +29,7 @@ impl Simulation {
     /// Allocates and builds the model of `scenario`, at the start of its drop.
     ///
     /// # Errors
-    /// A refused scenario; see [`ModelError`].
+    /// A refused scenario, or no memory; see [`ModelError`].
     pub fn new(scenario: &Scenario) -> Result<Self, ModelError> {
         Self::build(scenario, |memory| Model::new(scenario, memory))
     }
@@ -51,18 +50,24 @@ impl Simulation {
         model: impl for<'m> FnOnce(ModelMemory<'m>) -> Result<Model<'m>, ModelError>,
     ) -> Result<Self, ModelError> {
         let size = Size::of(scenario)?;
-        let mut model_nodes = vec![0.0; size.model_nodes];
-        let mut model_cells = vec![CellConstants::ZERO; size.model_cells];
-        let mut model_hoops = vec![HoopConstants::ZERO; size.model_hoops];
-        let mut state_nodes = vec![0.0; size.state_nodes];
-        let mut state_cells = vec![CellHistory::REST; size.state_cells];
-        let mut state_viscous = vec![Deviator::ZERO; size.state_viscous];
-        let model = model(ModelMemory { nodes: &mut model_nodes, cells: &mut model_cells, hoops: &mut model_hoops })?;
+        let mut model_nodes = filled(0.0, size.model_nodes, "model nodes")?;
+        let mut model_cells = filled(CellConstants::ZERO, size.model_cells, "model cells")?;
+        let mut model_hoops = filled(HoopConstants::ZERO, size.model_hoops, "model hoops")?;
+        let mut state_nodes = filled(0.0, size.state_nodes, "state nodes")?;
+        let mut state_cells = filled(CellHistory::REST, size.state_cells, "state cells")?;
+        let mut state_viscous = filled(Deviator::ZERO, size.state_viscous, "state viscous history")?;
+        let mut constants = None;
+        let model = model(ModelMemory {
+            constants: &mut constants,
+            nodes: &mut model_nodes,
+            cells: &mut model_cells,
+            hoops: &mut model_hoops,
+        })?;
         let state = State::new(
             &model,
             StateMemory { nodes: &mut state_nodes, cells: &mut state_cells, viscous: &mut state_viscous },
         )?;
-        let (constants, scalars) = (model.constants, state.scalars);
+        let (constants, scalars) = (*model.constants, state.scalars);
         Ok(Self { constants, scalars, model_nodes, model_cells, model_hoops, state_nodes, state_cells, state_viscous })
     }
 
@@ -86,7 +91,7 @@ impl Simulation {
     /// # Errors
     /// Never in practice: the memory was sized for this model.
     pub fn with<R>(&mut self, work: impl FnOnce(&Model, &mut State) -> R) -> Result<R, ModelError> {
-        let model = Model::view(self.constants, &self.model_nodes, &self.model_cells, &self.model_hoops);
+        let model = Model::view(&self.constants, &self.model_nodes, &self.model_cells, &self.model_hoops);
         let memory = StateMemory {
             nodes: &mut self.state_nodes,
             cells: &mut self.state_cells,
@@ -111,4 +116,15 @@ impl Simulation {
     pub fn reset(&mut self) {
         let _ = self.with(|model, state| state.reset(model));
     }
+}
+
+/// `n` copies of `value`.
+///
+/// # Errors
+/// The heap has no room for them.
+fn filled<T: Copy>(value: T, n: usize, what: &'static str) -> Result<Vec<T>, ModelError> {
+    let mut items = Vec::new();
+    items.try_reserve_exact(n).map_err(|_| ModelError::Memory { what, given: 0, needed: n })?;
+    items.resize(n, value);
+    Ok(items)
 }

@@ -4,6 +4,7 @@ use crate::element::{CellConstants, CellHistory, HoopConstants};
 use crate::error::ModelError;
 use crate::lanes::Deviator;
 use crate::mesh::Grid;
+use crate::model::Constants;
 use crate::real::Real;
 use crate::scenario::{Formulation, Scenario};
 
@@ -54,6 +55,8 @@ impl Size {
 
 /// Memory lent to a model while it is built.
 pub struct ModelMemory<'a> {
+    /// Place for the scalar constants.
+    pub constants: &'a mut Option<Constants>,
     /// At least [`Size::model_nodes`] numbers.
     pub nodes: &'a mut [Real],
     /// At least [`Size::model_cells`] blocks.

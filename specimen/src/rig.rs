@@ -39,7 +39,9 @@ impl Rig {
     ///
     /// The relaxation times are no part of the stability limit, so every part has the same time step.
     pub(crate) fn run(&mut self, scenario: &Scenario, duration: f64, record: &mut Recorder) -> Result<(), Error> {
-        let memory = ModelMemory { nodes: &mut self.nodes, cells: &mut self.cells, hoops: &mut self.hoops };
+        let (nodes, cells, hoops) = (&mut self.nodes, &mut self.cells, &mut self.hoops);
+        let mut constants = None;
+        let memory = ModelMemory { constants: &mut constants, nodes, cells, hoops };
         let model = Model::new(scenario, memory)?;
         let memory =
             StateMemory { nodes: &mut self.state_nodes, cells: &mut self.state_cells, viscous: &mut self.viscous };

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdarg.h>
 
+#include "check.h"
 #include "fmi2Functions.h"
 #include "load.h"
 

@@ -47,14 +47,4 @@ static void *find_function(void *library, const char *name) { return dlsym(libra
         memcpy(&fmu.name, &address, sizeof address);                  \
     } while (0);
 
-static int failures = 0;
-
-#define CHECK(condition)                                                             \
-    do {                                                                             \
-        if (!(condition)) {                                                          \
-            fprintf(stderr, "%s:%d: %s\n", __FILE__, __LINE__, #condition);          \
-            failures++;                                                              \
-        }                                                                            \
-    } while (0)
-
 #endif

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Tests the FMUs with importers and masters that others wrote, and with a master in C: run.sh BUILD_FOLDER [TEST...], where
-# cargo put the program `softanvil`. Builds the FMUs, for every platform whose compiler is there.
+# Tests the FMUs with importers and masters that others wrote, and with masters in C: run.sh BUILD_FOLDER [TEST...], where
+# cargo put the program `softanvil`; run.sh BUILD_FOLDER matrix prints the table of everything that computes the drops. Builds the FMUs, for every platform whose compiler is there.
 # The Python packages go to a virtual environment in $SOFTANVIL_VENV (default: .venv in the root of the repository);
 # everything else to a temporary folder that is removed at the end.
 set -euo pipefail
@@ -32,6 +32,9 @@ export SOFTANVIL_LIBRARY=$root/target/fmu/x86_64-unknown-linux-gnu/fmu/libsoftan
 [ "${targets[*]}" = "--target all" ] || SOFTANVIL_FMI2_TARGETS=(--target x86_64-unknown-linux-gnu)
 "$SOFTANVIL_CLI" fmu --fmi 3 --out "$scratch" "${targets[@]}"
 "$SOFTANVIL_CLI" fmu --fmi 2 --out "$scratch" "${SOFTANVIL_FMI2_TARGETS[@]:---target=all}"
-"$here/panic.sh"
 cd "$here"
-PYTHONDONTWRITEBYTECODE=1 TMPDIR=$scratch "$venv/bin/python" -m pytest -p no:cacheprovider -q "${@:-.}"
+export PYTHONDONTWRITEBYTECODE=1 TMPDIR=$scratch
+if [ "${1:-}" = matrix ]; then "$venv/bin/python" matrix.py "${@:2}"; exit; fi
+[ $# -gt 0 ] || "$venv/bin/python" matrix.py --brief
+"$here/panic.sh"
+"$venv/bin/python" -m pytest -p no:cacheprovider -q "${@:-.}"

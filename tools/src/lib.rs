@@ -3,7 +3,7 @@
 //! From top to bottom:
 //!
 //! 1. [`cli`] is the command line; each file of [`commands`] is one subcommand, [`failure`] how one ends badly.
-//! 2. [`report`] writes the report folder; [`plot`], [`table`] and [`trace`] draw, print and store results,
+//! 2. [`report`] writes the report folder; [`plot`], [`section`], [`table`] and [`trace`] draw, print and store results,
 //!    [`staging`] keeps half-written files away.
 //! 3. [`validation`] compares runs with the [`paper`], by the four [`quantity`]s of its table, [`comparison`] with a
 //!    measured trace, [`calibration`] searches; a [`reading`] is what a laboratory's instruments see of a run.
@@ -23,6 +23,7 @@ pub mod identification;
 pub mod interrupt;
 pub mod json;
 pub mod paper;
+pub mod place;
 pub mod plot;
 pub mod presets;
 pub mod progress;
@@ -31,6 +32,7 @@ pub mod reading;
 pub mod report;
 pub mod run;
 pub mod scenario_file;
+pub mod section;
 pub mod series;
 pub mod staging;
 pub mod studies;

@@ -31,6 +31,12 @@ pub enum RunError {
     Driven,
 }
 
+impl From<ModelError> for Failure {
+    fn from(error: ModelError) -> Self {
+        Self::Input(error.to_string())
+    }
+}
+
 impl From<RunError> for Failure {
     fn from(error: RunError) -> Self {
         match error {
@@ -79,10 +85,25 @@ impl Drop {
     ///
     /// # Errors
     /// The first step that fails.
-    pub fn run(mut self, mut progress: impl FnMut(u64)) -> Result<Run, RunError> {
+    pub fn run(self, mut progress: impl FnMut(u64)) -> Result<Run, RunError> {
+        self.run_watched(|steps, _| {
+            progress(steps);
+            Ok(())
+        })
+    }
+
+    /// Runs to the end; `watch` sees the simulation at the start and after every sample, with the steps that it took.
+    ///
+    /// # Errors
+    /// The first step that fails, or what `watch` refuses.
+    pub fn run_watched<E: From<RunError>>(
+        mut self,
+        mut watch: impl FnMut(u64, &mut Simulation) -> Result<(), E>,
+    ) -> Result<Run, E> {
         let mut samples = vec![*self.simulation.scalars()];
+        watch(0, &mut self.simulation)?;
         while self.sample(&mut samples)? {
-            progress(self.stride());
+            watch(self.stride(), &mut self.simulation)?;
         }
         Ok(self.completed(samples))
     }

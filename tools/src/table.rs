@@ -34,7 +34,7 @@ pub fn of_validation(validation: &Validation) -> String {
 }
 
 /// What the numbers of the table rest on.
-fn notes(validation: &Validation) -> String {
+pub fn notes(validation: &Validation) -> String {
     let mut notes = format!("Errors are against the experiment.\nExperiment, LS-DYNA: {}.\n", paper::SOURCE);
     if let Some(Comparison { run, .. }) = validation.cases.first() {
         let scenario = Threshold::Force(run.constants.scenario.measurement.force_threshold);

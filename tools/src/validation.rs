@@ -1,5 +1,6 @@
 //! Simulated drops against the study's table: errors recomputed from values.
 
+use softanvil_kernel::Simulation;
 use softanvil_kernel::preset::Preset;
 
 use crate::failure::Failure;
@@ -63,12 +64,27 @@ impl Validation {
     /// # Errors
     /// A preset that is refused or fails, or a reading that the sampling does not carry.
     pub fn new(preset: &'static Preset, reading: Reading) -> Result<Self, Failure> {
+        Self::watched(preset, reading, |_, _| Ok(()))
+    }
+
+    /// The same; `watch` sees each simulation at its start and after every sample, with the number of its energy.
+    ///
+    /// # Errors
+    /// As [`Validation::new`], and what `watch` refuses.
+    pub fn watched(
+        preset: &'static Preset,
+        reading: Reading,
+        mut watch: impl FnMut(usize, &mut Simulation) -> Result<(), Failure>,
+    ) -> Result<Self, Failure> {
         let drops = TABLE_1.iter().map(|case| prepare(preset, case)).collect::<Result<Vec<_>, _>>()?;
         let bar = progress::bar(drops.iter().map(Drop::steps).sum());
         let mut cases = Vec::new();
-        for (paper, drop) in TABLE_1.iter().zip(drops) {
+        for (number, (paper, drop)) in TABLE_1.iter().zip(drops).enumerate() {
             bar.set_message(format!("{} J", paper.energy));
-            let run = drop.run(|steps| bar.inc(steps))?;
+            let run = drop.run_watched(|steps, simulation| {
+                bar.inc(steps);
+                watch(number, simulation)
+            })?;
             let record = reading.take(&run).map_err(|error| Failure::Input(error.to_string()))?;
             cases.push(Comparison { paper, record, run });
         }

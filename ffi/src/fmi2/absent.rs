@@ -1,8 +1,6 @@
 //! The functions of model exchange, which the model description does not declare: some importers will not load a library
 //! without them. Every call is refused, with the reason in the log.
 
-use core::ffi::c_void;
-
 use super::types::{self, Boolean, Real};
 use crate::foreign::{Array, Room};
 use crate::instance::{Error, Function};
@@ -21,7 +19,7 @@ pub extern "C" fn fmi2EnterEventMode(mut component: types::Component) -> Status 
 
 /// Refuses: model exchange is not declared.
 #[unsafe(no_mangle)]
-pub extern "C" fn fmi2NewDiscreteStates(mut component: types::Component, _event_info: *mut c_void) -> Status {
+pub extern "C" fn fmi2NewDiscreteStates(mut component: types::Component, _event_info: *mut types::EventInfo) -> Status {
     refuse(&mut component, "fmi2NewDiscreteStates")
 }
 

@@ -1,7 +1,7 @@
 //! Saving and restoring the whole state of an instance, and derivatives, which do not exist here.
 
 use super::calls;
-use super::types::{self, FmuState, FmuStateSlot, Real, ValueReference};
+use super::types::{self, Byte, FmuState, FmuStateSlot, Real, ValueReference};
 use crate::foreign::{Array, Room};
 use crate::instance::Error;
 use crate::session::{Status, deserialize, enter, free_state, restore, save, serialize, serialized_size};
@@ -42,7 +42,7 @@ pub extern "C" fn fmi2SerializedFMUstateSize(
 pub extern "C" fn fmi2SerializeFMUstate(
     mut component: types::Component,
     fmu_state: FmuState,
-    serialized_state: Room<u8>,
+    serialized_state: Room<Byte>,
     size: usize,
 ) -> Status {
     enter(&mut component, &calls::SERIALIZE_FMU_STATE, |_| serialize(fmu_state, serialized_state, size))
@@ -52,7 +52,7 @@ pub extern "C" fn fmi2SerializeFMUstate(
 #[unsafe(no_mangle)]
 pub extern "C" fn fmi2DeSerializeFMUstate(
     mut component: types::Component,
-    serialized_state: Array<u8>,
+    serialized_state: Array<Byte>,
     size: usize,
     fmu_state: FmuStateSlot,
 ) -> Status {

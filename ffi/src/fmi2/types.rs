@@ -21,6 +21,10 @@ pub type Real = f64;
 pub type Integer = c_int;
 /// `fmi2Boolean`.
 pub type Boolean = c_int;
+/// `fmi2Byte`, a character in C.
+pub type Byte = u8;
+/// `fmi2EventInfo`, of which none is ever filled.
+pub type EventInfo = c_void;
 /// `fmi2Type`: an integer, because a master can pass any.
 pub type FmuType = c_int;
 /// `fmi2StatusKind`: an integer, because a master can pass any.

@@ -4,7 +4,8 @@ use core::ffi::{CStr, c_char};
 
 use super::calls;
 use super::types::{
-    self, Boolean, Flag, Float64, InstanceEnvironment, IntermediateUpdate, UnusedCallback, ValueReference,
+    self, Boolean, ClockUpdate, Flag, Float64, InstanceEnvironment, IntermediateUpdate, LockPreemption,
+    UnlockPreemption, ValueReference,
 };
 use crate::environment::neutral;
 use crate::foreign::{Array, Handle, Room, Text};
@@ -47,14 +48,15 @@ fn open(
     } else if let Some(other) = other {
         other
     } else {
-        log.event("instantiated");
+        log.event(&"instantiated");
         return Some(log);
     };
     log.error(function, &refusal);
     None
 }
 
-/// A new instance of the preset; null, with the reason in the log, for what cannot be one.
+/// A new instance of the preset; null, with the reason in the log, for what cannot be one, and null if there is no memory for
+/// it.
 #[unsafe(no_mangle)]
 pub extern "C" fn fmi3InstantiateCoSimulation(
     instance_name: Text,
@@ -88,7 +90,7 @@ pub extern "C" fn fmi3InstantiateCoSimulation(
         let updates = IntermediateUpdates { call: intermediate_update, environment: instance_environment };
         let mut session = Session::new(instance, log);
         (session.early_return_allowed, session.updates) = (early_return_allowed, updates);
-        Handle::new(session)
+        Handle::new(session).unwrap_or(Handle::NULL)
     })
 }
 
@@ -119,9 +121,9 @@ pub extern "C" fn fmi3InstantiateScheduledExecution(
     logging_on: Flag,
     instance_environment: InstanceEnvironment,
     log_message: Option<TextLogger>,
-    _clock_update: UnusedCallback,
-    _lock_preemption: UnusedCallback,
-    _unlock_preemption: UnusedCallback,
+    _clock_update: Option<ClockUpdate>,
+    _lock_preemption: Option<LockPreemption>,
+    _unlock_preemption: Option<UnlockPreemption>,
 ) -> types::Instance {
     let logger = (log_message, instance_environment, logging_on);
     let reason = "scheduled execution is not supported, see the model description";

@@ -47,5 +47,9 @@ pub type IntermediateUpdate = unsafe extern "C" fn(
     early_return_time: *mut Float64,
 );
 
-/// A callback that is never called.
-pub type UnusedCallback = Option<unsafe extern "C" fn()>;
+/// `fmi3ClockUpdateCallback`, which is never called.
+pub type ClockUpdate = unsafe extern "C" fn(environment: InstanceEnvironment);
+/// `fmi3LockPreemptionCallback`, which is never called.
+pub type LockPreemption = unsafe extern "C" fn();
+/// `fmi3UnlockPreemptionCallback`, which is never called.
+pub type UnlockPreemption = unsafe extern "C" fn();

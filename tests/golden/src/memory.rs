@@ -3,7 +3,7 @@
 use softanvil_kernel::element::{CellConstants, CellHistory, HoopConstants};
 use softanvil_kernel::lanes::Deviator;
 use softanvil_kernel::real::Real;
-use softanvil_kernel::{ModelMemory, StateMemory};
+use softanvil_kernel::{Constants, ModelMemory, StateMemory};
 
 /// Blocks of cells of the largest mesh: the full section.
 const BLOCKS: usize = 30;
@@ -16,6 +16,7 @@ pub const SNAPSHOT: usize = 96 << 10;
 
 /// Room for a model and a state.
 pub struct Memory {
+    constants: Option<Constants>,
     model_nodes: [Real; 5 * NODES],
     model_cells: [CellConstants; BLOCKS],
     model_hoops: [HoopConstants; BLOCKS],
@@ -28,6 +29,7 @@ impl Memory {
     /// Memory for one scene after the other.
     pub const fn new() -> Self {
         Self {
+            constants: None,
             model_nodes: [0.0; 5 * NODES],
             model_cells: [CellConstants::ZERO; BLOCKS],
             model_hoops: [HoopConstants::ZERO; BLOCKS],
@@ -40,7 +42,12 @@ impl Memory {
     /// The parts of the model and of the state.
     pub fn split(&mut self) -> (ModelMemory<'_>, StateMemory<'_>) {
         (
-            ModelMemory { nodes: &mut self.model_nodes, cells: &mut self.model_cells, hoops: &mut self.model_hoops },
+            ModelMemory {
+                constants: &mut self.constants,
+                nodes: &mut self.model_nodes,
+                cells: &mut self.model_cells,
+                hoops: &mut self.model_hoops,
+            },
             StateMemory {
                 nodes: &mut self.state_nodes,
                 cells: &mut self.state_cells,

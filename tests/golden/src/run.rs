@@ -80,7 +80,7 @@ impl<'a> Run<'a> {
     /// # Errors
     /// A step that fails.
     pub fn step(&mut self) -> Result<(), Failure> {
-        let input = (self.scene.input)(&self.model.constants, self.state.scalars.step_index);
+        let input = (self.scene.input)(self.model.constants, self.state.scalars.step_index);
         step(&self.model, &mut self.state, &input).map_err(Failure::Step)
     }
 
@@ -103,7 +103,7 @@ impl<'a> Run<'a> {
     /// # Errors
     /// Too little room.
     pub fn save<'b>(&self, bytes: &'b mut [u8]) -> Result<&'b [u8], Failure> {
-        let (given, needed) = (bytes.len(), snapshot_size(&self.model.constants));
+        let (given, needed) = (bytes.len(), snapshot_size(self.model.constants));
         let short = Failure::Snapshot(SnapshotError::Length { given, needed });
         let bytes = bytes.get_mut(..needed).ok_or(short)?;
         save(&self.model, &self.state, bytes).map_err(Failure::Snapshot)?;

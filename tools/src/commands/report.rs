@@ -4,11 +4,15 @@ use std::path::PathBuf;
 
 use clap::Args;
 
+use softanvil_kernel::Simulation;
 use softanvil_kernel::preset::PRESETS;
 
 use crate::failure::Failure;
+use crate::paper::TABLE_1;
+use crate::place::Place;
 use crate::reading::Reading;
-use crate::report::{self, Place};
+use crate::report::{self, Content};
+use crate::section::Film;
 use crate::table;
 use crate::validation::Validation;
 
@@ -25,9 +29,11 @@ pub struct Options {
 /// # Errors
 /// A folder that is not ours to replace, a simulation that failed, or a file that cannot be written.
 pub fn carry_out(options: &Options) -> Result<String, Failure> {
-    let place = Place::new(&options.out)?;
-    let validation = Validation::new(&PRESETS[0], Reading::PLAIN)?;
-    let names = report::write(&validation, place)?;
+    let place = Place::new(&options.out, &report::KIND)?;
+    let mut films: [Film; TABLE_1.len()] = Default::default();
+    let watch = |number: usize, simulation: &mut Simulation| Ok(films[number].take(simulation)?);
+    let validation = Validation::watched(&PRESETS[0], Reading::PLAIN, watch)?;
+    let names = report::write(&Content { validation: &validation, films: &films }, place)?;
     let files = names.iter().map(|name| format!("  {name}\n")).collect::<String>();
     Ok(format!("{}\nReport in {}:\n{files}", table::of_validation(&validation), options.out.display()))
 }

@@ -4,14 +4,16 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use softanvil_kernel::Scenario;
 use softanvil_kernel::scenario::Motion;
+use softanvil_kernel::{SAMPLING_INTERVAL, Scenario, Simulation};
 
 use super::drop_options::DropOptions;
 use super::output_files;
 use crate::failure::Failure;
+use crate::place::Place;
 use crate::plot::{self, Shown};
 use crate::run::{Drop, Run};
+use crate::section::paraview::{self, Series};
 use crate::{json, progress, staging, table, trace};
 
 /// Simulate one drop, or a press at a prescribed speed, and print its results.
@@ -25,6 +27,13 @@ pub struct Options {
     /// Write force over time and over deformation as an SVG picture
     #[arg(long, value_name = "FILE.svg")]
     plot: Option<PathBuf>,
+    /// Write the section as a series for ParaView into this folder, impact.pvd and its VTU files, in SI units; a series that
+    /// stands there is replaced
+    #[arg(long, value_name = "DIR")]
+    vtu: Option<PathBuf>,
+    /// Time from one frame of the series to the next in s, a whole multiple of 50e-6
+    #[arg(long, value_name = "S", default_value = "250e-6", allow_negative_numbers = true, value_parser = frame_samples)]
+    vtu_interval: usize,
     /// Print JSON in SI units instead of the table
     #[arg(long)]
     json: bool,
@@ -37,9 +46,11 @@ pub struct Options {
 pub fn carry_out(options: &Options) -> Result<String, Failure> {
     let scenario = options.drop.scenario()?;
     output_files::check(options.plot.as_deref(), options.csv.as_deref())?;
-    let run = simulate(&scenario)?;
+    let mut series = options.series()?;
+    let run = simulate_watched(&scenario, |simulation| series.iter_mut().try_for_each(|s| s.take(simulation)))?;
     let files = options.files(&run)?;
     staging::write_files(&files).map_err(|(path, error)| Failure::writing(&path, error))?;
+    let series = series.map(Series::finish).transpose()?;
     if options.json {
         return Ok(json::text(&json::of_run(&run)));
     }
@@ -47,10 +58,18 @@ pub fn carry_out(options: &Options) -> Result<String, Failure> {
     for (path, _) in &files {
         let _ = writeln!(text, "written: {}", path.display());
     }
+    if let Some((path, frames)) = series {
+        let _ = writeln!(text, "written: {}, {frames} frames", path.display());
+    }
     Ok(text)
 }
 
 impl Options {
+    fn series(&self) -> Result<Option<Series>, Failure> {
+        let Some(folder) = &self.vtu else { return Ok(None) };
+        Series::new(Place::new(folder, &paraview::KIND)?, self.vtu_interval).map(Some)
+    }
+
     fn files(&self, run: &Run) -> Result<Vec<(&Path, Vec<u8>)>, Failure> {
         let mut files = Vec::new();
         if let Some(path) = &self.csv {
@@ -76,8 +95,32 @@ fn label(run: &Run) -> String {
 
 /// Runs `scenario`, with progress.
 pub(super) fn simulate(scenario: &Scenario) -> Result<Run, Failure> {
+    simulate_watched(scenario, |_| Ok(()))
+}
+
+/// The same; `watch` sees the simulation at the start and after every sample.
+fn simulate_watched(
+    scenario: &Scenario,
+    mut watch: impl FnMut(&mut Simulation) -> Result<(), Failure>,
+) -> Result<Run, Failure> {
     let drop = Drop::new(scenario)?;
     let bar = progress::bar(drop.steps());
     bar.set_message("drop");
-    Ok(drop.run(|steps| bar.inc(steps))?)
+    drop.run_watched(|steps, simulation| {
+        bar.inc(steps);
+        watch(simulation)
+    })
+}
+
+/// Longest time between frames, s.
+const LONGEST_INTERVAL: f64 = 1.0;
+
+/// A time in s as a number of samples.
+fn frame_samples(text: &str) -> Result<usize, String> {
+    let samples = text.parse::<f64>().map_or(f64::NAN, |time| time / SAMPLING_INTERVAL);
+    let whole = samples.round();
+    if (1.0..=LONGEST_INTERVAL / SAMPLING_INTERVAL).contains(&whole) && (samples - whole).abs() < 1e-6 * whole {
+        return Ok(whole as usize);
+    }
+    Err(format!("legal is a whole multiple of {SAMPLING_INTERVAL} s up to {LONGEST_INTERVAL} s"))
 }

@@ -1,17 +1,19 @@
 //! Pictures of runs, as SVG whose text is text: force over time, and force over deformation.
 
 mod axis;
-mod curve;
+pub mod curve;
+mod energy;
 mod identification;
 mod panel;
 mod span;
 mod study;
-mod style;
+pub mod style;
 
 use plotters::chart::SeriesLabelPosition;
 use plotters::drawing::IntoDrawingArea;
 use plotters::prelude::SVGBackend;
 
+pub use energy::{BROUGHT_IN, TERMS, Term, draw as energy, of_output};
 pub use identification::pictures as identification;
 pub use study::{Line as StudyLine, draw as study};
 

@@ -8,5 +8,6 @@ mod measure;
 mod quasi_static;
 mod report;
 mod run;
+mod series;
 mod study;
 mod wrong_input;

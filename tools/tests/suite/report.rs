@@ -7,15 +7,21 @@ use serde_json::Value;
 use softanvil_tools::paper::TABLE_1;
 use softanvil_tools::quantity::QUANTITIES;
 
-const FILES: [&str; 8] = [
+const FILES: [&str; 14] = [
+    "deformed-mesh.svg",
+    "energy.svg",
     "force-deformation.svg",
     "force-time.svg",
+    "maximum-compression.svg",
+    "pressure.svg",
+    "report.html",
     "scenario.toml",
     "summary.json",
     "table.txt",
     "trace-14.7J.csv",
     "trace-4.9J.csv",
     "trace-9.8J.csv",
+    "von-mises.svg",
 ];
 
 #[test]
@@ -41,6 +47,61 @@ fn the_report_is_complete_and_its_parts_agree() {
             assert!(texts.iter().any(|text| text == wanted), "{wanted} in {texts:?}");
         }
         assert!(texts.iter().any(|text| text.starts_with("experiment")), "{texts:?}");
+    }
+}
+
+#[test]
+fn the_pictures_of_the_section_say_what_they_show() {
+    let folder = tempfile::tempdir().unwrap();
+    succeed(folder.path(), &["--out", "out"]);
+    let texts = |name: &str| svg_texts(&folder.path().join("out").join(name));
+    let has = |name: &str, wanted: &str| {
+        assert!(texts(name).iter().any(|text| text.contains(wanted)), "{wanted} in {:?}", texts(name));
+    };
+    for (name, quantity) in [("von-mises.svg", "von Mises stress ("), ("pressure.svg", "pressure (")] {
+        has(name, quantity);
+        for moment in ["0.5 ms after contact", "peak force", "maximum compression", "force down to a tenth"] {
+            has(name, moment);
+        }
+    }
+    for energy in ["14.7 J", "9.8 J", "4.9 J"] {
+        has("maximum-compression.svg", energy);
+        has("deformed-mesh.svg", energy);
+        has("energy.svg", energy);
+    }
+    for wanted in ["energy (J)", "time since contact (ms)", "viscous", "elastic", "impactor, kinetic", "brought in"] {
+        has("energy.svg", wanted);
+    }
+    // Numbers of a picture are those of the run.
+    let peak = json(folder.path(), &["run", "--energy", "14.7", "--json"])["peak_force"].as_f64().unwrap();
+    has("von-mises.svg", &format!("{peak:.0} N"));
+}
+
+#[test]
+fn the_page_needs_nothing_but_itself() {
+    let folder = tempfile::tempdir().unwrap();
+    succeed(folder.path(), &["--out", "out"]);
+    let page = fs::read_to_string(folder.path().join("out/report.html")).unwrap();
+    for outside in [" src=", "@import", "url(", "fetch(", "XMLHttpRequest", "{{"] {
+        assert!(!page.contains(outside), "{outside}");
+    }
+    assert_eq!(page.matches(" href=").count(), page.matches(" href=\"data:").count());
+    assert!(page.contains("Permission is hereby granted"), "the licence of the plots");
+    assert!(page.len() < 2_000_000, "{} bytes", page.len());
+    let start = page.find("id=\"data\">").unwrap() + "id=\"data\">".len();
+    let data = &page[start..start + page[start..].find("</script>").unwrap()];
+    let data: Value = serde_json::from_str(data).unwrap();
+    assert_eq!(data["films"].as_array().unwrap().len(), TABLE_1.len());
+    for film in data["films"].as_array().unwrap() {
+        let frames = film["time"].as_array().unwrap().len();
+        // Two bytes a number, four characters for three bytes.
+        let numbers = 2 * frames * data["mesh"]["x"].as_array().unwrap().len();
+        assert_eq!(film["displacement"].as_str().unwrap().len(), (2 * numbers).div_ceil(3) * 4);
+        let last =
+            film["energy"]["terms"].as_array().unwrap().iter().map(|term| term.as_array().unwrap().last().unwrap());
+        let sum: f64 = last.map(|energy| energy.as_f64().unwrap()).sum();
+        let brought_in = film["energy"]["external"].as_array().unwrap().last().unwrap().as_f64().unwrap();
+        assert!((sum - brought_in).abs() < 1e-3 * brought_in, "{sum} of {brought_in} J");
     }
 }
 

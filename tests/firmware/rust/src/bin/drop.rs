@@ -15,7 +15,7 @@ use softanvil_kernel::element::{CellConstants, CellHistory, HoopConstants};
 use softanvil_kernel::lanes::Deviator;
 use softanvil_kernel::real::Real;
 use softanvil_kernel::snapshot::{snapshot_size, state_digest};
-use softanvil_kernel::{Model, ModelMemory, Size, State, StateMemory, StepInput, step};
+use softanvil_kernel::{Constants, Model, ModelMemory, Size, State, StateMemory, StepInput, step};
 
 /// The study's mesh: nodes with padding, nodes of the surface, blocks of cells, viscous terms. `Size::of` tells what a
 /// scenario needs; too little is an error that names the numbers.
@@ -37,6 +37,7 @@ macro_rules! array {
 #[entry]
 fn main() -> ! {
     let model_memory = ModelMemory {
+        constants: singleton!(: Option<Constants> = None).unwrap(),
         nodes: array!(5 * NODES, Real, 0.0),
         cells: array!(BLOCKS, CellConstants, CellConstants::ZERO),
         hoops: array!(0, HoopConstants, HoopConstants::ZERO),

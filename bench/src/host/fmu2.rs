@@ -1,14 +1,13 @@
 //! The library of an FMU 2.0, loaded and driven as an importer does.
 
-use std::ffi::{CStr, CString, c_char, c_int, c_void};
-use std::path::{Path, PathBuf};
+use std::ffi::{CStr, c_char, c_int, c_void};
 use std::ptr::null_mut;
 
-use libloading::Library;
-use softanvil::variables::{Table, references, token};
-use softanvil_kernel::{Scenario, Simulation};
+use softanvil::variables::references;
+use softanvil_kernel::Scenario;
 
 use super::Host;
+use super::library::{FOREIGN, Loaded, RECORDED, expect};
 
 type Component = *mut c_void;
 
@@ -51,7 +50,7 @@ type GetString = unsafe extern "C" fn(Component, *const u32, usize, *mut *const 
 type DoStep = unsafe extern "C" fn(Component, f64, f64, c_int) -> c_int;
 
 /// An instance of the FMU.
-pub struct Fmu {
+pub struct Fmu2 {
     component: Component,
     reset: Plain,
     setup: Setup,
@@ -62,64 +61,39 @@ pub struct Fmu {
     get_real: GetReal,
     get_string: GetString,
     do_step: DoStep,
-    element_size: (u32, f64),
-    outputs: Vec<u32>,
-    dt: f64,
-    steps_of_drop: u64,
     made: u64,
     /// Whether the outputs that a master records are read after every communication step.
     pub reads_outputs: bool,
-    _library: Library,
+    loaded: Loaded,
 }
 
-/// What a master would record.
-const RECORDED: [&str; 4] = ["contact.force", "core.reaction", "impactor.position", "impactor.velocity"];
-
-impl Fmu {
-    /// Where `softanvil fmu` leaves the library of this platform, unless `SOFTANVIL_LIBRARY` says otherwise.
-    pub fn path() -> PathBuf {
-        let built = "../target/fmu/x86_64-unknown-linux-gnu/fmu/libsoftanvil.so";
-        std::env::var_os("SOFTANVIL_LIBRARY")
-            .map_or_else(|| Path::new(env!("CARGO_MANIFEST_DIR")).join(built), PathBuf::from)
-    }
-
+impl Fmu2 {
     /// An instance of the study's drop on a mesh of the element size of `scenario`; none without the library.
     ///
     /// # Panics
     /// If the library is not one of an FMU, or refuses.
     pub fn load(scenario: &Scenario) -> Option<Self> {
-        let path = Self::path();
-        if !path.is_file() {
-            return None;
-        }
-        let kernel = Simulation::new(scenario).expect("a legal scenario");
-        let table = Table::new();
-        let reference = |name: &str| table.rows().iter().find(|row| row.name == name).expect(name).reference;
-        let guid = CString::new(token()).expect("text without zeros");
-        // SAFETY: the types are those of the standard; the library has no initialisers.
+        let loaded = Loaded::new(scenario)?;
+        // SAFETY: the types are those of the standard.
         let mut fmu = unsafe {
-            let library = Library::new(&path).expect("a shared library");
-            let instantiate: Instantiate = function(&library, "fmi2Instantiate");
-            let component = instantiate(c"bench".as_ptr(), 1, guid.as_ptr(), c"file:///".as_ptr(), &CALLBACKS, 0, 0);
-            assert!(!component.is_null(), "{}: not of these sources; build it anew by `softanvil fmu`", path.display());
+            let instantiate: Instantiate = loaded.function("fmi2Instantiate");
+            let (name, place) = (c"bench".as_ptr(), c"file:///".as_ptr());
+            let component = instantiate(name, 1, loaded.token.as_ptr(), place, &CALLBACKS, 0, 0);
+            assert!(!component.is_null(), "{FOREIGN}");
             Self {
                 component,
-                reset: function(&library, "fmi2Reset"),
-                setup: function(&library, "fmi2SetupExperiment"),
-                enter: function(&library, "fmi2EnterInitializationMode"),
-                exit: function(&library, "fmi2ExitInitializationMode"),
-                free: function(&library, "fmi2FreeInstance"),
-                set_real: function(&library, "fmi2SetReal"),
-                get_real: function(&library, "fmi2GetReal"),
-                get_string: function(&library, "fmi2GetString"),
-                do_step: function(&library, "fmi2DoStep"),
-                element_size: (reference("mesh.element_size"), scenario.mesh.element_size),
-                outputs: RECORDED.map(reference).to_vec(),
-                dt: kernel.constants().dt,
-                steps_of_drop: kernel.constants().steps_in(scenario.time.duration),
+                reset: loaded.function("fmi2Reset"),
+                setup: loaded.function("fmi2SetupExperiment"),
+                enter: loaded.function("fmi2EnterInitializationMode"),
+                exit: loaded.function("fmi2ExitInitializationMode"),
+                free: loaded.function("fmi2FreeInstance"),
+                set_real: loaded.function("fmi2SetReal"),
+                get_real: loaded.function("fmi2GetReal"),
+                get_string: loaded.function("fmi2GetString"),
+                do_step: loaded.function("fmi2DoStep"),
                 made: 0,
                 reads_outputs: false,
-                _library: library,
+                loaded,
             }
         };
         fmu.initialise();
@@ -127,7 +101,7 @@ impl Fmu {
     }
 
     fn initialise(&mut self) {
-        let (reference, value) = self.element_size;
+        let (reference, value) = self.loaded.element_size;
         // SAFETY: the component lives until this object is dropped.
         unsafe {
             expect((self.set_real)(self.component, &reference, 1, &value));
@@ -139,18 +113,7 @@ impl Fmu {
     }
 }
 
-/// # Safety
-/// `F` must be the type of the function `name`.
-unsafe fn function<F: Copy>(library: &Library, name: &str) -> F {
-    // SAFETY: the caller's guarantee.
-    *unsafe { library.get::<F>(name) }.unwrap_or_else(|error| panic!("{name}: {error}"))
-}
-
-fn expect(status: c_int) {
-    assert_eq!(status, 0, "the FMU refused a call");
-}
-
-impl Host for Fmu {
+impl Host for Fmu2 {
     fn restart(&mut self) {
         // SAFETY: as in `initialise`.
         expect(unsafe { (self.reset)(self.component) });
@@ -160,12 +123,12 @@ impl Host for Fmu {
     fn advance(&mut self, calls: u64, steps: u64) {
         let mut values = [0.0; RECORDED.len()];
         for _ in 0..calls {
-            let (point, step) = (self.made as f64 * self.dt, steps as f64 * self.dt);
+            let (point, step) = (self.made as f64 * self.loaded.dt, steps as f64 * self.loaded.dt);
             // SAFETY: as in `initialise`; the arrays have the lengths that are told.
             unsafe {
                 expect((self.do_step)(self.component, point, step, 1));
                 if self.reads_outputs {
-                    let (outputs, n) = (self.outputs.as_ptr(), self.outputs.len());
+                    let (outputs, n) = (self.loaded.outputs.as_ptr(), RECORDED.len());
                     expect((self.get_real)(self.component, outputs, n, values.as_mut_ptr()));
                 }
             }
@@ -175,7 +138,7 @@ impl Host for Fmu {
     }
 
     fn steps_of_drop(&self) -> u64 {
-        self.steps_of_drop
+        self.loaded.steps_of_drop
     }
 
     fn trace_hash(&mut self) -> u64 {
@@ -189,7 +152,7 @@ impl Host for Fmu {
     }
 }
 
-impl Drop for Fmu {
+impl Drop for Fmu2 {
     fn drop(&mut self) {
         // SAFETY: nobody uses it any more.
         unsafe { (self.free)(self.component) };

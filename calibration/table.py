@@ -1,0 +1,108 @@
+"""Writes docs/protocols.md from the folders in which calibrations left their results.
+
+    python3 calibration/table.py SOFTANVIL FOLDER
+
+SOFTANVIL is the program; FOLDER holds a folder per protocol, as calibration/run.sh leaves them.
+"""
+
+import json
+import pathlib
+import subprocess
+import sys
+
+PROTOCOLS = {
+    "all": "(b) all twelve numbers",
+    "only-14.7": "(a) 14.7 J alone, as in the study",
+    "without-14.7": "(c) without 14.7 J",
+    "without-9.8": "(c) without 9.8 J",
+    "without-4.9": "(c) without 4.9 J",
+    "without-deformation-9.8": "(d) without the 9.8 J deformation",
+}
+QUANTITIES = {
+    "peak_force": "peak force",
+    "max_deformation": "max deformation",
+    "impact_duration": "impact duration",
+    "impulse": "impulse",
+}
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+
+
+def mean(errors):
+    return f"{sum(map(abs, errors)) / len(errors):.1f}" if errors else ""
+
+
+def table(header, rows):
+    lines = [header, ["---"] * len(header), *rows]
+    return "".join(f"| {' | '.join(line)} |\n" for line in lines)
+
+
+def validation(program, preset):
+    text = subprocess.run([program, "validate", "--preset", preset, "--json"], check=True, capture_output=True).stdout
+    return json.loads(text)
+
+
+def summary_row(name, impacts):
+    """Mean errors of a calibration: of all numbers, of those that counted, of those that did not."""
+    cells = [impact[key] for impact in impacts for key in QUANTITIES]
+    errors = [cell["error_percent"] for cell in cells]
+    counted = [cell["error_percent"] for cell in cells if cell["counts"]]
+    predicted = [cell["error_percent"] for cell in cells if not cell["counts"]]
+    peaks = ", ".join(f"{impact['peak_force']['error_percent']:+.1f}" for impact in impacts)
+    return [name, mean(errors), mean(counted), mean(predicted), peaks]
+
+
+def error_rows(impacts_by_name):
+    energies = [impact["energy"] for impact in next(iter(impacts_by_name.values()))]
+    for i, energy in enumerate(energies):
+        for key, label in QUANTITIES.items():
+            cells = [impacts[i][key] for impacts in impacts_by_name.values()]
+            shown = [f"{cell['error_percent']:+.1f}" if cell["counts"] else f"*{cell['error_percent']:+.1f}*" for cell in cells]
+            yield [f"{energy} J", label, *shown]
+
+
+def spread_rows(parameters):
+    for name, row in parameters.items():
+        spread = row["spread"]
+        best, low, high = (f"{value:.3g}" for value in (row["value"], spread["min"], spread["max"]))
+        yield [name, best, row["unit"], f"{low} to {high}", f"{spread['part']:.2f}"]
+
+
+def of_validation(cases, key):
+    """The cases of `softanvil validate --json` in the shape of a calibration's impacts."""
+    return [
+        {"energy": case["energy"], **{name: {"error_percent": case[key][name], "counts": True} for name in QUANTITIES}}
+        for case in cases
+    ]
+
+
+def main(program, folder):
+    results = {name: json.loads((folder / name / "summary.json").read_text()) for name in PROTOCOLS}
+    presets = {name: validation(program, name) for name in ("study", "study-14.7")}
+    ls_dyna = of_validation(presets["study"]["cases"], "ls_dyna_error_percent")
+    rows = [summary_row("LS-DYNA, as printed in the study", ls_dyna)]
+    rows += [summary_row(label, results[name]["impacts"]) for name, label in PROTOCOLS.items()]
+    rows += [
+        summary_row(f"preset `{name}`, rounded from ({'b' if name == 'study' else 'a'})", of_validation(v["cases"], "error_percent"))
+        for name, v in presets.items()
+    ]
+    for row in rows[:1] + rows[-2:]:
+        row[2] = row[3] = ""
+    shown = {"LS-DYNA": ls_dyna, **{PROTOCOLS[name].split(" ")[0] + " " + name: results[name]["impacts"] for name in PROTOCOLS}}
+    best = results["all"]
+    text = f"""# Calibration protocols
+
+Written by `calibration/run.sh`, which runs every protocol and takes about an hour on two cores. Errors are against the
+study's experiment, in %.
+
+{table(["tuned with", "mean of twelve", "of the tuned", "of the predicted", "peaks at 14.7, 9.8, 4.9 J"], rows)}
+Every error; those in italics were predicted:
+
+{table(["energy", "quantity", *shown], error_rows(shown))}
+What (b) pins: the best value of each parameter, and the spread among the {best["equally_good"]} evaluations that score within
+5 % of it, with its part of the range searched. A part near 1 says that the impacts say nothing about the parameter.
+
+{table(["parameter", "best", "unit", "spread", "of the range"], spread_rows(best["parameters"]))}"""
+    (ROOT / "docs" / "protocols.md").write_text(text)
+
+
+main(sys.argv[1], pathlib.Path(sys.argv[2]))

@@ -1,0 +1,66 @@
+//! A folder that a command may replace.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use crate::failure::Failure;
+use crate::staging;
+
+/// What a folder of ours holds.
+pub struct Kind {
+    /// The option that names it.
+    pub option: &'static str,
+    /// What it is, for people.
+    pub what: &'static str,
+    /// The files in a folder that are ours; none if it is not.
+    pub listed_files: fn(&Path) -> Vec<String>,
+}
+
+/// A folder that may be written: it does not exist, is empty, or holds what we wrote and nothing else.
+pub struct Place(PathBuf);
+
+impl Place {
+    /// Checks `folder`.
+    ///
+    /// # Errors
+    /// Anything there that is not ours, or no place for a folder.
+    pub fn new(folder: &Path, kind: &Kind) -> Result<Self, Failure> {
+        let refuse =
+            |reason: String| Err(Failure::Input(format!("{} {} is refused: {reason}", kind.option, folder.display())));
+        if folder.file_name().is_none() {
+            return refuse("legal is the name of a folder".into());
+        }
+        if fs::symlink_metadata(folder).is_err() {
+            let parent = staging::parent(folder);
+            return match parent.is_dir() {
+                true => Ok(Self(folder.into())),
+                false => refuse(format!("there is no folder {}", parent.display())),
+            };
+        }
+        match foreign_entry(folder, kind) {
+            Ok(None) => Ok(Self(fs::canonicalize(folder).unwrap_or_else(|_| folder.into()))),
+            Ok(Some(name)) => {
+                refuse(format!("it holds {name}, which is no part of {} and will not be deleted", kind.what))
+            }
+            Err(error) => refuse(format!("it is there and is no folder that can be read ({error})")),
+        }
+    }
+
+    /// The folder.
+    pub fn path(&self) -> &Path {
+        &self.0
+    }
+}
+
+/// The name of something in `folder` that we did not put there.
+fn foreign_entry(folder: &Path, kind: &Kind) -> std::io::Result<Option<String>> {
+    let ours = (kind.listed_files)(folder);
+    for entry in fs::read_dir(folder)? {
+        let entry = entry?;
+        let name = entry.file_name().to_string_lossy().into_owned();
+        if !ours.contains(&name) || !entry.file_type()?.is_file() {
+            return Ok(Some(name));
+        }
+    }
+    Ok(None)
+}

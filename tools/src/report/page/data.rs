@@ -1,0 +1,177 @@
+//! What the page's scripts draw, in mm, ms, N and J; whatever is long is packed into whole numbers of 16 bits.
+
+use std::ops::Range;
+
+use base64::Engine;
+use base64::prelude::BASE64_STANDARD;
+use serde_json::{Value, json};
+use softanvil_kernel::SAMPLING_INTERVAL;
+
+use crate::plot::curve::{self, Curve, Measured};
+use crate::plot::{self, Term, style};
+use crate::quantity::{MAX_DEFORMATION, PEAK_FORCE};
+use crate::report::{Content, shown};
+use crate::section::film::DISPLACEMENT;
+use crate::section::picture::SLAB;
+use crate::section::{Film, Frame, Levels, Mesh, SHADES};
+use crate::validation::Comparison;
+
+/// Milliseconds in a second, millimetres in a metre.
+const MILLI: f64 = 1e3;
+/// Samples shown before the contact and after it.
+const AROUND: usize = 10;
+
+/// Everything that the scripts need.
+pub fn of(content: &Content) -> Value {
+    let Some(mesh) = content.films.first().and_then(Film::mesh) else { return Value::Null };
+    let impactor = &mesh.constants.scenario.impactor;
+    let displacements = content.films.iter().flat_map(Film::frames).flat_map(|frame| frame.values(DISPLACEMENT));
+    let displacement = quantum(displacements.copied());
+    let ranges = SHADES.each_ref().map(|shade| {
+        let ranges = content.films.iter().map(|film| film.range(shade));
+        ranges.fold([0.0, 0.0], |[a, b]: [f64; 2], [low, high]| [a.min(low), b.max(high)])
+    });
+    let stresses = ranges.map(|[low, high]| quantum([low, high].into_iter()));
+    let terms = terms(content);
+    let times = curve::force_time(&shown(content.validation));
+    let loops = curve::force_deformation(&shown(content.validation));
+    let cases = content.validation.cases.iter().zip(content.films).zip(times.iter().zip(&loops)).enumerate();
+    json!({
+        "mesh": mesh_data(mesh),
+        "impactor": {
+            "left": MILLI * (impactor.offset - 0.5 * impactor.face_diameter),
+            "right": MILLI * (impactor.offset + 0.5 * impactor.face_diameter),
+            "gap": MILLI * impactor.gap,
+            "slab": MILLI * SLAB,
+        },
+        "displacement_quantum": MILLI * displacement,
+        "shades": SHADES.iter().zip(ranges).zip(stresses).map(|((shade, range), quantum)| {
+            let levels = Levels::new(range);
+            json!({
+                "label": shade.label,
+                "unit": levels.unit,
+                "quantum": quantum * levels.scale,
+                "bounds": levels.bounds.iter().map(|bound| bound * levels.scale).collect::<Vec<_>>(),
+                "texts": levels.bounds.iter().map(|bound| levels.text(*bound)).collect::<Vec<_>>(),
+                "colours": (0..levels.bands()).map(|band| levels.colour(band)).collect::<Vec<_>>(),
+                "zero": levels.zero(),
+            })
+        }).collect::<Vec<_>>(),
+        "terms": terms.iter().map(|term| json!({
+            "label": term.label, "colour": hex(term.colour)
+        })).collect::<Vec<_>>(),
+        "films": cases.map(|(number, ((case, film), (time, path)))| {
+            let mut value = film_data(film, displacement, &stresses);
+            value["label"] = format!("{} J", case.paper.energy).into();
+            value["colour"] = hex({ let c = style::colour(number); [c.0, c.1, c.2] }).into();
+            value["curve"] = curve_data(time, path);
+            value["measured"] = measured(case, time);
+            value["energy"] = energy(case, film, &terms);
+            value
+        }).collect::<Vec<_>>(),
+    })
+}
+
+fn hex([r, g, b]: [u8; 3]) -> String {
+    format!("#{r:02x}{g:02x}{b:02x}")
+}
+
+fn mesh_data(mesh: &Mesh) -> Value {
+    let in_mm = |value: f64| round(MILLI * value, 4);
+    json!({
+        "half": mesh.is_half(),
+        "top": in_mm(mesh.constants.top_height),
+        "reach": in_mm(mesh.reach()),
+        "x": mesh.reference.iter().map(|point| in_mm(point[0])).collect::<Vec<_>>(),
+        "y": mesh.reference.iter().map(|point| in_mm(point[1])).collect::<Vec<_>>(),
+        "triangles": mesh.triangles,
+        "outline": mesh.outline(),
+        "core": mesh.core().into_iter().map(|point| point.map(in_mm)).collect::<Vec<_>>(),
+    })
+}
+
+/// Numbers of the frames that are shown: those in contact, and some around them.
+fn range(film: &Film) -> Range<usize> {
+    let loaded = film.frames().iter().rposition(|frame| frame.scalars.sampler.last.contact_force > 0.0).unwrap_or(0);
+    film.contact().saturating_sub(AROUND)..film.frames().len().min(loaded + 1 + AROUND)
+}
+
+/// Time since contact, ms: forces are drawn at the middle of their interval, the first just before contact.
+fn since_contact(film: &Film, frame: &Frame) -> f64 {
+    let contact = film.frames().get(film.contact()).map_or(0.0, |frame| frame.time);
+    round(MILLI * (frame.time - contact + 0.5 * SAMPLING_INTERVAL), 4)
+}
+
+fn film_data(film: &Film, displacement: f64, stresses: &[f64; 2]) -> Value {
+    let range = range(film);
+    let frames = film.frames().get(range.clone()).unwrap_or_default();
+    let each = |value: &dyn Fn(&Frame) -> f64| frames.iter().map(value).collect::<Vec<_>>();
+    let moments = film.moments().into_iter().filter(|moment| range.contains(&moment.frame));
+    json!({
+        "time": each(&|frame| since_contact(film, frame)),
+        "force": each(&|frame| round(frame.scalars.sampler.last.contact_force, 2)),
+        "deformation": each(&|frame| round(MILLI * frame.scalars.impactor.deformation(), 4)),
+        "face": each(&|frame| round(MILLI * frame.face(), 4)),
+        "displacement": packed(frames.iter().flat_map(|frame| frame.values(DISPLACEMENT).to_vec()), displacement),
+        "shades": SHADES.iter().zip(stresses).map(|(shade, quantum)| {
+            packed(frames.iter().flat_map(|frame| film.shaded(frame, shade)), *quantum)
+        }).collect::<Vec<_>>(),
+        "moments": moments.map(|moment| json!({
+            "label": moment.label, "frame": moment.frame - range.start
+        })).collect::<Vec<_>>(),
+    })
+}
+
+fn curve_data(time: &Curve, path: &Curve) -> Value {
+    json!({
+        "time": time.points.iter().map(|point| round(point.0, 4)).collect::<Vec<_>>(),
+        "force": time.points.iter().map(|point| round(point.1, 2)).collect::<Vec<_>>(),
+        "deformation": path.points.iter().map(|point| round(point.0, 4)).collect::<Vec<_>>(),
+    })
+}
+
+fn measured(case: &Comparison, time: &Curve) -> Value {
+    let over = match time.measured {
+        Some(Measured::Level { over, .. }) => over,
+        _ => [0.0, 0.0],
+    };
+    json!({
+        "force": case.paper.experiment[PEAK_FORCE],
+        "deformation": MILLI * case.paper.experiment[MAX_DEFORMATION],
+        "over": over,
+    })
+}
+
+/// The terms of the balance that occur in any of the runs.
+fn terms(content: &Content) -> Vec<&'static Term> {
+    let occurs = |term: &&Term| {
+        content.validation.cases.iter().any(|case| plot::of_output(&case.run, term.output).iter().any(|e| *e != 0.0))
+    };
+    plot::TERMS.iter().filter(occurs).collect()
+}
+
+fn energy(case: &Comparison, film: &Film, terms: &[&Term]) -> Value {
+    let numbers = |name: &str| plot::of_output(&case.run, name).into_iter().map(|e| round(e, 5)).collect::<Vec<_>>();
+    json!({
+        "time": film.frames().iter().map(|frame| since_contact(film, frame)).collect::<Vec<_>>(),
+        "terms": terms.iter().map(|term| numbers(term.output)).collect::<Vec<_>>(),
+        "external": numbers(plot::BROUGHT_IN),
+    })
+}
+
+/// The unit in which the largest of `values` is the largest number of 16 bits.
+fn quantum(values: impl Iterator<Item = f64>) -> f64 {
+    let largest = values.fold(0.0, |largest, value| f64::max(largest, value.abs()));
+    if largest > 0.0 { largest / f64::from(i16::MAX) } else { 1.0 }
+}
+
+/// Whole multiples of `quantum`, little-endian, as base64.
+fn packed(values: impl Iterator<Item = f64>, quantum: f64) -> String {
+    let bytes = values.flat_map(|value| ((value / quantum).round() as i16).to_le_bytes());
+    BASE64_STANDARD.encode(bytes.collect::<Vec<_>>())
+}
+
+fn round(value: f64, decimals: i32) -> f64 {
+    let scale = 10f64.powi(decimals);
+    (value * scale).round() / scale
+}

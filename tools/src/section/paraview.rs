@@ -1,0 +1,253 @@
+//! A run as a series for ParaView: a VTU file of the section and one of the impactor's face for each time, and a PVD file
+//! that lists them. Everything is in SI, the points at their current positions.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use quick_xml::Writer;
+use quick_xml::events::{BytesDecl, BytesText, Event};
+use softanvil_kernel::field;
+use softanvil_kernel::{FIELDS, Field, ModelError, Simulation};
+use tempfile::TempDir;
+use vtkio::model::{
+    Attribute, Attributes, ByteOrder, CellType, Cells, DataArray, DataSet, ElementType, UnstructuredGridPiece, Version,
+    VertexNumbers, Vtk,
+};
+
+use super::{Frame, Mesh};
+use crate::failure::Failure;
+use crate::place::{Kind, Place};
+use crate::staging;
+
+/// The file that lists the others, and by which a series is known.
+const COLLECTION: &str = "impact.pvd";
+
+/// A folder with a series.
+pub const KIND: Kind = Kind { option: "--vtu", what: "a series for ParaView", listed_files };
+
+/// A series that is being written.
+pub struct Series {
+    place: Place,
+    staged: TempDir,
+    /// Samples from one frame to the next.
+    stride: usize,
+    samples: usize,
+    mesh: Option<Mesh>,
+    times: Vec<f64>,
+}
+
+impl Series {
+    /// A series at `place` with a frame every `stride` samples.
+    ///
+    /// # Errors
+    /// A folder that cannot be written.
+    pub fn new(place: Place, stride: usize) -> Result<Self, Failure> {
+        let staged = staging::stage_folder(place.path()).map_err(|error| Failure::writing(place.path(), error))?;
+        Ok(Self { place, staged, stride, samples: 0, mesh: None, times: Vec::new() })
+    }
+
+    /// Takes the present of `simulation`, at its start or after a sample.
+    ///
+    /// # Errors
+    /// A file that cannot be written.
+    pub fn take(&mut self, simulation: &mut Simulation) -> Result<(), Failure> {
+        let due = self.samples.is_multiple_of(self.stride);
+        self.samples += 1;
+        if due {
+            self.write(simulation).map_err(|error| Failure::writing(self.place.path(), error))?;
+        }
+        Ok(())
+    }
+
+    fn write(&mut self, simulation: &mut Simulation) -> Result<(), SeriesError> {
+        let frame = Frame::take(simulation, &fields())?;
+        let mesh = match &mut self.mesh {
+            Some(mesh) => mesh,
+            none => none.insert(Mesh::of(simulation)?),
+        };
+        for (name, text) in names(self.times.len()).iter().zip(files(mesh, &frame)?) {
+            fs::write(self.staged.path().join(name), text)?;
+        }
+        self.times.push(frame.time);
+        Ok(())
+    }
+
+    /// Puts the series in place, complete; returns its first file and the number of frames.
+    ///
+    /// # Errors
+    /// A file that cannot be written.
+    pub fn finish(self) -> Result<(PathBuf, usize), Failure> {
+        let failed = |error: SeriesError| Failure::writing(self.place.path(), error);
+        let text = collection(&self.times).map_err(failed)?;
+        let put = |text: &[u8]| fs::write(self.staged.path().join(COLLECTION), text);
+        put(&text).map_err(|error| failed(error.into()))?;
+        staging::replace_folder(self.staged, self.place.path())
+            .map_err(|error| Failure::writing(self.place.path(), error))?;
+        Ok((self.place.path().join(COLLECTION), self.times.len()))
+    }
+}
+
+/// Why a file could not be made.
+#[derive(Debug, thiserror::Error)]
+pub enum SeriesError {
+    /// A VTU file.
+    #[error("{0}")]
+    Vtk(#[from] vtkio::Error),
+    /// The PVD file, or the file system.
+    #[error("{0}")]
+    Io(#[from] std::io::Error),
+    /// The simulation's memory.
+    #[error("{0}")]
+    Model(#[from] ModelError),
+}
+
+/// The fields of a series: every one of the kernel, but for the position, which the points have.
+fn fields() -> Vec<&'static Field> {
+    FIELDS.iter().filter(|field| field.name != "node.position").collect()
+}
+
+/// Names of the two files of the frame with this number.
+fn names(number: usize) -> [String; 2] {
+    ["section", "impactor"].map(|part| format!("{part}-{number:05}.vtu"))
+}
+
+/// The files of one frame, which holds [`fields`].
+///
+/// # Errors
+/// What the VTK library refuses.
+fn files(mesh: &Mesh, frame: &Frame) -> Result<[Vec<u8>; 2], SeriesError> {
+    Ok([text(section(mesh, frame))?, text(impactor(mesh, frame))?])
+}
+
+/// The PVD file of frames at these times, s.
+///
+/// # Errors
+/// What the XML library refuses.
+fn collection(times: &[f64]) -> Result<Vec<u8>, SeriesError> {
+    let mut xml = Writer::new_with_indent(Vec::new(), b' ', 2);
+    xml.write_event(Event::Decl(BytesDecl::new("1.0", None, None)))?;
+    let attributes = [("type", "Collection"), ("version", "0.1"), ("byte_order", "LittleEndian")];
+    xml.create_element("VTKFile").with_attributes(attributes).write_inner_content(|xml| {
+        xml.write_event(Event::Comment(BytesText::new(" Softanvil. SI: m, s, N, Pa; part 0 section, 1 impactor. ")))?;
+        xml.create_element("Collection").write_inner_content(|xml| {
+            for (number, time) in times.iter().enumerate() {
+                for (part, name) in names(number).iter().enumerate() {
+                    let attributes =
+                        [("timestep", time.to_string()), ("part", part.to_string()), ("file", name.into())];
+                    let attributes = attributes.each_ref().map(|(key, value)| (*key, value.as_str()));
+                    xml.create_element("DataSet").with_attributes(attributes).write_empty()?;
+                }
+            }
+            Ok(())
+        })?;
+        Ok(())
+    })?;
+    let mut text = xml.into_inner();
+    text.push(b'\n');
+    Ok(text)
+}
+
+/// The files of the series in `folder`; none if it is not ours.
+fn listed_files(folder: &Path) -> Vec<String> {
+    let collection = fs::read_to_string(folder.join(COLLECTION)).unwrap_or_default();
+    let names = collection.split(" file=\"").skip(1).filter_map(|rest| rest.split('"').next());
+    if collection.contains("<!-- Softanvil.") {
+        names.chain([COLLECTION]).map(String::from).collect()
+    } else {
+        Vec::new()
+    }
+}
+
+fn section(mesh: &Mesh, frame: &Frame) -> UnstructuredGridPiece {
+    let displacement = frame.values("node.displacement").chunks_exact(2);
+    let points = mesh.reference.iter().zip(displacement).flat_map(|(rest, u)| [rest[0] + u[0], rest[1] + u[1], 0.0]);
+    let mut data = Attributes::new();
+    for field in fields() {
+        let values = frame.values(field.name);
+        let (name, values) = (short(field), in_space(field, values));
+        match field.place {
+            field::Place::Node => data.point.push(array(name, values.1, values.0)),
+            field::Place::Element => data.cell.push(array(name, values.1, values.0)),
+            // Inside the layer there is no contact.
+            field::Place::Surface => {
+                let mut everywhere = vec![0.0; mesh.first_of_surface() * values.1];
+                everywhere.extend(values.0);
+                data.point.push(array(name, values.1, everywhere));
+            }
+        }
+    }
+    UnstructuredGridPiece {
+        points: points.collect::<Vec<f64>>().into(),
+        cells: cells(CellType::Triangle, mesh.triangles.iter().map(<[usize; 3]>::as_slice)),
+        data,
+    }
+}
+
+/// The face as a line, with its force.
+fn impactor(mesh: &Mesh, frame: &Frame) -> UnstructuredGridPiece {
+    let impactor = &mesh.constants.scenario.impactor;
+    let (left, right) =
+        (impactor.offset - 0.5 * impactor.face_diameter, impactor.offset + 0.5 * impactor.face_diameter);
+    let left = if mesh.is_half() { 0.0 } else { left };
+    let height = mesh.constants.top_height + frame.face();
+    let mut data = Attributes::new();
+    for (name, value) in [
+        ("contact_force", frame.scalars.sampler.last.contact_force),
+        ("velocity", frame.scalars.impactor.velocity(mesh.constants.dt)),
+        ("position", frame.face()),
+    ] {
+        data.cell.push(array(name, 1, vec![value]));
+    }
+    UnstructuredGridPiece {
+        points: vec![left, height, 0.0, right, height, 0.0].into(),
+        cells: cells(CellType::Line, [[0, 1].as_slice()].into_iter()),
+        data,
+    }
+}
+
+/// The name of a field without its place.
+fn short(field: &Field) -> &'static str {
+    field.name.split_once('.').map_or(field.name, |(_, name)| name)
+}
+
+/// Values as ParaView knows them, and their components: vectors in space, symmetric tensors as xx, yy, zz, xy, yz, xz.
+fn in_space(field: &Field, values: &[f64]) -> (Vec<f64>, usize) {
+    let components = field.components;
+    let places = values.chunks_exact(components);
+    match components {
+        2 => (places.flat_map(|v| [v[0], v[1], 0.0]).collect(), 3),
+        4 => (places.flat_map(|v| [v[0], v[1], v[3], v[2], 0.0, 0.0]).collect(), 6),
+        _ => (values.to_vec(), components),
+    }
+}
+
+fn array(name: &str, components: usize, values: Vec<f64>) -> Attribute {
+    let elem = match components {
+        1 => ElementType::Scalars { num_comp: 1, lookup_table: None },
+        n => ElementType::Generic(n as u32),
+    };
+    Attribute::DataArray(DataArray { name: name.into(), elem, data: values.into() })
+}
+
+fn cells<'a>(kind: CellType, nodes: impl Iterator<Item = &'a [usize]>) -> Cells {
+    let (mut connectivity, mut offsets, mut types) = (Vec::new(), Vec::new(), Vec::new());
+    for nodes in nodes {
+        connectivity.extend(nodes.iter().map(|node| *node as u64));
+        offsets.push(connectivity.len() as u64);
+        types.push(kind);
+    }
+    Cells { cell_verts: VertexNumbers::XML { connectivity, offsets }, types }
+}
+
+fn text(piece: UnstructuredGridPiece) -> Result<Vec<u8>, SeriesError> {
+    let vtk = Vtk {
+        version: Version::new(),
+        title: String::new(),
+        byte_order: ByteOrder::LittleEndian,
+        data: DataSet::inline(piece),
+        file_path: None,
+    };
+    let mut text = Vec::new();
+    vtk.write_xml(&mut text)?;
+    Ok(text)
+}
