@@ -84,7 +84,7 @@ def ratios(f):
 def summary(f):
     rows = [[f"efficiency of {f('scaling', 'threads'):.0f} threads, memory apart / side by side",
              f"{f('scaling', 'efficiency, own memory'):.2f} / {f('scaling', 'efficiency, memory side by side'):.2f}"]]
-    rows += [[f"overhead of a call: {name}", f"{f('calls', name):.0f} ns"] for name in f.names("calls", "")]
+    rows += [[name.replace(':', ' of a call:'), f"{f('calls', name):.0f} ns"] for name in f.names("calls", "overhead")]
     for row in f.instructions():
         rows.append([f"instructions per triangle and step, {SETS[row['instruction set']]}; dearest step / cheapest",
                      f"{row['instructions per triangle and step']}; {row['dearest step over cheapest']}"])

@@ -5,6 +5,7 @@
 //! to as many items as the call says, and nobody else uses an instance during a call on it. Whether a pointer that is
 //! not null is stale no library can tell.
 
+use alloc::alloc::{Layout, alloc};
 use alloc::boxed::Box;
 use core::ffi::{CStr, c_char};
 use core::mem::MaybeUninit;
@@ -73,9 +74,17 @@ impl<T> Handle<T> {
     /// No object.
     pub const NULL: Self = Self(core::ptr::null_mut());
 
-    /// Hands an object to the master.
-    pub fn new(object: T) -> Self {
-        Self(Box::into_raw(Box::new(object)))
+    /// Hands an object to the master; none if the heap has no room for it.
+    pub fn new(object: T) -> Option<Self> {
+        const { assert!(size_of::<T>() > 0) };
+        // SAFETY: the layout has a size.
+        let place = unsafe { alloc(Layout::new::<T>()) }.cast::<T>();
+        if place.is_null() {
+            return None;
+        }
+        // SAFETY: fresh memory of the layout of `T`.
+        unsafe { place.write(object) };
+        Some(Self(place))
     }
 
     /// The object; none if the handle is null.
@@ -84,18 +93,19 @@ impl<T> Handle<T> {
         unsafe { self.0.as_mut() }
     }
 
-    /// Puts `object` into the handle, in place of the one that it holds, if any.
-    pub fn put(&mut self, object: T) {
+    /// Puts `object` into the handle, in place of the one that it holds, if any; none if the heap has no room for it.
+    pub fn put(&mut self, object: T) -> Option<()> {
         match self.get() {
             Some(place) => *place = object,
-            None => *self = Self::new(object),
+            None => *self = Self::new(object)?,
         }
+        Some(())
     }
 
     /// Takes the object back and frees it; the handle is null then.
     pub fn free(&mut self) {
         if !self.0.is_null() {
-            // SAFETY: made by `new` from a box and not yet freed, as the master promises.
+            // SAFETY: `new` allocated it as a box does, and it is not yet freed, as the master promises.
             drop(unsafe { Box::from_raw(self.0) });
             *self = Self::NULL;
         }

@@ -9,7 +9,7 @@ mod saved;
 mod stepping;
 mod values;
 
-use alloc::string::String;
+use core::fmt::{self, Display};
 
 use softanvil_kernel::{Scenario, Simulation, preset};
 
@@ -28,6 +28,16 @@ struct Experiment {
     start: f64,
     /// Time past which no step may lead, s.
     stop: Option<f64>,
+}
+
+/// A model in one line.
+pub struct Summary<'a>(Option<&'a Simulation>);
+
+impl Display for Summary<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Some(model) = self.0.map(Simulation::constants) else { return Ok(()) };
+        write!(f, "model of {} elements, time step {} s", model.grid.n_elem(), model.dt)
+    }
 }
 
 /// One simulation as a master sees it.
@@ -145,16 +155,9 @@ impl Instance {
         self.mode == Mode::Failed
     }
 
-    /// One line on the model, for the log.
-    pub fn summary(&self) -> String {
-        match &self.simulation {
-            Some(simulation) => alloc::format!(
-                "model of {} elements, time step {} s",
-                simulation.constants().grid.n_elem(),
-                simulation.constants().dt
-            ),
-            None => String::new(),
-        }
+    /// The model in one line, for the log.
+    pub fn summary(&self) -> Summary<'_> {
+        Summary(self.simulation.as_ref())
     }
 
     /// The simulation at the start of the current scenario's drop.

@@ -89,24 +89,24 @@ impl Session {
     /// Ends the simulation.
     pub fn terminate(&mut self) {
         self.instance.terminate();
-        self.log.event("terminated");
+        self.log.event(&"terminated");
     }
 
     /// Back to a new instance.
     pub fn reset(&mut self) {
         self.instance.reset();
-        self.log.event("reset");
+        self.log.event(&"reset");
     }
 }
 
 const NO_SLOT: Error = Error::Null { argument: "FMUState" };
+const NO_HANDLE: Error = Error::NoMemory { bytes: size_of::<SavedState>() };
 const NO_BYTES: Error = Error::Null { argument: "serializedState" };
 
 /// Saves the state, into the handle that is given if it is not null.
 pub fn save(session: &mut Session, mut slot: Slot<SavedState>) -> Result<(), Error> {
     let handle = slot.get().ok_or(NO_SLOT)?;
-    handle.put(session.instance.save()?);
-    Ok(())
+    handle.put(session.instance.save()?).ok_or(NO_HANDLE)
 }
 
 /// Goes back to a saved state.
@@ -150,8 +150,7 @@ pub fn deserialize(
 ) -> Result<(), Error> {
     let bytes = from.items(size).ok_or(NO_BYTES)?;
     let handle = slot.get().ok_or(NO_SLOT)?;
-    handle.put(session.instance.read_state(bytes)?);
-    Ok(())
+    handle.put(session.instance.read_state(bytes)?).ok_or(NO_HANDLE)
 }
 
 /// Runs the body of `function` on a session, in the default floating-point environment; logs why it was refused.

@@ -51,7 +51,7 @@ fn write(xml: &mut Xml, version: Version) -> io::Result<()> {
         .with_attributes([
             ("fmiVersion", number),
             ("modelName", MODEL_NAME),
-            (token_name, &token()),
+            (token_name, token().as_str()),
             ("description", DESCRIPTION),
             ("author", env!("CARGO_PKG_AUTHORS")),
             ("version", env!("CARGO_PKG_VERSION")),

@@ -68,6 +68,6 @@ fn start_values_read_back_as_the_compiled_numbers() {
 
 #[test]
 fn the_token_is_the_one_that_the_library_asks_for() {
-    assert_eq!(elements(Version::Fmi2)[0].1["guid"], token());
-    assert_eq!(elements(Version::Fmi3)[0].1["instantiationToken"], token());
+    assert_eq!(elements(Version::Fmi2)[0].1["guid"], token().as_str());
+    assert_eq!(elements(Version::Fmi3)[0].1["instantiationToken"], token().as_str());
 }

@@ -1,4 +1,4 @@
-//! A bound of the highest frequency of single cells.
+//! The highest frequency of single cells.
 //!
 //! With the mass m at each corner, omega^2 m is the largest eigenvalue of the cell's stiffness
 //!
@@ -6,220 +6,185 @@
 //!
 //! where r1 = (e11 + e22 - 2 e33) / sqrt 3, r2 = e11 - e22 and r3 = 2 e12 are the deviatoric strains of a triangle and b
 //! the mean dilatation of the cell, all as rows over the displacements of the corners, with the current (spatial) gradients.
-//! The last term's eigenvalue is kappa V b'b. That of the others is the largest of the 6 x 6 Gram matrix A of their
-//! rows, which trace(A^16)^(1/16) exceeds, by at most 12 % (if all six are alike). The sum of the two bounds that of the
-//! whole. What makes the moduli G and kappa a bound is said in [`crate::material`].
+//! The same eigenvalue has the 7 x 7 Gram matrix A of these rows, each times the root of its factor. A step is stable where
+//! 4 / dt^2 - A is positive definite, which the pivots of its elimination tell without a root. What makes the moduli G and
+//! kappa a bound is said in [`crate::material`].
 
-use crate::element::{CellConstants, HoopConstants};
-use crate::lanes::{LANES, Lane, ZERO};
+use crate::element::Block;
+use crate::lanes::SQRT_THIRD;
 use crate::math;
 use crate::real::Real;
+use crate::vector::{Instructions, Vector};
 
-/// Rows of deviatoric strain of a cell.
-const ROWS: usize = 6;
-/// Squarings of the Gram matrix; the last one is only summed up.
-const SQUARINGS: usize = 3;
+/// Rows of deviatoric strain of the two triangles, and the mean dilatation.
+const ROWS: usize = 7;
+/// Halvings of the interval that holds the largest stable step.
+const HALVINGS: usize = 30;
 
-/// A block of cells in some state of deformation.
-pub(crate) struct CellStiffness {
+/// Neighbouring cells in some state of deformation.
+pub(crate) struct CellStiffness<V> {
     /// U^-1 of the section of each triangle: 11, 22, 12.
-    pub inverse_stretch: [[Lane; 3]; 2],
+    pub inverse_stretch: [[V; 3]; 2],
     /// 1/U33 of each triangle.
-    pub hoop_scale: [Lane; 2],
+    pub hoop_scale: [V; 2],
     /// Shear tangent of each triangle, Pa.
-    pub shear: [Lane; 2],
+    pub shear: [V; 2],
     /// Tangent of the volume, Pa.
-    pub bulk: Lane,
-    /// Density at rest, kg/m3.
-    pub density: Real,
-    /// The cells at rest.
-    pub cell: CellConstants,
-    /// Their hoop constants, in rings.
-    pub hoop: Option<HoopConstants>,
+    pub bulk: V,
 }
 
 /// A row over the displacements of the four corners.
-type Row = [[Lane; 2]; 4];
-type Matrix = [[Lane; ROWS]; ROWS];
+type Row<V> = [[V; 2]; 4];
+/// A symmetric matrix, of which the lower triangle is in use.
+type Matrix<V> = [[V; ROWS]; ROWS];
 
-/// Square of the largest stable step of each cell, s2.
-pub(crate) fn limit_squared(stiffness: &CellStiffness) -> Lane {
-    let (gram, volumetric) = eigenvalue_parts(stiffness);
-    // Scaled by its trace, so that no power leaves the range of numbers.
-    let mut trace = ZERO;
-    for i in 0..ROWS {
-        for l in 0..LANES {
-            trace[l] += gram[i][i][l];
-        }
+/// Square of the largest stable step of each cell, s2, to one part in 10^8 from below.
+pub(crate) fn limit_squared<S: Instructions>(matrix: &Matrix<S::Vector>, set: S) -> S::Vector {
+    let mut trace = set.splat(Real::MIN_POSITIVE);
+    for (i, row) in matrix.iter().enumerate() {
+        trace = trace + row[i];
     }
-    let power = trace_of_power(&gram, &trace.map(|trace| 1.0 / math::larger(trace, Real::MIN_POSITIVE)));
-    core::array::from_fn(|l| {
-        let mut root = power[l];
-        for _ in 0..=SQUARINGS {
-            root = math::sqrt(root);
-        }
-        4.0 / (trace[l] * root + volumetric[l])
-    })
+    // The largest eigenvalue lies between the mean of all and their sum.
+    let mut stable = set.splat(4.0) / trace;
+    let mut beyond = stable.times(ROWS as Real);
+    for _ in 0..HALVINGS {
+        let middle = (stable + beyond).times(0.5);
+        let lost = unstable(set, matrix, set.splat(4.0) / middle);
+        let zero = set.splat(0.0);
+        (stable, beyond) = (lost.if_greater(zero, stable, middle), lost.if_greater(zero, middle, beyond));
+    }
+    stable
 }
 
-/// Whether a step is stable in each cell, without a root; true where the state is not a number.
+/// 1 where the largest eigenvalue exceeds `limit`, 0 elsewhere and where the state is not a number.
 #[inline(always)]
-pub(crate) fn within_limit(stiffness: &CellStiffness, step_squared: Real) -> [bool; LANES] {
-    let (gram, volumetric) = eigenvalue_parts(stiffness);
-    let mut inverse = ZERO;
-    for l in 0..LANES {
-        inverse[l] = 1.0 / (4.0 / step_squared - volumetric[l]);
+pub(crate) fn unstable<S: Instructions>(set: S, matrix: &Matrix<S::Vector>, limit: S::Vector) -> S::Vector {
+    let (one, smallest) = (set.splat(1.0), set.splat(Real::MIN_POSITIVE));
+    let mut unstable = set.splat(0.0);
+    let mut rest = *matrix;
+    for k in 0..ROWS {
+        let pivot = limit - rest[k][k];
+        unstable = smallest.if_greater(pivot, one, unstable);
+        let inverse = one / pivot;
+        for i in k + 1..ROWS {
+            let factor = rest[i][k] * inverse;
+            for j in k + 1..=i {
+                rest[i][j] = rest[i][j] + factor * rest[j][k];
+            }
+        }
     }
-    let power = trace_of_power(&gram, &inverse);
-    core::array::from_fn(|l| !(power[l] > 1.0 || inverse[l] < 0.0))
+    unstable
 }
 
-/// The Gram matrix of the deviatoric rows, and the eigenvalue of the mean dilatation, both over the mass, 1/s2.
+/// The Gram matrix of the rows of neighbouring cells over their mass, 1/s2.
 #[inline(always)]
-fn eigenvalue_parts(stiffness: &CellStiffness) -> (Matrix, Lane) {
-    let mut rows = [[[ZERO; 2]; 4]; ROWS];
-    let mut dilatation = [[ZERO; 2]; 4];
+pub(crate) fn gram<S: Instructions>(
+    set: S,
+    chunk: usize,
+    block: &Block,
+    stiffness: &CellStiffness<S::Vector>,
+) -> Matrix<S::Vector> {
+    let zero = set.splat(0.0);
+    let mut rows = [[[zero; 2]; 4]; ROWS];
     for t in 0..2 {
-        add_triangle(stiffness, t, &mut rows, &mut dilatation);
+        add_triangle(set, chunk, block, stiffness, t, &mut rows);
     }
-    let inverse_mass = inverse_mass(stiffness);
-    let mut gram = [[ZERO; ROWS]; ROWS];
+    let [a, b] = &block.constants.triangle;
+    let volume = set.load(&a.reference_volume, chunk) + set.load(&b.reference_volume, chunk);
+    let root = root(set, stiffness.bulk * volume);
+    for corner in 0..4 {
+        for i in 0..2 {
+            rows[ROWS - 1][corner][i] = root * rows[ROWS - 1][corner][i];
+        }
+    }
+    let smallest = set.splat(Real::MIN_POSITIVE);
+    let mass = volume.times(0.25 * block.laws.density);
+    let inverse_mass = set.splat(1.0) / mass.if_greater(smallest, mass, smallest);
+    let mut gram = [[zero; ROWS]; ROWS];
     for i in 0..ROWS {
         for j in 0..=i {
-            let product = dot(&rows[i], &rows[j], &inverse_mass);
-            gram[i][j] = product;
-            gram[j][i] = product;
+            gram[i][j] = dot(&rows[i], &rows[j]) * inverse_mass;
         }
     }
-    let mut volumetric = dot(&dilatation, &dilatation, &inverse_mass);
-    for l in 0..LANES {
-        volumetric[l] *= stiffness.bulk[l] * cell_volume(stiffness, l);
-    }
-    (gram, volumetric)
+    gram
 }
 
-fn cell_volume(stiffness: &CellStiffness, l: usize) -> Real {
-    let [a, b] = &stiffness.cell.triangle;
-    a.reference_volume[l] + b.reference_volume[l]
-}
-
-/// 1/m of a corner.
+/// The square root of numbers that are not negative.
 #[inline(always)]
-fn inverse_mass(stiffness: &CellStiffness) -> Lane {
-    let mut inverse = ZERO;
-    for l in 0..LANES {
-        let mass = 0.25 * stiffness.density * cell_volume(stiffness, l);
-        inverse[l] = 1.0 / math::larger(mass, Real::MIN_POSITIVE);
-    }
-    inverse
+fn root<S: Instructions>(set: S, x: S::Vector) -> S::Vector {
+    let smallest = set.splat(Real::MIN_POSITIVE);
+    x * math::inverse_sqrt(x.if_greater(smallest, x, smallest))
 }
 
-/// Sum over the corners of `a` times `b`, times `scale`.
 #[inline(always)]
-fn dot(a: &Row, b: &Row, scale: &Lane) -> Lane {
-    let mut sum = ZERO;
-    for (a, b) in a.iter().flatten().zip(b.iter().flatten()) {
-        for l in 0..LANES {
-            sum[l] += a[l] * b[l];
-        }
-    }
-    for l in 0..LANES {
-        sum[l] *= scale[l];
+fn dot<V: Vector>(a: &Row<V>, b: &Row<V>) -> V {
+    let mut sum = a[0][0] * b[0][0] + a[0][1] * b[0][1];
+    for corner in 1..4 {
+        sum = sum + (a[corner][0] * b[corner][0] + a[corner][1] * b[corner][1]);
     }
     sum
 }
 
 /// The three deviatoric rows of triangle `t`, times the root of G V, and its part of the mean dilatation.
 #[inline(always)]
-fn add_triangle(stiffness: &CellStiffness, t: usize, rows: &mut [Row; ROWS], dilatation: &mut Row) {
-    let triangle = &stiffness.cell.triangle[t];
-    let gradient = corner_gradients(stiffness, t);
-    for l in 0..LANES {
-        let stiff = stiffness.shear[t][l] * triangle.reference_volume[l];
-        let root = stiff * math::inverse_sqrt(math::larger(stiff, Real::MIN_POSITIVE));
-        let weight = triangle.patch_weight[l];
-        for a in 0..4 {
-            let [x, y] = [gradient[a][0][l], gradient[a][1][l]];
-            let hoop = match &stiffness.hoop {
-                Some(hoop) => hoop.weight[t][a][l] * stiffness.hoop_scale[t][l],
-                None => 0.0,
-            };
-            rows[3 * t][a][0][l] = root * SQRT_THIRD * (x - 2.0 * hoop);
-            rows[3 * t][a][1][l] = root * SQRT_THIRD * y;
-            rows[3 * t + 1][a][0][l] = root * x;
-            rows[3 * t + 1][a][1][l] = -root * y;
-            rows[3 * t + 2][a][0][l] = root * y;
-            rows[3 * t + 2][a][1][l] = root * x;
-            dilatation[a][0][l] += weight * (x + hoop);
-            dilatation[a][1][l] += weight * y;
+fn add_triangle<S: Instructions>(
+    set: S,
+    chunk: usize,
+    block: &Block,
+    stiffness: &CellStiffness<S::Vector>,
+    t: usize,
+    rows: &mut [Row<S::Vector>; ROWS],
+) {
+    let triangle = &block.constants.triangle[t];
+    let gradient = corner_gradients(set, chunk, block, stiffness, t);
+    let root = root(set, stiffness.shear[t] * set.load(&triangle.reference_volume, chunk));
+    let third = root.times(SQRT_THIRD);
+    let weight = set.load(&triangle.patch_weight, chunk);
+    let zero = set.splat(0.0);
+    for a in 0..4 {
+        let [x, y] = gradient[a];
+        let (mut out, mut around) = (x, x);
+        if let Some(hoop) = block.hoop {
+            let hoop = set.load(&hoop.weight[t][a], chunk) * stiffness.hoop_scale[t];
+            out = x - hoop.times(2.0);
+            around = x + hoop;
         }
+        rows[3 * t][a] = [third * out, third * y];
+        rows[3 * t + 1][a] = [root * x, zero - root * y];
+        rows[3 * t + 2][a] = [root * y, root * x];
+        let dilatation = &mut rows[ROWS - 1][a];
+        *dilatation = [dilatation[0] + weight * around, dilatation[1] + weight * y];
     }
 }
 
 /// U^-1 dN_a/dX of the four corners: the spatial gradients but for a rotation.
 #[inline(always)]
-fn corner_gradients(stiffness: &CellStiffness, t: usize) -> Row {
-    let mut gradient = [[ZERO; 2]; 4];
-    let [v11, v22, v12] = &stiffness.inverse_stretch[t];
-    for l in 0..LANES {
-        let [g, h] = stiffness.cell.triangle[t].shape_gradient.map(|[x, y]| {
-            let (x, y) = (x[l], y[l]);
-            [v11[l] * x + v12[l] * y, v12[l] * x + v22[l] * y]
-        });
-        let rising = stiffness.cell.rising[l] > 0.0;
-        for i in 0..2 {
-            // Each edge has its start and its end; the one across is the left or the right one.
-            let right = (t == 0) == rising;
-            let (at_right, at_left) = if right { (h[i], 0.0) } else { (0.0, h[i]) };
-            let (bottom, top) = if t == 0 { (g[i], 0.0) } else { (0.0, g[i]) };
-            gradient[0][i][l] = -(bottom + at_left);
-            gradient[1][i][l] = bottom - at_right;
-            gradient[2][i][l] = top + at_right;
-            gradient[3][i][l] = at_left - top;
-        }
+fn corner_gradients<S: Instructions>(
+    set: S,
+    chunk: usize,
+    block: &Block,
+    stiffness: &CellStiffness<S::Vector>,
+    t: usize,
+) -> Row<S::Vector> {
+    let [v11, v22, v12] = stiffness.inverse_stretch[t];
+    let zero = set.splat(0.0);
+    let mut edges = [[zero; 2]; 2];
+    for edge in 0..2 {
+        let [x, y] = set.load_pair(&block.constants.triangle[t].shape_gradient[edge], chunk);
+        edges[edge] = [v11 * x + v12 * y, v12 * x + v22 * y];
+    }
+    let rising = set.load(&block.constants.rising, chunk);
+    let mut gradient = [[zero; 2]; 4];
+    for i in 0..2 {
+        let (along, across) = (edges[0][i], edges[1][i]);
+        // Each edge has its start and its end; the one across is the right one in the first triangle of a rising diagonal.
+        let (one, other) = (rising.if_greater(zero, across, zero), rising.if_greater(zero, zero, across));
+        let (right, left) = if t == 0 { (one, other) } else { (other, one) };
+        let (bottom, top) = if t == 0 { (along, zero) } else { (zero, along) };
+        gradient[0][i] = zero - (bottom + left);
+        gradient[1][i] = bottom - right;
+        gradient[2][i] = top + right;
+        gradient[3][i] = left - top;
     }
     gradient
 }
-
-/// trace((scale A)^(2^(SQUARINGS + 1))).
-#[inline(always)]
-fn trace_of_power(matrix: &Matrix, scale: &Lane) -> Lane {
-    let mut power = *matrix;
-    for lane in power.iter_mut().flatten() {
-        for l in 0..LANES {
-            lane[l] *= scale[l];
-        }
-    }
-    for _ in 0..SQUARINGS {
-        power = square(&power);
-    }
-    let mut trace = ZERO;
-    for lane in power.iter().flatten() {
-        for l in 0..LANES {
-            trace[l] += lane[l] * lane[l];
-        }
-    }
-    trace
-}
-
-/// The square of a symmetric matrix.
-#[inline(always)]
-fn square(matrix: &Matrix) -> Matrix {
-    let mut product = [[ZERO; ROWS]; ROWS];
-    for i in 0..ROWS {
-        for j in 0..=i {
-            let mut sum = ZERO;
-            for (a, b) in matrix[i].iter().zip(&matrix[j]) {
-                for l in 0..LANES {
-                    sum[l] += a[l] * b[l];
-                }
-            }
-            product[i][j] = sum;
-            product[j][i] = sum;
-        }
-    }
-    product
-}
-
-/// The square root of 1/3, rounded once.
-const SQRT_THIRD: Real = 0.577_350_269_189_625_8;

@@ -10,8 +10,8 @@
 //! The standards filter a whole record forwards and backwards ([`filter_both_ways`]), which shifts no phase. A running
 //! simulation has only the past: [`Filter`] makes the forward pass alone, which lags.
 
-use crate::real::Real;
 use crate::real::consts::{PI, SQRT_2};
+use crate::real::{self, Real};
 
 use crate::error::ParameterError;
 use crate::math;
@@ -40,7 +40,7 @@ impl Coefficients {
     pub fn new(channel_class: Real, interval: Real) -> Result<Self, ParameterError> {
         let largest = 1.0 / (LEAST_SAMPLES * interval);
         // Also false for what is no number. The margin is for the rounding of the two quotients.
-        let legal = channel_class > 0.0 && channel_class <= largest * (1.0 + 1e-12) && interval > 0.0;
+        let legal = channel_class > 0.0 && channel_class <= largest * (1.0 + real::SAME) && interval > 0.0;
         if !legal {
             let (value, max) = (channel_class, largest);
             return Err(ParameterError { name: "channel frequency class", value, unit: "Hz", min: 0.0, max });

@@ -35,10 +35,10 @@ pub fn principal_stretch(model: &Model, state: &StateView, row: usize, column: u
     }
     let (block, l) = (row * grid.blocks_per_row() + u / LANES, u % LANES);
     let history = state.cells.get(block)?.triangle.get(t)?;
-    let [u11, u22, u12, u33] = history.stretch_prev.each_ref().map(|lane| lane.get(l).copied());
-    let (u11, u22, u12) = (u11?, u22?, u12?);
-    let largest = largest_in_plane(u11, u22, u12);
-    Some([largest, (u11 * u22 - u12 * u12) / largest, u33?])
+    let [mean, difference, shear, hoop] = history.stretch_prev.each_ref().map(|lane| lane.get(l).copied());
+    let (mean, difference, shear) = (mean?, difference?, shear?);
+    let largest = largest_in_plane(mean, difference, shear);
+    Some([largest, (mean * mean - (difference * difference + shear * shear)) / largest, hoop?])
 }
 
 /// Cosine and sine of the rotation R of F = R U.

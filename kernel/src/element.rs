@@ -6,7 +6,7 @@
 //! Nagtegaal, Parks and Rice 1974), which removes volumetric locking and derives from an energy. The first
 //! Piola-Kirchhoff stress is P = R T U^-1 with T = dev + p J I, and the nodal force V P dN/dX.
 
-use crate::lanes::{Deviator, LANES, Lane, ZERO};
+use crate::lanes::{Deviator, LANES, Lane, SQRT_THIRD, ZERO};
 use crate::material::Laws;
 use crate::material::relaxation::Overstress;
 use crate::material::tear::Tear;
@@ -14,7 +14,8 @@ use crate::math;
 use crate::mesh::out_of_plane;
 use crate::real::Real;
 use crate::scenario::Scenario;
-use crate::stretch::IsochoricStretch;
+use crate::stretch::CauchyGreen;
+use crate::vector::{Instructions, Vector};
 
 /// Constants of the triangles of a block of cells; all zero in padding.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -54,7 +55,7 @@ pub struct CellHistory {
 /// What one triangle of each cell of a block remembers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TriangleHistory {
-    /// Right stretch U11, U22, U12, U33 of the last step.
+    /// Right stretch of the last step: mean, half difference, shear, hoop (see [`Kinematics`]).
     pub stretch_prev: [Lane; 4],
     /// Long-term isochoric stress of the last step, Pa, before any tear.
     pub elastic_prev: Deviator,
@@ -83,7 +84,7 @@ impl CellHistory {
     /// At rest: unit stretch, no stress.
     pub const REST: Self = Self {
         triangle: [TriangleHistory {
-            stretch_prev: [ONE, ONE, ZERO, ONE],
+            stretch_prev: [ONE, ZERO, ZERO, ONE],
             elastic_prev: Deviator::ZERO,
             slider_stress: Deviator::ZERO,
             largest_stretch: ONE,
@@ -94,126 +95,118 @@ impl CellHistory {
 
 const ONE: Lane = [1.0; LANES];
 
-/// Displacements of the four corners of a block of cells, shape (4 x 2), m.
-pub type Corners = [[Lane; 2]; 4];
-
-/// Deformation of one triangle of each cell of a block.
-pub struct Kinematics {
+/// Deformation of one triangle of some neighbouring cells.
+#[derive(Clone, Copy, Debug)]
+pub struct Kinematics<V> {
     /// Cosine and sine of the rotation R.
-    pub cos: Lane,
+    pub cos: V,
     /// See `cos`.
-    pub sin: Lane,
-    /// Right stretch U.
-    pub u11: Lane,
-    /// Right stretch U.
-    pub u22: Lane,
-    /// Right stretch U.
-    pub u12: Lane,
-    /// Hoop stretch; 1 in plane strain.
-    pub u33: Lane,
+    pub sin: V,
+    /// Right stretch U: mean in the section, (U11 + U22)/2.
+    pub mean: V,
+    /// Half difference, (U11 - U22)/2.
+    pub difference: V,
+    /// Shear, U12.
+    pub shear: V,
+    /// Hoop stretch U33; 1 in plane strain.
+    pub hoop: V,
     /// J = det F.
-    pub jacobian: Lane,
+    pub jacobian: V,
     /// J^(-1/3).
-    pub inverse_cbrt_j: Lane,
+    pub inverse_cbrt_j: V,
 }
 
-impl Kinematics {
-    /// Deformation of a triangle from the differences of displacement along its two edges and, in rings, those of its
-    /// corners.
+impl Kinematics<Real> {
+    /// No deformation.
+    pub const REST: Self = Self {
+        cos: 1.0,
+        sin: 0.0,
+        mean: 1.0,
+        difference: 0.0,
+        shear: 0.0,
+        hoop: 1.0,
+        jacobian: 1.0,
+        inverse_cbrt_j: 1.0,
+    };
+}
+
+/// Differences of displacement along two edges of a triangle, shape (2 x 2), m: along the row, then across. Or the forces
+/// that pull at their ends, N.
+type Edges<V> = [[V; 2]; 2];
+
+impl<V: Vector> Kinematics<V> {
+    /// Deformation of triangle `t` from the differences of displacement along its edges and, in rings, its hoop stretch.
+    ///
+    /// With the plane as complex numbers, F z = a z + b z*, where 2 a = (F11 + F22) + i (F21 - F12) and
+    /// 2 b = (F11 - F22) + i (F21 + F12). Then R is a / |a|, U z = |a| z + (R* b) z*, and det F = |a|^2 - |b|^2.
     #[inline(always)]
-    pub fn new(constants: &TriangleConstants, edges: &[[Lane; 2]; 2], hoop: Option<(&[Lane; 4], &Corners)>) -> Self {
-        let mut k =
-            Self { cos: ZERO, sin: ZERO, u11: ONE, u22: ONE, u12: ZERO, u33: ONE, jacobian: ONE, inverse_cbrt_j: ONE };
-        if let Some((weight, corners)) = hoop {
-            for l in 0..LANES {
-                k.u33[l] = 1.0
-                    + weight[0][l] * corners[0][0][l]
-                    + weight[1][l] * corners[1][0][l]
-                    + weight[2][l] * corners[2][0][l]
-                    + weight[3][l] * corners[3][0][l];
-            }
+    fn new<S: Instructions<Vector = V>>(
+        set: S,
+        chunk: usize,
+        constants: &TriangleConstants,
+        edges: &Edges<V>,
+        hoop: Option<V>,
+    ) -> Self {
+        let (g, h) =
+            (set.load_pair(&constants.shape_gradient[0], chunk), set.load_pair(&constants.shape_gradient[1], chunk));
+        let [[ax, ay], [bx, by]] = *edges;
+        // F less the unit tensor.
+        let (f11, f12) = (ax * g[0] + bx * h[0], ax * g[1] + bx * h[1]);
+        let (f21, f22) = (ay * g[0] + by * h[0], ay * g[1] + by * h[1]);
+        let (a, b) = ([(f11 + f22).plus(2.0), f21 - f12], [f11 - f22, f21 + f12]);
+        let squares = [a[0] * a[0] + a[1] * a[1], b[0] * b[0] + b[1] * b[1]];
+        let inverse_length = math::inverse_sqrt(squares[0]);
+        let (cos, sin) = (a[0] * inverse_length, a[1] * inverse_length);
+        let section = (squares[0] - squares[1]).times(0.25);
+        let jacobian = match hoop {
+            Some(hoop) => section * hoop,
+            None => section,
+        };
+        Self {
+            cos,
+            sin,
+            mean: (squares[0] * inverse_length).times(0.5),
+            difference: (cos * b[0] + sin * b[1]).times(0.5),
+            shear: (cos * b[1] - sin * b[0]).times(0.5),
+            hoop: hoop.unwrap_or(set.splat(1.0)),
+            jacobian,
+            inverse_cbrt_j: math::inverse_cbrt(jacobian),
         }
-        let rings = hoop.is_some();
-        let [g, h] = &constants.shape_gradient;
-        let [[ax, ay], [bx, by]] = edges;
-        for l in 0..LANES {
-            let f11 = 1.0 + (ax[l] * g[0][l] + bx[l] * h[0][l]);
-            let f12 = ax[l] * g[1][l] + bx[l] * h[1][l];
-            let f21 = ay[l] * g[0][l] + by[l] * h[0][l];
-            let f22 = 1.0 + (ay[l] * g[1][l] + by[l] * h[1][l]);
-            // R maximises tr(R^T F), so its angle is that of (F11 + F22, F21 - F12).
-            let (a, b) = (f11 + f22, f21 - f12);
-            let inverse_length = math::inverse_sqrt(a * a + b * b);
-            let (cos, sin) = (a * inverse_length, b * inverse_length);
-            k.cos[l] = cos;
-            k.sin[l] = sin;
-            k.u11[l] = cos * f11 + sin * f21;
-            k.u22[l] = cos * f22 - sin * f12;
-            k.u12[l] = cos * f12 + sin * f22;
-            let section = f11 * f22 - f12 * f21;
-            let jacobian = if rings { section * k.u33[l] } else { section };
-            k.jacobian[l] = jacobian;
-            k.inverse_cbrt_j[l] = math::inverse_cbrt(jacobian);
-        }
-        k
     }
 
-    /// U-bar = J^(-1/3) U of lane `l`.
+    /// C-bar = J^(-2/3) U^2.
     #[inline(always)]
-    pub fn isochoric_stretch(&self, l: usize) -> IsochoricStretch {
-        let scale = self.inverse_cbrt_j[l];
-        IsochoricStretch {
-            u11: scale * self.u11[l],
-            u22: scale * self.u22[l],
-            u12: scale * self.u12[l],
-            u33: scale * self.u33[l],
+    pub fn isochoric_cauchy_green(&self) -> CauchyGreen<V> {
+        let scale = self.inverse_cbrt_j * self.inverse_cbrt_j;
+        let double = scale * (self.mean + self.mean);
+        let deviation = self.difference * self.difference + self.shear * self.shear;
+        CauchyGreen {
+            mean: scale * (self.mean * self.mean + deviation),
+            difference: double * self.difference,
+            shear: double * self.shear,
+            out: scale * (self.hoop * self.hoop),
         }
     }
 
-    /// C-bar = U-bar^2 of lane `l`: components 11, 22, 12, 33.
+    /// dev sym(delta U U^-1) against the stretch before (mean, half difference, shear, hoop), at the mean stretch.
     #[inline(always)]
-    pub fn isochoric_cauchy_green(&self, l: usize) -> [Real; 4] {
-        let IsochoricStretch { u11, u22, u12, u33 } = self.isochoric_stretch(l);
-        [u11 * u11 + u12 * u12, u22 * u22 + u12 * u12, u12 * (u11 + u22), u33 * u33]
-    }
-
-    /// First lane whose Jacobian is not positive, or not a number.
-    #[inline(always)]
-    pub fn inverted_lane(&self) -> Option<usize> {
-        self.jacobian.iter().position(|j| j.is_nan() || *j <= 0.0)
-    }
-
-    /// dev sym(delta U U^-1) against the stretch of the last step, at the mean stretch; then remembers this stretch.
-    #[inline(always)]
-    fn strain_increment(&self, stretch_prev: &mut [Lane; 4], rings: bool) -> Deviator {
-        let mut increment = Deviator::ZERO;
-        let [p11, p22, p12, p33] = stretch_prev;
-        for l in 0..LANES {
-            let (u11, u22, u12) = (self.u11[l], self.u22[l], self.u12[l]);
-            let (d11, d22, d12) = (u11 - p11[l], u22 - p22[l], u12 - p12[l]);
-            // Twice the mean stretch, whose inverse is twice its adjugate over its determinant.
-            let (s11, s22, s12) = (u11 + p11[l], u22 + p22[l], u12 + p12[l]);
-            let double_inverse = 2.0 / (s11 * s22 - s12 * s12);
-            let shear = d12 * s12;
-            let xx = (d11 * s22 - shear) * double_inverse;
-            let yy = (d22 * s11 - shear) * double_inverse;
-            let zz = if rings { 2.0 * (self.u33[l] - p33[l]) / (self.u33[l] + p33[l]) } else { 0.0 };
-            let mean = (if rings { xx + yy + zz } else { xx + yy }) * (1.0 / 3.0);
-            increment.xx[l] = xx - mean;
-            increment.yy[l] = yy - mean;
-            increment.xy[l] = (d12 * (s11 + s22) - s12 * (d11 + d22)) * (0.5 * double_inverse);
-            p11[l] = u11;
-            p22[l] = u22;
-            p12[l] = u12;
+    fn strain_increment<S: Instructions<Vector = V>>(&self, set: S, before: &[V; 4], rings: bool) -> Deviator<V> {
+        let [mean, difference, shear, hoop] = *before;
+        let change = [self.mean - mean, self.difference - difference, self.shear - shear];
+        // Twice the mean stretch, whose inverse is twice its adjugate over its determinant.
+        let sum = [self.mean + mean, self.difference + difference, self.shear + shear];
+        let double_inverse = set.splat(2.0) / (sum[0] * sum[0] - (sum[1] * sum[1] + sum[2] * sum[2]));
+        let section = (change[0] * sum[0] - (change[1] * sum[1] + change[2] * sum[2])) * double_inverse;
+        let trace_free = if rings { section - (self.hoop - hoop).times(2.0) / (self.hoop + hoop) } else { section };
+        Deviator {
+            mean: trace_free.times(SQRT_THIRD),
+            difference: (sum[0] * change[1] - change[0] * sum[1]) * double_inverse,
+            shear: (sum[0] * change[2] - change[0] * sum[2]) * double_inverse,
         }
-        if rings {
-            *p33 = self.u33;
-        }
-        increment
     }
 }
 
-/// Energy of the elements: section sums per lane, J, or densities, J/m3.
+/// Sums over the triangles of each lane: energies of the section, J.
 #[derive(Clone, Copy, Debug)]
 pub struct ElementEnergy {
     /// Long-term elastic energy, isochoric and volumetric.
@@ -228,6 +221,8 @@ pub struct ElementEnergy {
     pub slider_increment: Lane,
     /// Energy dissipated by tearing in this step.
     pub tear_increment: Lane,
+    /// Not an energy: 1 in lanes with a triangle whose Jacobian is not positive, or not a number; 0 in others.
+    pub inverted: Lane,
 }
 
 impl ElementEnergy {
@@ -239,250 +234,319 @@ impl ElementEnergy {
         viscous_power: ZERO,
         slider_increment: ZERO,
         tear_increment: ZERO,
+        inverted: ZERO,
     };
+}
 
-    /// Adds the energy densities, but for tearing, of triangles of the reference volumes `volume`.
+/// Energy densities of one triangle, J/m3 of reference volume, as [`ElementEnergy`]; none where the material has none.
+struct Density<V> {
+    elastic: V,
+    viscous_increment: V,
+    viscous_power: V,
+    slider: Option<[V; 2]>,
+    tear_increment: Option<V>,
+}
+
+impl<V: Vector> Density<V> {
+    /// Adds the energies of triangles of the reference volumes `volume`.
     #[inline(always)]
-    fn add(&mut self, volume: &Lane, density: &Self) {
-        for l in 0..LANES {
-            self.elastic[l] += volume[l] * density.elastic[l];
-            self.slider_stored[l] += volume[l] * density.slider_stored[l];
-            self.viscous_increment[l] += volume[l] * density.viscous_increment[l];
-            self.viscous_power[l] += volume[l] * density.viscous_power[l];
-            self.slider_increment[l] += volume[l] * density.slider_increment[l];
+    fn add_to<S: Instructions<Vector = V>>(
+        &self,
+        set: S,
+        chunk: usize,
+        volume: V,
+        viscous: bool,
+        sums: &mut ElementEnergy,
+    ) {
+        add_to_lane(set, chunk, volume * self.elastic, &mut sums.elastic);
+        if viscous {
+            add_to_lane(set, chunk, volume * self.viscous_increment, &mut sums.viscous_increment);
+            add_to_lane(set, chunk, volume * self.viscous_power, &mut sums.viscous_power);
+        }
+        if let Some([stored, increment]) = self.slider {
+            add_to_lane(set, chunk, volume * stored, &mut sums.slider_stored);
+            add_to_lane(set, chunk, volume * increment, &mut sums.slider_increment);
+        }
+        if let Some(increment) = self.tear_increment {
+            add_to_lane(set, chunk, volume * increment, &mut sums.tear_increment);
         }
     }
 }
 
-/// Nodal internal forces of a block, N, from the displacements of its corners; advances the history of its triangles.
-///
-/// `viscous` holds the overstress of the first triangle's terms, then of the second's.
-///
-/// # Errors
-/// The first inverted (lane, triangle). The history of the block is not to be used then.
+/// Adds to the `chunk`-th vector of a lane.
 #[inline(always)]
-pub fn internal_force(
-    laws: &Laws,
-    constants: &CellConstants,
-    hoop: Option<&HoopConstants>,
-    corners: &Corners,
+fn add_to_lane<S: Instructions>(set: S, chunk: usize, vector: S::Vector, lane: &mut Lane) {
+    set.store(set.load(lane, chunk) + vector, lane, chunk);
+}
+
+/// Displacements of the four corners of neighbouring cells, shape (4 x 2), m, or the forces on them, N.
+pub type Corners<V> = [[V; 2]; 4];
+
+/// Internal forces on the corners of neighbouring cells, N, from their displacements; advances the history of their
+/// triangles.
+///
+/// `viscous` holds the overstress of the first triangle's terms, then of the second's. The history of an inverted
+/// triangle ([`ElementEnergy::inverted`]) is not to be used.
+#[inline(always)]
+pub fn internal_force<S: Instructions>(
+    set: S,
+    chunk: usize,
+    block: &Block,
+    displacement: &Corners<S::Vector>,
     history: &mut CellHistory,
     viscous: &mut [Deviator],
     energy: &mut ElementEnergy,
-) -> Result<Corners, (usize, usize)> {
-    let rings = hoop.is_some();
-    let kinematics = cell_kinematics(constants, hoop, corners);
-    for (t, k) in kinematics.iter().enumerate() {
-        if let Some(l) = k.inverted_lane() {
-            return Err((l, t));
-        }
-    }
-    let pressure = patch_pressure(laws, constants, &kinematics, energy);
-    let mut edge_force = [[[ZERO; 2]; 2]; 2];
-    let mut hoop_stress = [ZERO; 2];
-    let (first, second) = viscous.split_at_mut_checked(laws.n_term()).unwrap_or_default();
-    for (t, terms) in [first, second].into_iter().enumerate() {
-        let (k, triangle) = (&kinematics[t], &constants.triangle[t]);
-        let volume = &triangle.reference_volume;
-        let stress = deviatoric_stress(laws, k, rings, volume, &mut history.triangle[t], terms, energy);
-        edge_forces(k, &stress, &pressure, triangle, rings, &mut edge_force[t], &mut hoop_stress[t]);
-    }
-    let mut force = corner_forces(&constants.rising, &edge_force);
-    if let Some(hoop) = hoop {
+) -> Corners<S::Vector> {
+    let kinematics = cell_kinematics(set, chunk, block, displacement);
+    let pressure = patch_pressure(set, chunk, block, &kinematics, energy);
+    let (first, second) = viscous.split_at_mut_checked(block.laws.n_term()).unwrap_or_default();
+    let [a, b] = &mut history.triangle;
+    let edges = [
+        edge_forces(set, chunk, block, 0, &kinematics[0], pressure, a, first, energy),
+        edge_forces(set, chunk, block, 1, &kinematics[1], pressure, b, second, energy),
+    ];
+    let rising = set.load(&block.constants.rising, chunk);
+    let mut force = corner_forces(set, rising, &[edges[0].0, edges[1].0]);
+    if let Some(hoop) = block.hoop {
         for t in 0..2 {
-            add_hoop_force(&kinematics[t].u33, &hoop_stress[t], &hoop.weight[t], &mut force);
+            add_hoop_force(set, chunk, edges[t].1 / kinematics[t].hoop, &hoop.weight[t], &mut force);
         }
     }
-    Ok(force)
+    force
+}
+
+/// What does not change in a block of cells.
+#[derive(Clone, Copy)]
+pub struct Block<'m> {
+    /// Laws of its layer.
+    pub laws: &'m Laws,
+    /// Its triangles at rest.
+    pub constants: &'m CellConstants,
+    /// Hoop constants, in rings.
+    pub hoop: Option<&'m HoopConstants>,
 }
 
 /// Deformation of the two triangles of each cell.
 #[inline(always)]
-pub(crate) fn cell_kinematics(
-    constants: &CellConstants,
-    hoop: Option<&HoopConstants>,
-    corners: &Corners,
-) -> [Kinematics; 2] {
-    let [first, second] = triangle_edges(&constants.rising, corners);
-    let [a, b] = &constants.triangle;
-    match hoop {
-        Some(HoopConstants { weight: [v, w] }) => {
-            [Kinematics::new(a, &first, Some((v, corners))), Kinematics::new(b, &second, Some((w, corners)))]
+pub(crate) fn cell_kinematics<S: Instructions>(
+    set: S,
+    chunk: usize,
+    block: &Block,
+    displacement: &Corners<S::Vector>,
+) -> [Kinematics<S::Vector>; 2] {
+    let [first, second] = triangle_edges(set, set.load(&block.constants.rising, chunk), displacement);
+    let hoop = match block.hoop {
+        Some(HoopConstants { weight: [a, b] }) => {
+            [Some(hoop_stretch(set, chunk, a, displacement)), Some(hoop_stretch(set, chunk, b, displacement))]
         }
-        None => [Kinematics::new(a, &first, None), Kinematics::new(b, &second, None)],
-    }
+        None => [None; 2],
+    };
+    let [a, b] = &block.constants.triangle;
+    [Kinematics::new(set, chunk, a, &first, hoop[0]), Kinematics::new(set, chunk, b, &second, hoop[1])]
 }
 
-/// Differences of displacement along the edges of the two triangles of each cell: along the row, then across.
+/// Hoop stretch of a triangle, from the radial displacements of its corners.
 #[inline(always)]
-fn triangle_edges(rising: &Lane, [c0, c1, c2, c3]: &Corners) -> [[[Lane; 2]; 2]; 2] {
-    let mut edges = [[[ZERO; 2]; 2]; 2];
+fn hoop_stretch<S: Instructions>(set: S, chunk: usize, weight: &[Lane; 4], corners: &Corners<S::Vector>) -> S::Vector {
+    let mut stretch = set.splat(1.0);
+    for a in 0..4 {
+        stretch = stretch + set.load(&weight[a], chunk) * corners[a][0];
+    }
+    stretch
+}
+
+/// Differences of displacement along the edges of the two triangles of each cell.
+#[inline(always)]
+fn triangle_edges<S: Instructions>(
+    set: S,
+    rising: S::Vector,
+    [c0, c1, c2, c3]: &Corners<S::Vector>,
+) -> [Edges<S::Vector>; 2] {
+    let zero = set.splat(0.0);
+    let mut edges = [[[zero; 2]; 2]; 2];
     for i in 0..2 {
-        for l in 0..LANES {
-            let (left, right) = (c3[i][l] - c0[i][l], c2[i][l] - c1[i][l]);
-            let first_has_right = rising[l] > 0.0;
-            edges[0][0][i][l] = c1[i][l] - c0[i][l];
-            edges[0][1][i][l] = if first_has_right { right } else { left };
-            edges[1][0][i][l] = c2[i][l] - c3[i][l];
-            edges[1][1][i][l] = if first_has_right { left } else { right };
-        }
+        let (left, right) = (c3[i] - c0[i], c2[i] - c1[i]);
+        edges[0][0][i] = c1[i] - c0[i];
+        edges[1][0][i] = c2[i] - c3[i];
+        // The first triangle has the right edge where the diagonal rises.
+        edges[0][1][i] = rising.if_greater(zero, right, left);
+        edges[1][1][i] = rising.if_greater(zero, left, right);
     }
     edges
 }
 
 /// Forces on the corners from those on the edges of the two triangles, which pull an edge's end and push its start.
 #[inline(always)]
-fn corner_forces(rising: &Lane, [first, second]: &[[[Lane; 2]; 2]; 2]) -> Corners {
-    let mut force = [[ZERO; 2]; 4];
+fn corner_forces<S: Instructions>(
+    set: S,
+    rising: S::Vector,
+    [first, second]: &[Edges<S::Vector>; 2],
+) -> Corners<S::Vector> {
+    let zero = set.splat(0.0);
+    let mut force = [[zero; 2]; 4];
     for i in 0..2 {
-        for l in 0..LANES {
-            let (bottom, top) = (first[0][i][l], second[0][i][l]);
-            let first_has_right = rising[l] > 0.0;
-            let right = if first_has_right { first[1][i][l] } else { second[1][i][l] };
-            let left = if first_has_right { second[1][i][l] } else { first[1][i][l] };
-            force[0][i][l] = -(bottom + left);
-            force[1][i][l] = bottom - right;
-            force[2][i][l] = top + right;
-            force[3][i][l] = left - top;
-        }
+        let (bottom, top) = (first[0][i], second[0][i]);
+        let right = rising.if_greater(zero, first[1][i], second[1][i]);
+        let left = rising.if_greater(zero, second[1][i], first[1][i]);
+        force[0][i] = zero - (bottom + left);
+        force[1][i] = bottom - right;
+        force[2][i] = top + right;
+        force[3][i] = left - top;
     }
     force
 }
 
-/// Pressure of each cell from the volume-weighted mean Jacobian of its two triangles.
+/// Pressure of each cell from the volume-weighted mean Jacobian of its two triangles, and which lanes are inverted.
 #[inline(always)]
-fn patch_pressure(
-    laws: &Laws,
-    constants: &CellConstants,
-    kinematics: &[Kinematics; 2],
+fn patch_pressure<S: Instructions>(
+    set: S,
+    chunk: usize,
+    block: &Block,
+    kinematics: &[Kinematics<S::Vector>; 2],
     energy: &mut ElementEnergy,
-) -> Lane {
-    let [a, b] = &constants.triangle;
-    let mut mean = ONE;
-    for l in 0..LANES {
-        mean[l] = 1.0
-            + (a.patch_weight[l] * (kinematics[0].jacobian[l] - 1.0)
-                + b.patch_weight[l] * (kinematics[1].jacobian[l] - 1.0));
-    }
-    let density = laws.volumetric.strain_energy_density(&mean);
-    for l in 0..LANES {
-        energy.elastic[l] += (a.reference_volume[l] + b.reference_volume[l]) * density[l];
-    }
-    laws.volumetric.stress(&mean)
+) -> S::Vector {
+    let [a, b] = &block.constants.triangle;
+    let [j, k] = [kinematics[0].jacobian, kinematics[1].jacobian];
+    let (zero, one) = (set.splat(0.0), set.splat(1.0));
+    let inverted = set.load(&energy.inverted, chunk);
+    let inverted = j.if_greater(zero, k.if_greater(zero, inverted, one), one);
+    set.store(inverted, &mut energy.inverted, chunk);
+    let mean = (set.load(&a.patch_weight, chunk) * (j - one) + set.load(&b.patch_weight, chunk) * (k - one)).plus(1.0);
+    let density = block.laws.volumetric.strain_energy_density(set, mean);
+    let volume = set.load(&a.reference_volume, chunk) + set.load(&b.reference_volume, chunk);
+    set.store(set.load(&energy.elastic, chunk) + volume * density, &mut energy.elastic, chunk);
+    block.laws.volumetric.stress(mean)
 }
 
-/// Deviatoric Kirchhoff stress of one triangle of each cell in the unrotated frame, Pa.
+/// Deviatoric Kirchhoff stress of one triangle of each cell in the unrotated frame, Pa; advances its history.
 #[inline(always)]
-fn deviatoric_stress(
-    laws: &Laws,
-    kinematics: &Kinematics,
-    rings: bool,
-    volume: &Lane,
+fn deviatoric_stress<S: Instructions>(
+    set: S,
+    chunk: usize,
+    block: &Block,
+    kinematics: &Kinematics<S::Vector>,
+    history: &mut TriangleHistory,
+    viscous: &mut [Deviator],
+) -> (Deviator<S::Vector>, Density<S::Vector>) {
+    let (laws, rings) = (block.laws, block.hoop.is_some());
+    let [mean, difference, shear, hoop] = &mut history.stretch_prev;
+    let before = [set.load(mean, chunk), set.load(difference, chunk), set.load(shear, chunk), set.load(hoop, chunk)];
+    set.store(kinematics.mean, mean, chunk);
+    set.store(kinematics.difference, difference, chunk);
+    set.store(kinematics.shear, shear, chunk);
+    if rings {
+        set.store(kinematics.hoop, hoop, chunk);
+    }
+    let strain_increment = kinematics.strain_increment(set, &before, rings);
+    let (elastic, stored) = laws.elastic.stress(set, kinematics, rings);
+    let mut overstress = Overstress::beside(set, elastic);
+    let (quasi_linear, additive) = viscous.split_at_mut_checked(laws.prony.n_term()).unwrap_or_default();
+    if !quasi_linear.is_empty() {
+        let increment = elastic - set.load_deviator(&history.elastic_prev, chunk);
+        laws.prony.update(set, chunk, &increment, quasi_linear, &mut overstress);
+    }
+    laws.maxwell.update(set, chunk, &strain_increment, additive, &mut overstress);
+    set.store_deviator(&elastic, &mut history.elastic_prev, chunk);
+    let mut density = Density {
+        elastic: stored,
+        viscous_increment: overstress.double_mean(&elastic).half_contract(&strain_increment),
+        viscous_power: overstress.power,
+        slider: None,
+        tear_increment: None,
+    };
+    let mut total = overstress.total;
+    if laws.slider.active() {
+        let spring = laws.slider.update(set, &strain_increment, &set.load_deviator(&history.slider_stress, chunk));
+        set.store_deviator(&spring.stress, &mut history.slider_stress, chunk);
+        density.slider = Some([spring.stored, spring.dissipation]);
+        total = total + spring.stress;
+    }
+    if laws.tear.active() {
+        total = tear(set, chunk, &laws.tear, kinematics, history, &total, &mut density);
+    }
+    (total, density)
+}
+
+/// Takes from one triangle of each cell the stress and the energies that it has lost by tearing.
+#[inline(always)]
+fn tear<S: Instructions>(
+    set: S,
+    chunk: usize,
+    law: &Tear,
+    kinematics: &Kinematics<S::Vector>,
+    history: &mut TriangleHistory,
+    stress: &Deviator<S::Vector>,
+    density: &mut Density<S::Vector>,
+) -> Deviator<S::Vector> {
+    let [largest, before, after] = law.update(set, kinematics, set.load(&history.largest_stretch, chunk));
+    set.store(largest, &mut history.largest_stretch, chunk);
+    let mean = (before + after).times(0.5);
+    let stored = match density.slider {
+        Some([in_spring, _]) => density.elastic + in_spring,
+        None => density.elastic,
+    };
+    let lost = (before - after) * (set.load(&history.stored_prev, chunk) + stored).times(0.5);
+    set.store(stored, &mut history.stored_prev, chunk);
+    density.tear_increment = Some(lost);
+    density.elastic = after * density.elastic;
+    density.viscous_increment = mean * density.viscous_increment;
+    density.viscous_power = after * density.viscous_power;
+    if let Some([in_spring, increment]) = density.slider {
+        density.slider = Some([after * in_spring, mean * increment]);
+    }
+    stress.scaled(after)
+}
+
+/// V P dN/dX of triangle `t` of each cell for its two edges, N, and in rings the hoop stress times V.
+#[inline(always)]
+#[expect(clippy::too_many_arguments, reason = "what one triangle has, and what it shares with its cell")]
+fn edge_forces<S: Instructions>(
+    set: S,
+    chunk: usize,
+    block: &Block,
+    t: usize,
+    k: &Kinematics<S::Vector>,
+    pressure: S::Vector,
     history: &mut TriangleHistory,
     viscous: &mut [Deviator],
     energy: &mut ElementEnergy,
-) -> Deviator {
-    let strain_increment = kinematics.strain_increment(&mut history.stretch_prev, rings);
-    let (elastic, stored_elastic) = laws.elastic.stress(kinematics);
-    let mut overstress = Overstress::beside(&elastic);
-    let (quasi_linear, additive) = viscous.split_at_mut_checked(laws.prony.n_term()).unwrap_or_default();
-    laws.prony.update(&elastic, &history.elastic_prev, quasi_linear, &mut overstress);
-    laws.maxwell.update(&strain_increment, additive, &mut overstress);
-    history.elastic_prev = elastic;
-    let mut density = ElementEnergy { elastic: stored_elastic, viscous_power: overstress.power, ..ElementEnergy::ZERO };
-    for l in 0..LANES {
-        density.viscous_increment[l] = 0.5 * overstress.double_mean.contract(&strain_increment, l);
+) -> (Edges<S::Vector>, S::Vector) {
+    let constants = &block.constants.triangle[t];
+    let (stress, density) = deviatoric_stress(set, chunk, block, k, history, viscous);
+    let volume = set.load(&constants.reference_volume, chunk);
+    density.add_to(set, chunk, volume, block.laws.n_term() > 0, energy);
+    let spherical = pressure * k.jacobian;
+    let mean = stress.mean.times(SQRT_THIRD);
+    let section = mean + spherical;
+    let (t11, t22, t12) = (section + stress.difference, section - stress.difference, stress.shear);
+    // U^-1 of the section is the adjugate over J / U33, and 1/J is the cube of J^(-1/3). The volume joins it here.
+    let cube = volume * (k.inverse_cbrt_j * k.inverse_cbrt_j * k.inverse_cbrt_j);
+    let inverse = if block.hoop.is_some() { k.hoop * cube } else { cube };
+    let (stretch, difference) = (k.mean * inverse, k.difference * inverse);
+    let (i11, i22, i12) = (stretch - difference, stretch + difference, k.shear * inverse);
+    let (b11, b12) = (t11 * i11 - t12 * i12, t12 * i22 - t11 * i12);
+    let (b21, b22) = (t12 * i11 - t22 * i12, t22 * i22 - t12 * i12);
+    let (p11, p12) = (k.cos * b11 - k.sin * b21, k.cos * b12 - k.sin * b22);
+    let (p21, p22) = (k.sin * b11 + k.cos * b21, k.sin * b12 + k.cos * b22);
+    let mut force = [[spherical; 2]; 2];
+    for edge in 0..2 {
+        let [x, y] = set.load_pair(&constants.shape_gradient[edge], chunk);
+        force[edge] = [p11 * x + p12 * y, p21 * x + p22 * y];
     }
-    let mut total = overstress.total;
-    if laws.slider.active() {
-        let spring = laws.slider.update(&strain_increment, &mut history.slider_stress);
-        density.slider_increment = spring.dissipation;
-        density.slider_stored = spring.stored;
-        total.add(&history.slider_stress);
-    }
-    if laws.tear.active() {
-        // Copies, so that the address of the numbers that all materials need is not taken, which would cost them time.
-        let (mut torn, mut rest) = (total, density);
-        tear(&laws.tear, kinematics, history, &mut torn, &mut rest);
-        energy.add(volume, &rest);
-        for l in 0..LANES {
-            energy.tear_increment[l] += volume[l] * rest.tear_increment[l];
-        }
-        return torn;
-    }
-    energy.add(volume, &density);
-    total
+    (force, volume * (spherical - mean.times(2.0)))
 }
 
-/// Takes from a block of triangles the stress and the energies that it has lost by tearing.
-fn tear(
-    law: &Tear,
-    kinematics: &Kinematics,
-    history: &mut TriangleHistory,
-    stress: &mut Deviator,
-    energy: &mut ElementEnergy,
-) {
-    let [before, after] = law.update(kinematics, &mut history.largest_stretch);
-    for l in 0..LANES {
-        let (factor, mean) = (after[l], 0.5 * (before[l] + after[l]));
-        let stored = energy.elastic[l] + energy.slider_stored[l];
-        energy.tear_increment[l] = (before[l] - after[l]) * 0.5 * (history.stored_prev[l] + stored);
-        history.stored_prev[l] = stored;
-        energy.elastic[l] *= factor;
-        energy.slider_stored[l] *= factor;
-        energy.viscous_increment[l] *= mean;
-        energy.viscous_power[l] *= factor;
-        energy.slider_increment[l] *= mean;
-        for component in [&mut stress.xx, &mut stress.yy, &mut stress.xy] {
-            component[l] *= factor;
-        }
-    }
-}
-
-/// V P dN/dX of one triangle of each cell for its two edges, and in rings the hoop stress times V and the hoop stretch.
+/// Adds the radial forces of the nominal hoop stress times the volume to the corners.
 #[inline(always)]
-fn edge_forces(
-    k: &Kinematics,
-    stress: &Deviator,
-    pressure: &Lane,
-    constants: &TriangleConstants,
-    rings: bool,
-    force: &mut [[Lane; 2]; 2],
-    hoop_stress: &mut Lane,
+fn add_hoop_force<S: Instructions>(
+    set: S,
+    chunk: usize,
+    hoop_stress: S::Vector,
+    weight: &[Lane; 4],
+    force: &mut Corners<S::Vector>,
 ) {
-    let [g, h] = &constants.shape_gradient;
-    for l in 0..LANES {
-        let volume = constants.reference_volume[l];
-        let spherical = pressure[l] * k.jacobian[l];
-        let (t11, t22, t12) = (stress.xx[l] + spherical, stress.yy[l] + spherical, stress.xy[l]);
-        // U^-1 of the section is the adjugate over J / U33, and 1/J is the cube of J^(-1/3). The volume joins it here.
-        let root = k.inverse_cbrt_j[l];
-        let cube = volume * (root * root * root);
-        let inverse = if rings { k.u33[l] * cube } else { cube };
-        let (i11, i22, i12) = (k.u22[l] * inverse, k.u11[l] * inverse, k.u12[l] * inverse);
-        let (b11, b12) = (t11 * i11 - t12 * i12, t12 * i22 - t11 * i12);
-        let (b21, b22) = (t12 * i11 - t22 * i12, t22 * i22 - t12 * i12);
-        let (cos, sin) = (k.cos[l], k.sin[l]);
-        let (p11, p12) = (cos * b11 - sin * b21, cos * b12 - sin * b22);
-        let (p21, p22) = (sin * b11 + cos * b21, sin * b12 + cos * b22);
-        force[0][0][l] = p11 * g[0][l] + p12 * g[1][l];
-        force[0][1][l] = p21 * g[0][l] + p22 * g[1][l];
-        force[1][0][l] = p11 * h[0][l] + p12 * h[1][l];
-        force[1][1][l] = p21 * h[0][l] + p22 * h[1][l];
-        if rings {
-            hoop_stress[l] = volume * (spherical - (stress.xx[l] + stress.yy[l]));
-        }
-    }
-}
-
-/// Adds the radial forces of the hoop stress to the corners.
-#[inline(always)]
-fn add_hoop_force(u33: &Lane, hoop_stress: &Lane, weight: &[Lane; 4], force: &mut Corners) {
-    for l in 0..LANES {
-        let p33 = hoop_stress[l] / u33[l];
-        for a in 0..4 {
-            force[a][0][l] += p33 * weight[a][l];
-        }
+    for corner in 0..4 {
+        force[corner][0] = force[corner][0] + hoop_stress * set.load(&weight[corner], chunk);
     }
 }
 

@@ -1,12 +1,16 @@
 //! The instruction set that steps are made with. It changes the speed and no bit: see [`crate::lanes`].
 //!
-//! With the feature `dispatch` the choice is made at run time, by the crate `pulp`; without it, and on other processors
-//! than x86-64, there is only what the kernel was built for.
+//! With the feature `dispatch` the choice is made at run time, by the crate `pulp`; without it, on other processors than
+//! x86-64 and in single precision there is only scalar code.
+
+#[cfg(all(feature = "dispatch", target_arch = "x86_64", not(miri), not(feature = "single")))]
+use crate::vector::x86;
+use crate::vector::{Instructions, Scalar};
 
 /// Vector instructions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum InstructionSet {
-    /// What the kernel was built for: SSE2 on x86-64 unless told otherwise.
+    /// SSE2, vectors of two numbers, which every x86-64 has; scalar code elsewhere.
     Baseline,
     /// AVX2: vectors of four numbers.
     Avx2,
@@ -18,8 +22,8 @@ pub enum InstructionSet {
 pub(crate) trait Work {
     /// What it gives.
     type Output;
-    /// Does it; must be inlined, so that it takes on the instruction set of the caller.
-    fn run(self) -> Self::Output;
+    /// Does it with vectors of this set; must be inlined, so that it takes on the instruction set of the caller.
+    fn run<S: Instructions>(self, set: S) -> Self::Output;
 }
 
 impl InstructionSet {
@@ -43,11 +47,11 @@ impl InstructionSet {
     pub fn available(self) -> bool {
         match self {
             Self::Baseline => true,
-            #[cfg(all(feature = "dispatch", target_arch = "x86_64", not(miri)))]
-            Self::Avx2 => pulp::x86::V3::is_available(),
-            #[cfg(all(feature = "dispatch", target_arch = "x86_64", not(miri)))]
-            Self::Avx512 => pulp::x86::V4::is_available(),
-            #[cfg(not(all(feature = "dispatch", target_arch = "x86_64", not(miri))))]
+            #[cfg(all(feature = "dispatch", target_arch = "x86_64", not(miri), not(feature = "single")))]
+            Self::Avx2 => x86::V3::is_available(),
+            #[cfg(all(feature = "dispatch", target_arch = "x86_64", not(miri), not(feature = "single")))]
+            Self::Avx512 => x86::V4::is_available(),
+            #[cfg(not(all(feature = "dispatch", target_arch = "x86_64", not(miri), not(feature = "single"))))]
             Self::Avx2 | Self::Avx512 => false,
         }
     }
@@ -55,34 +59,22 @@ impl InstructionSet {
     /// Does `work` with this set, or with the baseline where it is not available.
     #[inline]
     pub(crate) fn run<W: Work>(self, work: W) -> W::Output {
-        #[cfg(all(feature = "dispatch", target_arch = "x86_64", not(miri)))]
-        match self {
-            Self::Avx512 => {
-                if let Some(set) = pulp::x86::V4::try_new() {
-                    return set.vectorize(Call(work));
-                }
+        #[cfg(all(feature = "dispatch", target_arch = "x86_64", not(miri), not(feature = "single")))]
+        {
+            if self == Self::Avx512
+                && let Some(set) = x86::V4::try_new()
+            {
+                return set.vectorize(x86::Call(set, work));
             }
-            Self::Avx2 => {
-                if let Some(set) = pulp::x86::V3::try_new() {
-                    return set.vectorize(Call(work));
-                }
+            if self == Self::Avx2
+                && let Some(set) = x86::V3::try_new()
+            {
+                return set.vectorize(x86::Call(set, work));
             }
-            Self::Baseline => {}
+            if let Some(set) = x86::Sse2::try_new() {
+                return work.run(set);
+            }
         }
-        work.run()
-    }
-}
-
-/// [`Work`] in the form that the crate asks for.
-#[cfg(all(feature = "dispatch", target_arch = "x86_64", not(miri)))]
-struct Call<W>(W);
-
-#[cfg(all(feature = "dispatch", target_arch = "x86_64", not(miri)))]
-impl<W: Work> pulp::NullaryFnOnce for Call<W> {
-    type Output = W::Output;
-
-    #[inline(always)]
-    fn call(self) -> W::Output {
-        self.0.run()
+        work.run(Scalar)
     }
 }

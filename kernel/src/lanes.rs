@@ -1,10 +1,13 @@
 //! Lanes: the unit of data that the element loop works on.
 //!
-//! Every quantity of an element is stored as [`LANES`] neighbours side by side, so that a plain loop over a
-//! [`Lane`] compiles to vector instructions of whatever width the target has. The width of the hardware changes
-//! nothing in the result: no operation crosses lanes except sums that are written out in index order.
+//! Every quantity of an element is stored as [`LANES`] neighbours side by side, so that the
+//! vectors of any processor ([`crate::vector`]) hold some of them. The width of the hardware changes nothing in the result:
+//! no operation crosses lanes except sums that are written out in index order.
+
+use core::ops::{Add, Sub};
 
 use crate::real::Real;
+use crate::vector::Vector;
 
 /// Number of cells in a block. A constant of the data layout, not of the hardware.
 pub const LANES: usize = 8;
@@ -15,46 +18,80 @@ pub type Lane = [Real; LANES];
 /// A lane of zeros.
 pub const ZERO: Lane = [0.0; LANES];
 
-/// A symmetric deviatoric tensor in the unrotated frame (see [`crate::element`]), one per lane.
+/// A symmetric deviatoric tensor in the unrotated frame (see [`crate::element`]), one per lane or neighbour.
 ///
-/// Only three components are stored: zz = -(xx + yy), and xz = yz = 0 in a section.
+/// A section has three components, since zz = -(xx + yy) and xz = yz = 0. They are stored in an orthogonal basis of equal
+/// lengths, so that a contraction is a sum of three products: a : b = 2 (mean mean + difference difference + shear shear).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Deviator {
-    /// Component along x.
-    pub xx: Lane,
-    /// Component along y.
-    pub yy: Lane,
-    /// Shear component in the section.
-    pub xy: Lane,
+pub struct Deviator<T = Lane> {
+    /// Mean of the section, sqrt(3)/2 (xx + yy).
+    pub mean: T,
+    /// Half difference of the section, (xx - yy)/2.
+    pub difference: T,
+    /// Shear component in the section, xy.
+    pub shear: T,
 }
 
 impl Deviator {
     /// No stress, no strain.
-    pub const ZERO: Self = Self { xx: ZERO, yy: ZERO, xy: ZERO };
+    pub const ZERO: Self = Self { mean: ZERO, difference: ZERO, shear: ZERO };
 
-    /// Adds `other` component by component.
+    /// The tensor of lane `l`; none past the last.
+    pub fn lane(&self, l: usize) -> Option<Deviator<Real>> {
+        Some(Deviator { mean: *self.mean.get(l)?, difference: *self.difference.get(l)?, shear: *self.shear.get(l)? })
+    }
+}
+
+impl Deviator<Real> {
+    /// Components xx, yy and xy.
+    pub fn section(&self) -> [Real; 3] {
+        let mean = SQRT_THIRD * self.mean;
+        [mean + self.difference, mean - self.difference, self.shear]
+    }
+}
+
+impl<V: Vector> Deviator<V> {
+    /// Half of the double contraction a : b.
     #[inline(always)]
-    pub fn add(&mut self, other: &Self) {
-        for l in 0..LANES {
-            self.xx[l] += other.xx[l];
-            self.yy[l] += other.yy[l];
-            self.xy[l] += other.xy[l];
+    pub fn half_contract(&self, other: &Self) -> V {
+        self.mean * other.mean + self.difference * other.difference + self.shear * other.shear
+    }
+
+    /// Every component times `factor`.
+    #[inline(always)]
+    pub fn scaled(&self, factor: V) -> Self {
+        Self { mean: factor * self.mean, difference: factor * self.difference, shear: factor * self.shear }
+    }
+}
+
+impl<V: Vector> Add for Deviator<V> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Self {
+            mean: self.mean + other.mean,
+            difference: self.difference + other.difference,
+            shear: self.shear + other.shear,
         }
     }
+}
 
-    /// The double contraction a : b of lane `l`, with the zz components.
+impl<V: Vector> Sub for Deviator<V> {
+    type Output = Self;
+
     #[inline(always)]
-    pub fn contract(&self, other: &Self, l: usize) -> Real {
-        contract([self.xx[l], self.yy[l], self.xy[l]], [other.xx[l], other.yy[l], other.xy[l]])
+    fn sub(self, other: Self) -> Self {
+        Self {
+            mean: self.mean - other.mean,
+            difference: self.difference - other.difference,
+            shear: self.shear - other.shear,
+        }
     }
 }
 
-/// a : b of two deviators given as (xx, yy, xy).
-#[inline(always)]
-pub fn contract(a: [Real; 3], b: [Real; 3]) -> Real {
-    let (sum, shear) = (b[0] + b[1], a[2] * b[2]);
-    a[0] * (b[0] + sum) + a[1] * (b[1] + sum) + (shear + shear)
-}
+/// The square root of 1/3, rounded once: the mean of a section from the component of a [`Deviator`].
+pub const SQRT_THIRD: Real = 0.577_350_269_189_625_8;
 
 /// The sum of a lane, in index order.
 #[inline(always)]
@@ -64,11 +101,14 @@ pub fn sum(lane: &Lane) -> Real {
 
 /// The lane that starts at `index` of `row`; zeros past its end, which the sizes of [`crate::mesh::Grid`] exclude.
 #[inline(always)]
+pub fn lane_at(row: &[Real], index: usize) -> &Lane {
+    row.get(index..).and_then(|tail| tail.first_chunk()).unwrap_or(&ZERO)
+}
+
+/// A copy of [`lane_at`].
+#[inline(always)]
 pub fn load(row: &[Real], index: usize) -> Lane {
-    match row.get(index..).and_then(|tail| tail.first_chunk::<LANES>()) {
-        Some(chunk) => *chunk,
-        None => ZERO,
-    }
+    *lane_at(row, index)
 }
 
 /// Writes `value` to the lane that starts at `index` of `row`.

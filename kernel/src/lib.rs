@@ -65,6 +65,7 @@ pub mod stress;
 pub mod stretch;
 pub mod surface;
 pub mod time_step;
+pub mod vector;
 
 pub use error::{ModelError, ParameterError, ScenarioError, SnapshotError, StepError};
 pub use field::{FIELDS, Field};

@@ -4,6 +4,7 @@
 //! vectorise and give the same bits on every target, with or without a hardware square root.
 
 use crate::real::{self, Real};
+use crate::vector::Vector;
 
 pub use crate::real::{asinh, ceil, cos, exp, expm1, ln, ln_1p, round, sin, sinh, sqrt};
 
@@ -24,27 +25,26 @@ pub fn larger(a: Real, b: Real) -> Real {
 /// Method: a guess from the halved exponent (error below 3.5 %), then four Newton steps y <- y (3 - x y^2) / 2.
 /// Error: below 4e-16 relative. Zero gives a large finite number, a negative number or NaN gives no meaningful value.
 #[inline(always)]
-pub fn inverse_sqrt(x: Real) -> Real {
-    let mut y = Real::from_bits(real::INVERSE_SQRT_MAGIC.wrapping_sub(x.to_bits() >> 1));
-    let half = 0.5 * x;
+pub fn inverse_sqrt<V: Vector>(x: V) -> V {
+    let mut y = x.guess_inverse_sqrt();
+    let half = x.times(-0.5);
     for _ in 0..real::NEWTON_STEPS {
-        y *= 1.5 - half * y * y;
+        y = y * (half * y * y).plus(1.5);
     }
     y
 }
 
 /// x^(-1/3) for x between 2^-8 and 2^8.
 ///
-/// Method: a guess from a third of the exponent, the division by three written as shifts (error below 5.5 %), then
-/// four Newton steps y <- y (4 - x y^3) / 3. Error: below 8e-16 relative. Zero, negative numbers and NaN give no
-/// meaningful value; the caller checks the Jacobian.
+/// Method: a guess from a third of the exponent (error below 3.7 %), then four Newton steps y <- y + y (1 - x y^3) / 3.
+/// Error: below 8e-16 relative. Zero, negative numbers and NaN give no meaningful value; the caller checks the Jacobian.
 #[inline(always)]
-pub fn inverse_cbrt(x: Real) -> Real {
-    let bits = x.to_bits();
-    let third = (bits >> 2) + (bits >> 4) + (bits >> 6) + (bits >> 8);
-    let mut y = Real::from_bits(real::INVERSE_CBRT_MAGIC.wrapping_sub(third));
+pub fn inverse_cbrt<V: Vector>(x: V) -> V {
+    let mut y = x.guess_inverse_cbrt();
+    // A negative third of x, so that the step is a multiplication and two additions more.
+    let third = x.times(-THIRD);
     for _ in 0..real::NEWTON_STEPS {
-        y += y * (1.0 - x * (y * y * y)) * THIRD;
+        y = y + y * (third * (y * y * y)).plus(THIRD);
     }
     y
 }

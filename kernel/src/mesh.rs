@@ -82,6 +82,18 @@ impl Grid {
         self.blocks_per_row() * LANES + LANES
     }
 
+    /// Row of a block, and its place in the row.
+    pub fn place(&self, block: usize) -> [usize; 2] {
+        let per_row = self.blocks_per_row().max(1);
+        [block / per_row, block % per_row]
+    }
+
+    /// First node below and first node above the block at `place` of row `row`.
+    pub fn first_nodes(&self, [row, place]: [usize; 2]) -> [usize; 2] {
+        let lower = row * self.stride() + place * LANES;
+        [lower, lower + self.stride()]
+    }
+
     /// Nodes of the whole mesh, padding included.
     pub fn n_node(&self) -> usize {
         self.stride() * (self.n_v + 1)

@@ -15,12 +15,12 @@ mod chosen {
     /// Its bits.
     pub type Bits = u64;
 
-    /// A quotient this much, relative, above a whole number still counts as that number.
+    /// Relative difference that rounding may leave between two quotients that should be equal.
     pub const SAME: Real = 1e-9;
     /// Guess of x^(-1/2): this minus half the bits of x.
     pub const INVERSE_SQRT_MAGIC: Bits = 0x5fe6_eb50_c7b5_37a9;
     /// Guess of x^(-1/3): this minus a third of the bits of x; its error is smallest around x = 1.
-    pub const INVERSE_CBRT_MAGIC: Bits = 0x5529_8000_0000_0000;
+    pub const INVERSE_CBRT_MAGIC: Bits = 0x553e_e000_0000_0000;
     /// Newton steps from either guess to the last bit.
     pub const NEWTON_STEPS: usize = 4;
     /// Significant digits in messages, of which the scaling spoils none.
@@ -28,6 +28,15 @@ mod chosen {
     /// Powers of ten whose exponents add up to any that a number has.
     pub const POWERS_OF_TEN: &[(i32, Real)] =
         &[(256, 1e256), (128, 1e128), (64, 1e64), (32, 1e32), (16, 1e16), (8, 1e8), (4, 1e4), (2, 1e2), (1, 1e1)];
+
+    /// 2^32 / 3: this times the upper half of the bits is a third of them.
+    pub const THIRD_OF_UPPER_HALF: Bits = 0x5555_5555;
+
+    /// A third of `bits`, to about 32 digits.
+    #[inline(always)]
+    pub fn third(bits: Bits) -> Bits {
+        (bits >> 32) * THIRD_OF_UPPER_HALF
+    }
 
     /// The bits of `number` as the word that digests and snapshots hold.
     pub fn to_word(number: Real) -> u64 {
@@ -53,18 +62,24 @@ mod chosen {
     /// Its bits.
     pub type Bits = u32;
 
-    /// A quotient this much, relative, above a whole number still counts as that number.
+    /// Relative difference that rounding may leave between two quotients that should be equal.
     pub const SAME: Real = 1e-6;
     /// Guess of x^(-1/2): this minus half the bits of x.
     pub const INVERSE_SQRT_MAGIC: Bits = 0x5f37_5a86;
     /// Guess of x^(-1/3): this minus a third of the bits of x; its error is smallest around x = 1.
-    pub const INVERSE_CBRT_MAGIC: Bits = 0x548c_f000;
+    pub const INVERSE_CBRT_MAGIC: Bits = 0x54a2_4000;
     /// Newton steps from either guess to the last bit.
     pub const NEWTON_STEPS: usize = 3;
     /// Significant digits in messages, of which the scaling spoils none.
     pub const SHOWN_DIGITS: i32 = 6;
     /// Powers of ten whose exponents add up to any that a number has.
     pub const POWERS_OF_TEN: &[(i32, Real)] = &[(32, 1e32), (16, 1e16), (8, 1e8), (4, 1e4), (2, 1e2), (1, 1e1)];
+
+    /// A third of `bits`.
+    #[inline(always)]
+    pub fn third(bits: Bits) -> Bits {
+        bits / 3
+    }
 
     /// The bits of `number` as the word that digests and snapshots hold.
     pub fn to_word(number: Real) -> u64 {

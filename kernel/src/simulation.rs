@@ -1,6 +1,5 @@
 //! A model and its state in memory of their own, for hosts that can allocate (feature `alloc`).
 
-use alloc::vec;
 use alloc::vec::Vec;
 
 use crate::element::{CellConstants, CellHistory, HoopConstants};
@@ -30,7 +29,7 @@ impl Simulation {
     /// Allocates and builds the model of `scenario`, at the start of its drop.
     ///
     /// # Errors
-    /// A refused scenario; see [`ModelError`].
+    /// A refused scenario, or no memory; see [`ModelError`].
     pub fn new(scenario: &Scenario) -> Result<Self, ModelError> {
         Self::build(scenario, |memory| Model::new(scenario, memory))
     }
@@ -51,12 +50,12 @@ impl Simulation {
         model: impl for<'m> FnOnce(ModelMemory<'m>) -> Result<Model<'m>, ModelError>,
     ) -> Result<Self, ModelError> {
         let size = Size::of(scenario)?;
-        let mut model_nodes = vec![0.0; size.model_nodes];
-        let mut model_cells = vec![CellConstants::ZERO; size.model_cells];
-        let mut model_hoops = vec![HoopConstants::ZERO; size.model_hoops];
-        let mut state_nodes = vec![0.0; size.state_nodes];
-        let mut state_cells = vec![CellHistory::REST; size.state_cells];
-        let mut state_viscous = vec![Deviator::ZERO; size.state_viscous];
+        let mut model_nodes = filled(0.0, size.model_nodes, "model nodes")?;
+        let mut model_cells = filled(CellConstants::ZERO, size.model_cells, "model cells")?;
+        let mut model_hoops = filled(HoopConstants::ZERO, size.model_hoops, "model hoops")?;
+        let mut state_nodes = filled(0.0, size.state_nodes, "state nodes")?;
+        let mut state_cells = filled(CellHistory::REST, size.state_cells, "state cells")?;
+        let mut state_viscous = filled(Deviator::ZERO, size.state_viscous, "state viscous history")?;
         let mut constants = None;
         let model = model(ModelMemory {
             constants: &mut constants,
@@ -117,4 +116,15 @@ impl Simulation {
     pub fn reset(&mut self) {
         let _ = self.with(|model, state| state.reset(model));
     }
+}
+
+/// `n` copies of `value`.
+///
+/// # Errors
+/// The heap has no room for them.
+fn filled<T: Copy>(value: T, n: usize, what: &'static str) -> Result<Vec<T>, ModelError> {
+    let mut items = Vec::new();
+    items.try_reserve_exact(n).map_err(|_| ModelError::Memory { what, given: 0, needed: n })?;
+    items.resize(n, value);
+    Ok(items)
 }

@@ -2,7 +2,8 @@
 //!
 //! Format: little-endian 64-bit words. Header: magic, format version, fingerprint of the scenario, number of words that
 //! follow before the checksum; then the scalars and the arrays in the order of [`visit`]; last the FNV-1a digest of
-//! everything before it. Equal states give equal bytes.
+//! everything before it. Equal states give equal bytes. A number of single precision is a word whose upper half is zero;
+//! the fingerprints of the two precisions differ, so neither takes over a state of the other.
 
 use crate::digest::Digest;
 use crate::element::TriangleHistory;
@@ -17,12 +18,13 @@ use crate::state_view::StateView;
 /// "SOFTANVL" in ASCII, least significant byte first.
 const MAGIC: u64 = u64::from_le_bytes(*b"SOFTANVL");
 /// Changes with the format.
-const VERSION: u64 = 3;
+const VERSION: u64 = 4;
 const HEADER_WORDS: usize = 4;
 const CHECKSUM_WORDS: usize = 1;
 /// Words of the scalars that are whole numbers.
 const COUNTERS: usize = 7;
-/// Most steps that a state may have behind it: up to here every count is exact as a float.
+/// Most steps that a state may have behind it: far from overflow, and every count is exact as a float of double
+/// precision.
 const MOST_STEPS: u64 = 1 << 53;
 const SCALAR_WORDS: usize = COUNTERS + 20 + LEDGER_WORDS;
 /// Lanes per triangle: stretch, elastic stress, slider stress, largest stretch, stored energy.
@@ -55,7 +57,7 @@ pub fn save_view(model: &Model, state: &StateView, bytes: &mut [u8]) -> Result<(
     if state.scalars.failure.is_some() {
         return Err(SnapshotError::Failed);
     }
-    let payload = payload_words(&model.constants) as u64;
+    let payload = payload_words(model.constants) as u64;
     let mut digest = Digest::new();
     let (words, _) = bytes.as_chunks_mut::<8>();
     let mut words = words.iter_mut();
@@ -92,14 +94,14 @@ pub fn restore(model: &Model, state: &mut State, bytes: &[u8]) -> Result<(), Sna
 }
 
 fn check_length(model: &Model, given: usize) -> Result<(), SnapshotError> {
-    let needed = snapshot_size(&model.constants);
+    let needed = snapshot_size(model.constants);
     if given == needed { Ok(()) } else { Err(SnapshotError::Length { given, needed }) }
 }
 
 fn check_content(model: &Model, bytes: &[u8]) -> Result<(), SnapshotError> {
     let mut words = bytes.chunks_exact(8).map(word_of);
     let header: [u64; HEADER_WORDS] = core::array::from_fn(|_| words.next().unwrap_or_default());
-    let payload = payload_words(&model.constants);
+    let payload = payload_words(model.constants);
     if header[0] != MAGIC || header[1] != VERSION || header[3] != payload as u64 {
         return Err(SnapshotError::Format);
     }
@@ -111,7 +113,7 @@ fn check_content(model: &Model, bytes: &[u8]) -> Result<(), SnapshotError> {
     header.into_iter().chain(counters).for_each(|word| digest.word(word));
     (&mut words).take(payload - COUNTERS).for_each(|word| digest.word(word));
     let whole = words.next() == Some(digest.value());
-    if whole && counters_fit(&model.constants, counters) { Ok(()) } else { Err(SnapshotError::Corrupt) }
+    if whole && counters_fit(model.constants, counters) { Ok(()) } else { Err(SnapshotError::Corrupt) }
 }
 
 /// Whether the counters at the front of the scalars can belong to one state. A checksum that fits is no proof: counters
@@ -184,7 +186,7 @@ fn visit_triangle(triangle: &mut TriangleHistory, number: &mut impl FnMut(&mut R
 }
 
 fn visit_deviator(deviator: &mut Deviator, number: &mut impl FnMut(&mut Real)) {
-    for lane in [&mut deviator.xx, &mut deviator.yy, &mut deviator.xy] {
+    for lane in [&mut deviator.mean, &mut deviator.difference, &mut deviator.shear] {
         lane.iter_mut().for_each(&mut *number);
     }
 }

@@ -4,12 +4,13 @@ use crate::element::{CellHistory, Corners};
 use crate::energy::Ledger;
 use crate::error::{ModelError, StepError};
 use crate::impactor::ImpactorState;
-use crate::lanes::{Deviator, load};
+use crate::lanes::{Deviator, LANES, Lane};
 use crate::measurement::{Metrics, Sampler};
 use crate::mesh::Grid;
 use crate::model::Model;
 use crate::real::Real;
 use crate::storage::{StateMemory, split_row, take};
+use crate::vector::Instructions;
 
 /// The numbers of a state that are not arrays.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -160,20 +161,82 @@ impl<'a> State<'a> {
         self.nodes.contact_tangential
     }
 
-    /// Displacements of the corners of the cells of a block.
+    /// Displacements of the corners of neighbouring cells of a block.
     #[inline(always)]
-    pub(crate) fn corners(&self, grid: &Grid, block: usize) -> Corners {
-        let (x, y) = (&*self.nodes.displacement_x, &*self.nodes.displacement_y);
-        corner_indices(grid, block).map(|index| [load(x, index), load(y, index)])
+    pub(crate) fn corners<S: Instructions>(
+        &self,
+        set: S,
+        chunk: usize,
+        grid: &Grid,
+        block: usize,
+    ) -> Corners<S::Vector> {
+        corners(set, chunk, &self.nodes.rows(grid.first_nodes(grid.place(block))))
     }
 }
 
-/// First node of each corner row of a block.
+impl StateNodes<'_> {
+    /// Displacements of the rows of nodes below and above the block whose first nodes are `first`.
+    #[inline(always)]
+    pub(crate) fn rows(&self, [lower, upper]: [usize; 2]) -> Rows<'_> {
+        let (x, y) = (&*self.displacement_x, &*self.displacement_y);
+        [[span(x, lower), span(y, lower)], [span(x, upper), span(y, upper)]]
+    }
+
+    /// Takes the forces of the cells of a block from their corners.
+    #[inline(always)]
+    pub(crate) fn subtract_force<S: Instructions>(
+        &mut self,
+        set: S,
+        [lower, upper]: [usize; 2],
+        force: &Corners<Lane>,
+    ) {
+        let [c0, c1, c2, c3] = force;
+        for i in 0..2 {
+            let row = if i == 0 { &mut *self.force_x } else { &mut *self.force_y };
+            subtract_ends(set, row, lower, &c0[i], &c1[i]);
+            subtract_ends(set, row, upper, &c3[i], &c2[i]);
+        }
+    }
+}
+
+/// Numbers at the nodes of a row of cells of a block.
+type Span = [Real; LANES + 1];
+/// Two numbers at the nodes below and above the cells of a block.
+pub(crate) type Rows<'r> = [[&'r Span; 2]; 2];
+
 #[inline(always)]
-pub(crate) fn corner_indices(grid: &Grid, block: usize) -> [usize; 4] {
-    let per_row = grid.blocks_per_row().max(1);
-    let first = (block / per_row) * grid.stride() + (block % per_row) * crate::lanes::LANES;
-    [first, first + 1, first + grid.stride() + 1, first + grid.stride()]
+fn span(row: &[Real], start: usize) -> &Span {
+    row.get(start..).and_then(|tail| tail.first_chunk()).unwrap_or(&[0.0; LANES + 1])
+}
+
+/// The numbers at the corners of neighbouring cells of a block.
+#[inline(always)]
+pub(crate) fn corners<S: Instructions>(set: S, chunk: usize, rows: &Rows) -> Corners<S::Vector> {
+    let mut corners = [[set.splat(0.0); 2]; 4];
+    for i in 0..2 {
+        let ([left @ .., _], [_, right @ ..]) = (rows[0][i], rows[0][i]);
+        corners[0][i] = set.load(left, chunk);
+        corners[1][i] = set.load(right, chunk);
+        let ([left @ .., _], [_, right @ ..]) = (rows[1][i], rows[1][i]);
+        corners[2][i] = set.load(right, chunk);
+        corners[3][i] = set.load(left, chunk);
+    }
+    corners
+}
+
+/// Subtracts from the numbers of a row of nodes at the left ends of the cells of a block, then at the right ends: first one,
+/// then the other in all of them, whatever the width of the vectors.
+#[inline(always)]
+fn subtract_ends<S: Instructions>(set: S, row: &mut [Real], start: usize, left: &Lane, right: &Lane) {
+    let Some(span) = row.get_mut(start..).and_then(|tail| tail.first_chunk_mut::<{ LANES + 1 }>()) else { return };
+    let [lane @ .., _] = span;
+    for chunk in 0..LANES / S::WIDTH {
+        set.store(set.load(lane, chunk) - set.load(left, chunk), lane, chunk);
+    }
+    let [_, lane @ ..] = span;
+    for chunk in 0..LANES / S::WIDTH {
+        set.store(set.load(lane, chunk) - set.load(right, chunk), lane, chunk);
+    }
 }
 
 impl StateNodes<'_> {

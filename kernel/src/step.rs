@@ -1,18 +1,19 @@
 //! One explicit step of the whole system, stage by stage.
 
 use crate::core_contact;
-use crate::element::{self, ElementEnergy};
+use crate::element::{self, Block, CellHistory, Corners, ElementEnergy};
 use crate::energy::StepWork;
 use crate::error::StepError;
 use crate::face::{self, Contact};
 use crate::impactor::StepInput;
 use crate::instruction_set::{InstructionSet, Work};
-use crate::lanes::{LANES, ZERO, load, store, subtract_at, sum};
+use crate::lanes::{Deviator, LANES, Lane, ZERO, sum};
 use crate::model::Model;
 use crate::real::Real;
-use crate::state::{Forces, State, corner_indices};
+use crate::state::{Forces, Rows, State, corners};
 use crate::surface;
 use crate::time_step;
+use crate::vector::{Instructions, Scalar, Vector};
 
 /// Advances `state` by one step of `model.constants.dt`: central difference, from the positions at n and the velocities
 /// at n - 1/2 to the positions at n + 1 and the velocities at n + 1/2.
@@ -55,21 +56,21 @@ impl Work for Advance<'_, '_, '_> {
     type Output = Result<(), StepError>;
 
     #[inline(always)]
-    fn run(self) -> Result<(), StepError> {
-        advance(self.model, self.state, self.input)
+    fn run<S: Instructions>(self, set: S) -> Result<(), StepError> {
+        advance(set, self.model, self.state, self.input)
     }
 }
 
 #[inline(always)]
-fn advance(model: &Model, state: &mut State, input: &StepInput) -> Result<(), StepError> {
-    time_step::monitor(model, state)?;
-    let energy = internal_forces(model, state)?;
+fn advance<S: Instructions>(set: S, model: &Model, state: &mut State, input: &StepInput) -> Result<(), StepError> {
+    time_step::monitor(set, model, state)?;
+    let energy = internal_forces(set, model, state)?;
     let core = core_contact::react(model, state);
     let prediction = state.scalars.impactor.predict(model, input, state.scalars.step_index);
     let before = state.scalars.impactor.velocity_half;
     let face = face::contact(model, state, &prediction);
     state.scalars.contact_half_width = surface::contact_half_width(model, &state.as_view());
-    let layer_kinetic = move_nodes(model, state);
+    let layer_kinetic = move_nodes(set, model, state);
     let work = StepWork {
         element: &energy,
         face: &face,
@@ -87,65 +88,101 @@ fn advance(model: &Model, state: &mut State, input: &StepInput) -> Result<(), St
 
 /// Fills the nodal forces with minus the internal forces, block by block in index order.
 #[inline(always)]
-fn internal_forces(model: &Model, state: &mut State) -> Result<ElementEnergy, StepError> {
+fn internal_forces<S: Instructions>(set: S, model: &Model, state: &mut State) -> Result<ElementEnergy, StepError> {
     let grid = &model.constants.grid;
     let terms = (2 * model.constants.n_term()).max(1);
     let mut energy = ElementEnergy::ZERO;
     state.nodes.force_x.fill(0.0);
     state.nodes.force_y.fill(0.0);
-    for (block, constants) in model.cells.iter().enumerate() {
-        let corners = state.corners(grid, block);
-        let viscous = state.viscous.chunks_exact_mut(terms).nth(block).unwrap_or_default();
-        let Some(history) = state.cells.get_mut(block) else { break };
-        let hoop = model.hoops.get(block);
-        let laws = model.constants.laws_of(block);
-        let force = element::internal_force(laws, constants, hoop, &corners, history, viscous, &mut energy).map_err(
-            |(lane, t)| StepError::Inverted {
-                element: grid.element_index(block, lane, t),
-                time: model.constants.time(state.scalars.step_index),
-            },
-        )?;
-        for (index, corner) in corner_indices(grid, block).into_iter().zip(&force) {
-            subtract_at(state.nodes.force_x, index, &corner[0]);
-            subtract_at(state.nodes.force_y, index, &corner[1]);
+    let viscous = state.viscous.chunks_exact_mut(terms).map(Some).chain(core::iter::repeat_with(|| None));
+    let blocks = model.cells.iter().zip(state.cells.iter_mut()).zip(viscous).enumerate();
+    let (per_row, mut place, mut nodes) = (grid.blocks_per_row(), 0, grid.first_nodes([0, 0]));
+    for (index, ((constants, history), viscous)) in blocks {
+        let block = Block { laws: model.constants.laws_of(index), constants, hoop: model.hoops.get(index) };
+        let viscous = viscous.unwrap_or_default();
+        let force = block_force(set, &block, &state.nodes.rows(nodes), history, viscous, &mut energy);
+        state.nodes.subtract_force(set, nodes, &force);
+        // The next block follows in the row, or begins the next one behind the lane that closes this one.
+        place += 1;
+        let further = if place == per_row { 2 * LANES } else { LANES };
+        place = if place == per_row { 0 } else { place };
+        nodes = [nodes[0] + further, nodes[1] + further];
+    }
+    if sum(&energy.inverted) > 0.0 { Err(first_inverted(model, state)) } else { Ok(energy) }
+}
+
+/// Internal forces on the corners of the cells of a block, N.
+#[inline(always)]
+fn block_force<S: Instructions>(
+    set: S,
+    block: &Block,
+    rows: &Rows,
+    history: &mut CellHistory,
+    viscous: &mut [Deviator],
+    energy: &mut ElementEnergy,
+) -> Corners<Lane> {
+    let mut force = [[ZERO; 2]; 4];
+    for chunk in 0..LANES / S::WIDTH {
+        let displacement = corners(set, chunk, rows);
+        let of_chunk = element::internal_force(set, chunk, block, &displacement, history, viscous, energy);
+        for corner in 0..4 {
+            for i in 0..2 {
+                set.store(of_chunk[corner][i], &mut force[corner][i], chunk);
+            }
         }
     }
-    Ok(energy)
+    force
+}
+
+/// The first inverted triangle, as the error that it is.
+#[cold]
+fn first_inverted(model: &Model, state: &State) -> StepError {
+    let grid = &model.constants.grid;
+    let found = model.cells.iter().enumerate().find_map(|(block, constants)| {
+        let block_of = Block { laws: model.constants.laws_of(block), constants, hoop: model.hoops.get(block) };
+        // The first triangles of the block, then the second ones.
+        (0..2 * LANES).find_map(|i| {
+            let (t, l) = (i / LANES, i % LANES);
+            let corners = state.corners(Scalar, l, grid, block);
+            let jacobian = element::cell_kinematics(Scalar, l, &block_of, &corners)[t].jacobian;
+            if jacobian > 0.0 { None } else { Some(grid.element_index(block, l, t)) }
+        })
+    });
+    StepError::Inverted { element: found.unwrap_or_default(), time: model.constants.time(state.scalars.step_index) }
 }
 
 /// Moves the nodes under their forces; returns the kinetic energy of the section.
 #[inline(always)]
-fn move_nodes(model: &Model, state: &mut State) -> Real {
+fn move_nodes<S: Instructions>(set: S, model: &Model, state: &mut State) -> Real {
     let dt = model.constants.dt;
     let (fixed, nodes) = (&model.nodes, &mut state.nodes);
-    let along_x =
-        move_along(dt, fixed.nodal_mass, fixed.inverse_mass_x, nodes.force_x, nodes.velocity_x, nodes.displacement_x);
-    let along_y =
-        move_along(dt, fixed.nodal_mass, fixed.inverse_mass_y, nodes.force_y, nodes.velocity_y, nodes.displacement_y);
-    along_x + along_y
+    let masses = [fixed.nodal_mass, fixed.inverse_mass_x];
+    let along_x = move_along(set, dt, masses, nodes.force_x, nodes.velocity_x, nodes.displacement_x);
+    let masses = [fixed.nodal_mass, fixed.inverse_mass_y];
+    along_x + move_along(set, dt, masses, nodes.force_y, nodes.velocity_y, nodes.displacement_y)
 }
 
 #[inline(always)]
-fn move_along(
+fn move_along<S: Instructions>(
+    set: S,
     dt: Real,
-    mass: &[Real],
-    inverse_mass: &[Real],
+    [mass, inverse_mass]: [&[Real]; 2],
     force: &[Real],
     velocity: &mut [Real],
     displacement: &mut [Real],
 ) -> Real {
     let mut double_kinetic = ZERO;
-    for index in (0..mass.len()).step_by(LANES) {
-        let (mass, inverse_mass, force) = (load(mass, index), load(inverse_mass, index), load(force, index));
-        let (mut rate, mut moved) = (load(velocity, index), load(displacement, index));
-        for l in 0..LANES {
-            let before = rate[l];
-            rate[l] = before + dt * (inverse_mass[l] * force[l]);
-            moved[l] += dt * rate[l];
-            double_kinetic[l] += mass[l] * (before * rate[l]);
+    let fixed = mass.as_chunks().0.iter().zip(inverse_mass.as_chunks().0).zip(force.as_chunks().0);
+    let moving = velocity.as_chunks_mut().0.iter_mut().zip(displacement.as_chunks_mut().0);
+    for (((mass, inverse_mass), force), (velocity, displacement)) in fixed.zip(moving) {
+        for chunk in 0..LANES / S::WIDTH {
+            let before = set.load(velocity, chunk);
+            let after = before + (set.load(inverse_mass, chunk) * set.load(force, chunk)).times(dt);
+            set.store(after, velocity, chunk);
+            set.store(set.load(displacement, chunk) + after.times(dt), displacement, chunk);
+            let kinetic = set.load(&double_kinetic, chunk) + set.load(mass, chunk) * (before * after);
+            set.store(kinetic, &mut double_kinetic, chunk);
         }
-        store(velocity, index, &rate);
-        store(displacement, index, &moved);
     }
     0.5 * sum(&double_kinetic)
 }

@@ -1,6 +1,6 @@
 //! Stress of single triangles, as the last step left it in their history.
 
-use crate::lanes::{Deviator, LANES, contract};
+use crate::lanes::LANES;
 use crate::math;
 use crate::model::Model;
 use crate::real::Real;
@@ -29,19 +29,21 @@ impl Stress {
         // The terms of the first triangle, then those of the second, in a block's share of the history.
         let first = 2 * block * model.constants.n_term() + t * laws.n_term();
         let overstress = state.viscous.get(first..first + laws.n_term())?;
-        let mut deviator = [0.0; 3];
-        for part in [&history.elastic_prev, &history.slider_stress].into_iter().chain(overstress) {
-            add(&mut deviator, part, l)?;
+        let mut deviator = history.elastic_prev.lane(l)?;
+        for part in core::iter::once(&history.slider_stress).chain(overstress) {
+            deviator = deviator + part.lane(l)?;
         }
+        let deviator = deviator.section();
         let whole = if laws.tear.active() { laws.tear.factor(*history.largest_stretch.get(l)?) } else { 1.0 };
         let jacobian = jacobian(&history.stretch_prev, l)?;
-        let mean = laws.volumetric.stress(&[mean_jacobian(model, state, block, l)?; LANES]);
-        Some(Self { deviator: deviator.map(|kirchhoff| whole * kirchhoff / jacobian), mean: *mean.first()? })
+        let mean = laws.volumetric.stress(mean_jacobian(model, state, block, l)?);
+        Some(Self { deviator: deviator.map(|kirchhoff| whole * kirchhoff / jacobian), mean })
     }
 
     /// Von Mises stress, Pa.
     pub fn von_mises(&self) -> Real {
-        math::sqrt(1.5 * contract(self.deviator, self.deviator))
+        let [xx, yy, xy] = self.deviator;
+        math::sqrt(3.0 * (xx * (xx + yy) + yy * yy + xy * xy))
     }
 
     /// Principal stresses, Pa: the larger and the smaller one of the section, then the one out of the plane.
@@ -53,18 +55,11 @@ impl Stress {
     }
 }
 
-fn add(sum: &mut [Real; 3], part: &Deviator, l: usize) -> Option<()> {
-    for (total, lane) in sum.iter_mut().zip([&part.xx, &part.yy, &part.xy]) {
-        *total += lane.get(l)?;
-    }
-    Some(())
-}
-
 /// J of a triangle from its right stretch.
 fn jacobian(stretch: &[[Real; LANES]; 4], l: usize) -> Option<Real> {
-    let [u11, u22, u12, u33] = stretch.each_ref().map(|lane| lane.get(l).copied());
-    let (u11, u22, u12, u33) = (u11?, u22?, u12?, u33?);
-    Some((u11 * u22 - u12 * u12) * u33)
+    let [mean, difference, shear, hoop] = stretch.each_ref().map(|lane| lane.get(l).copied());
+    let (mean, difference, shear) = (mean?, difference?, shear?);
+    Some((mean * mean - (difference * difference + shear * shear)) * hoop?)
 }
 
 /// Volume-weighted mean J of a cell.

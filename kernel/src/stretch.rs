@@ -16,6 +16,19 @@ pub struct IsochoricStretch {
     pub u33: Real,
 }
 
+/// An isochoric right Cauchy-Green tensor C-bar = U-bar^2.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CauchyGreen<V> {
+    /// Mean in the section, (C11 + C22)/2.
+    pub mean: V,
+    /// Half difference in the section, (C11 - C22)/2.
+    pub difference: V,
+    /// Shear in the section, C12.
+    pub shear: V,
+    /// Component out of the section, C33.
+    pub out: V,
+}
+
 impl IsochoricStretch {
     /// No deformation.
     pub const REST: Self = Self { u11: 1.0, u22: 1.0, u12: 0.0, u33: 1.0 };
@@ -34,14 +47,13 @@ impl IsochoricStretch {
 
     /// The larger and the smaller stretch in the section, and the one out of it.
     pub fn principal(&self) -> [Real; 3] {
-        let largest = largest_in_plane(self.u11, self.u22, self.u12);
+        let largest = largest_in_plane(0.5 * (self.u11 + self.u22), 0.5 * (self.u11 - self.u22), self.u12);
         [largest, (self.u11 * self.u22 - self.u12 * self.u12) / largest, self.u33]
     }
 }
 
-/// The larger principal stretch in the section.
+/// The larger principal stretch in the section, from the mean of U11 and U22, half their difference, and U12.
 #[inline(always)]
-pub fn largest_in_plane(u11: Real, u22: Real, u12: Real) -> Real {
-    let half = 0.5 * (u11 - u22);
-    0.5 * (u11 + u22) + math::sqrt(half * half + u12 * u12)
+pub fn largest_in_plane(mean: Real, difference: Real, shear: Real) -> Real {
+    mean + math::sqrt(difference * difference + shear * shear)
 }

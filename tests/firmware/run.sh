@@ -22,11 +22,18 @@ arm-none-eabi-gcc -std=c11 -Wall -Wextra -Werror -O2 -ffp-contract=off -ffreesta
 # In Rust: the kernel itself.
 (cd tests/firmware/rust && cargo build -q --release --target "$target" --target-dir "$OLDPWD/$out")
 
-# QEMU prints what SYS_WRITE0 gives it to its standard error.
-board() { timeout 300 qemu-system-arm -M mps2-an500 -nographic -semihosting -icount shift=0 -kernel "$1" 2>&1; }
-# And in single precision, on the same processor as if its floating-point unit knew no other.
-(cd tests/firmware/rust/single && CARGO_TARGET_THUMBV7EM_NONE_EABIHF_RUSTFLAGS= \
-    cargo build -q --release --target "$target" --target-dir "$OLDPWD/$out/single")
+# And in either precision, on the same processor as if its floating-point unit knew single precision alone.
+for precision in double single; do
+    folder=tests/firmware/rust && [ $precision = double ] || folder+=/single
+    (cd $folder && CARGO_TARGET_THUMBV7EM_NONE_EABIHF_RUSTFLAGS= \
+        cargo build -q --release --bin drop --target "$target" --target-dir "$OLDPWD/$out/$precision")
+done
+
+# board ELF [STEPS]: QEMU prints what SYS_WRITE0 gives it to its standard error.
+board() {
+    timeout 300 qemu-system-arm -M mps2-an500 -nographic -semihosting-config "enable=on,arg=drop,arg=${2:-}" \
+        -icount shift=0 -kernel "$1" 2>&1
+}
 
 echo "-- in C"
 board "$out/drop-c.elf" | tee "$out/c.txt"
@@ -44,3 +51,23 @@ for program in c rust single; do
     [ -n "$stack" ] && [ "$stack" -le "$bound" ] || { echo "FAILED: $program uses $stack bytes of stack of $bound"; exit 1; }
 done
 grep -q "$bound bytes of stack" tests/firmware/README.md
+
+# Both precisions over the same first steps, the last third of them in contact: of double precision in software, more would
+# take QEMU a minute.
+steps=240 table=$out/precision.txt
+printf '%-10s %-17s %22s %13s %20s\n' kernel FPU 'instructions per step' 'flash, bytes' 'model, state, bytes' >"$table"
+while read -r kernel fpu elf; do
+    # Without the input, which QEMU would take the rest of the rows from.
+    printed=$(board "$elf" $steps </dev/null)
+    grep -q '^the bits of the golden trace$' <<<"$printed" || { echo "FAILED: $kernel, $fpu FPU: $printed"; exit 1; }
+    instructions=$(sed -n 's/^instructions per step \([0-9]*\),.*/\1/p' <<<"$printed")
+    flash=$(sed -n 's/^flash \([0-9]*\) bytes,.*/\1/p' <<<"$printed")
+    memory=$(sed -n 's/^model \([0-9]*\) bytes, state \([0-9]*\) bytes/\1 + \2/p' <<<"$printed")
+    printf '%-10s %-17s %22s %13s %20s\n' "$kernel" "$fpu" "$instructions" "$flash" "$memory" >>"$table"
+done <<END
+double double-precision $out/$target/release/drop
+double single-precision $out/double/$target/release/drop
+single single-precision $out/single/$target/release/drop
+END
+echo "-- both precisions, $steps steps"
+cat "$table"

@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "../c/host_environment.h"
+#include "check.h"
 #include "fmi2Functions.h"
 #include "fmi3Functions.h"
 #include "load.h"

@@ -44,8 +44,9 @@ static void load(const char *path)
 }
 
 enum {
-    TIME = 0, SHAPE = 1000, MASS = 1101, SAFETY = 1601, N_POINTS = 1900, PUSH = 2000, HEIGHT = 2001, FORCE = 3000,
-    PEAK = 3300, STEP = 4000, ELEMENTS = 4001, ACTIVE = 5000, HASH = 5001, PROFILE = 6001, UNKNOWN = 999
+    TIME = 0, SHAPE = 1000, MOTION = 1100, MASS = 1101, GAP = 1103, SAFETY = 1601, N_POINTS = 1900, PUSH = 2000, HEIGHT = 2001, SPEED = 2002, FORCE = 3000,
+    FILTERED = 3003, POSITION = 3200,
+    PEAK = 3300, STEP = 4000, ELEMENTS = 4001, ACTIVE = 5000, HASH = 5001, PROFILE = 6001, PRESSURE = 6002, UNKNOWN = 999
 };
 
 static const double SAMPLE = 50e-6;
@@ -226,6 +227,87 @@ static void interrupted(const char *token)
     }
 }
 
+static void set(fmi3Instance c, fmi3ValueReference reference, double value)
+{
+    CHECK(fmu.fmi3SetFloat64(c, &reference, 1, &value, 1) == fmi3OK);
+}
+
+/* An upward force on the falling mass: a softer impact, the same however a step is interrupted. */
+static void pushed(const char *token)
+{
+    char hash[17] = "";
+    for (int kind = 0; kind < 2; kind++) {
+        fmi3Instance c = updating = plain(token, kind == 1, kind == 1, kind == 1 ? update : NULL);
+        start(c);
+        if (kind == 1) step_mode(c);
+        set(c, PUSH, 1000.0);
+        for (int i = 0; i < 15; i++) march(c, i * 1e-3, 1e-3);
+        CHECK(kind == 0 || strcmp(text(c), hash) == 0);
+        snprintf(hash, sizeof hash, "%s", text(c));
+        CHECK(strcmp(hash, expected) != 0 && real(c, PEAK) > 1e3 && real(c, PEAK) < 5.2e3);
+        fmu.fmi3FreeInstance(c);
+    }
+}
+
+enum { N_PROFILE = 25 };
+
+/* A face that the master moves: 1 m/s downwards into the layer and up again, each command from where the last step ended,
+ * also after an early return. Leaves the pressures at the lowest point in `pressure` and returns the peak force. */
+static double moved(const char *token, int kind, double *pressure)
+{
+    const fmi3ValueReference motion = MOTION, profiles[2] = {PROFILE, PRESSURE};
+    const fmi3Int64 driven = 1;
+    fmi3Float64 values[2 * N_PROFILE];
+    int events = 0;
+    fmi3Instance c = updating = plain(token, kind >= 1, kind >= 1, kind == 2 ? update : NULL);
+    CHECK(fmu.fmi3SetInt64(c, &motion, 1, &driven, 1) == fmi3OK);
+    start(c);
+    if (kind >= 1) step_mode(c);
+    return_at = kind == 2 ? 3.33e-3 : INFINITY;
+    double height = real(c, GAP), time = 0.0;
+    const double top = height;
+    for (int i = 1; i <= 100; i++) {
+        const double speed = i <= 50 ? -1.0 : 1.0;
+        do {
+            set(c, HEIGHT, height);
+            set(c, SPEED, speed);
+            CHECK(step(c, time, i * 1e-4 - time) == fmi3OK);
+            height += speed * (told.time - time);
+            time = told.time;
+            CHECK(fabs(real(c, POSITION) - height) < 1e-15);
+            if (told.event) {
+                events++;
+                CHECK(fmu.fmi3EnterEventMode(c) == fmi3OK);
+                step_mode(c);
+            }
+        } while (told.early);
+        if (i == 50) {
+            CHECK(fmu.fmi3GetFloat64(c, profiles, 2, values, 2 * N_PROFILE) == fmi3OK);
+            CHECK(real(c, FORCE) > 100.0 && real(c, FILTERED) > 0.0);
+            /* Under the middle of the face the surface is where the face is; outside it falls away from the face. */
+            CHECK(fabs(values[0] - height) < 1e-12 && values[N_PROFILE - 1] < height && values[N_PROFILE] > 0.0);
+            CHECK(values[2 * N_PROFILE - 1] == 0.0);
+            memcpy(pressure, values + N_PROFILE, N_PROFILE * sizeof *pressure);
+        }
+    }
+    CHECK(fabs(height - top) < 1e-15 && real(c, FORCE) == 0.0 && (kind == 0 ? events == 0 : events >= 2));
+    const double peak = real(c, PEAK);
+    CHECK(fmu.fmi3Terminate(c) == fmi3OK);
+    fmu.fmi3FreeInstance(c);
+    return peak;
+}
+
+/* However the motion is cut into pieces, the rounding of the commands alone makes a difference. */
+static void driven(const char *token)
+{
+    double first[N_PROFILE], again[N_PROFILE];
+    const double peak = moved(token, 0, first);
+    for (int kind = 1; kind <= 2; kind++) {
+        CHECK(fabs(moved(token, kind, again) - peak) < 1e-9 * peak);
+        for (int i = 0; i < N_PROFILE; i++) CHECK(fabs(again[i] - first[i]) <= 1e-6 * first[0]);
+    }
+}
+
 /* Every function that takes an instance, with nulls for everything else. */
 static void with_nulls(fmi3Instance c)
 {
@@ -387,6 +469,8 @@ int main(int argc, char **argv)
     errors_logged = 0;
     whole_life(argv[2]);
     if (argc == 3) interrupted(argv[2]);
+    if (argc == 3) pushed(argv[2]);
+    if (argc == 3) driven(argv[2]);
     refusals(argv[2]);
     if (argc == 3) unstable(argv[2]);
     return failures != 0;

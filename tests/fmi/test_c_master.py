@@ -1,5 +1,5 @@
 """Masters in C with the standard's own headers: a whole life and every illegal call, under sanitizers and valgrind, and on
-the other platforms, where the trace hash of the drop must be the same."""
+the other platforms, where the trace hash of the drop must be the same; and a heap that refuses."""
 
 import os
 import pathlib
@@ -50,6 +50,14 @@ def test_under_valgrind(tmp_path, description, kernel, version):
     brief = ["brief"] if version == 3 else []
     result = run([*valgrind, program, os.environ["SOFTANVIL_LIBRARY"], description.guid, *brief])
     assert (result.stdout.strip(), result.stderr) == (kernel(14.7)["trace_hash"], "")
+
+
+def test_a_heap_that_refuses_is_an_error_and_ends_nothing(tmp_path, description, kernel):
+    program = build(tmp_path, "memory")
+    lines = run([program, os.environ["SOFTANVIL_LIBRARY"], description.guid]).stdout.split()
+    assert lines[1::2] == [kernel(14.7)["trace_hash"]] * 2
+    # Name, instance, six arrays of the model, state; what the state needs; the model for a state of another instance.
+    assert all(int(refused) >= 8 for refused in lines[0::2])
 
 
 @pytest.fixture

@@ -1,23 +1,38 @@
 #!/usr/bin/env bash
 # Builds the golden traces' runner (tests/golden) for every kind of target, runs the scenes there, carries a snapshot
-# there and back, and prints the digests as a table: all must be equal. Installs what it needs if it may; what it cannot
-# have is skipped by name (with CI=true a skip is a failure).
+# there and back, and prints the digests as a table: all must be equal. The rows are made side by side, as many as there
+# are processors. Installs what it needs if it may; what it cannot have is skipped by name (with CI=true a skip is a
+# failure).
 #
 #     tests/targets/run.sh [WORD]    only rows whose name contains WORD
 set -uo pipefail
 cd "$(dirname "$0")/../.."
 root=$PWD out=$PWD/target/targets only=${1:-}
-work=$out/work table=$out/table.txt
+table=$out/table.txt rows=$out/rows
 . tests/need.sh
-mkdir -p "$work"
-printf '%-44s %-6s  %-16s  %-16s  %s\n' target scenes 'until 2.5 ms' 'whole scenes' 'snapshot there and back' >"$table"
+rm -rf "$rows" && mkdir -p "$rows"
+{ rustc --version && echo; } >"$table"
+printf '%-44s %-6s  %-16s  %-16s  %s\n' target scenes 'until 2.5 ms' 'whole scenes' 'snapshot there and back' >>"$table"
 
 # The scene whose snapshots travel, and the records (0.25 ms each) at which they are saved.
 scene=yeoh leave=6 return=8
-rows=0 failed=0 skipped=0 home=()
+count=0 home=()
 
 wanted() { [[ $1 == *"$only"* ]]; }
-skip() { skipped=$((skipped + 1)); printf '%-44s skipped: %s\n' "$1" "$2" | tee -a "$table"; }
+
+# Each row has a folder to work in, whose name keeps the order, and leaves its line there, marked same, failed or skipped.
+next_row() { count=$((count + 1)); work=$rows/$(printf %02d $count); mkdir "$work"; }
+line() { printf '%s\n' "$2" | tee "$work/$1"; }
+skip() { next_row; line skipped "$(printf '%-44s skipped: %s' "$1" "$2")"; }
+fail() { line failed "$(printf '%-44s FAILED: %s' "$1" "$2")"; }
+
+# beside COMMAND...: makes a row while others are made.
+processors=$(nproc)
+beside() {
+    while [ "$(jobs -rp | wc -l)" -ge "$processors" ]; do wait -n; done
+    next_row
+    "$@" &
+}
 
 # The runner, and the folder of its firmware; at the end those in single precision take their place.
 runner=softanvil-golden firmware=tests/firmware/rust
@@ -26,7 +41,7 @@ runner=softanvil-golden firmware=tests/firmware/rust
 build() {
     local name=$1; shift
     CARGO_PROFILE_RELEASE_LTO=${LTO:-off} CARGO_PROFILE_RELEASE_CODEGEN_UNITS=${UNITS:-16} \
-        cargo build -q -p "$runner" --target-dir "$out/$name" "$@"
+        cargo build -q --jobs 1 -p "$runner" --target-dir "$out/$name" "$@"
 }
 
 # snapshots COMMAND...: a state saved at home goes on there, is saved, is the same file as one that never left, and goes
@@ -50,17 +65,16 @@ summary() {
 # row NAME CHECK COMMAND...: a line of the table; CHECK is the words of the check, which the first row's program, home,
 # answers too.
 row() {
-    local name=$1 check=$2 verdict=same carried=same expected found scenes until_short until_end; shift 2
-    [ ${#home[@]} -gt 0 ] || home=("$@")
+    local name=$1 check=$2 verdict=same carried=same expected found scenes until_short until_end text; shift 2
     expected=$(summary "$check" "${home[@]}")
     found=$(summary "$check" "$@") && [ -n "$found" ] && [ "$found" = "$expected" ] || verdict=DIFFERENT
     snapshots "$@" || carried=DIFFERENT
-    rows=$((rows + 1))
     read -r scenes until_short until_end <<<"$found"
-    printf '%-44s %-6s  %-16s  %-16s  %s\n' "$name" "${scenes:--}" "${until_short:--}" "${until_end:--}" "$carried" |
-        tee -a "$table"
-    if [ "$verdict $carried" != "same same" ]; then
-        failed=$((failed + 1))
+    printf -v text '%-44s %-6s  %-16s  %-16s  %s' "$name" "${scenes:--}" "${until_short:--}" "${until_end:--}" "$carried"
+    if [ "$verdict $carried" = "same same" ]; then
+        line same "$text"
+    else
+        line failed "$text"
         printf 'FAILED: %s; expected %s\n' "$name" "$expected"
         grep -ahv '^summary\|same$' "$work/row.txt" "$work/errors.txt" "$work/snapshots.txt" | head -20
     fi
@@ -68,26 +82,28 @@ row() {
 
 # native NAME FOLDER PROFILE CARGO_ARGUMENT...: a row of this machine.
 native() {
+    wanted "$1" && beside make_native "$@"
+}
+make_native() {
     local name=$1 folder=$2 profile=$3; shift 3
-    wanted "$name" || return 0
-    if build "$folder" --profile "$profile" "$@"; then
-        [ "$profile" = dev ] && profile=debug
-        row "$name" check "$out/$folder/$profile/$runner"
-    else
-        failed=$((failed + 1)); printf 'FAILED: %s does not build\n' "$name"
-    fi
+    build "$folder" --profile "$profile" "$@" || { fail "$name" "does not build"; return; }
+    [ "$profile" = dev ] && profile=debug
+    row "$name" check "$out/$folder/$profile/$runner"
+}
+
+# have_target NAME TARGET: whether rustup has the target of a row.
+have_target() {
+    timeout 120 rustup target add "$2" >/dev/null 2>&1 || { skip "$1" "rustup has no $2"; false; }
 }
 
 # foreign NAME TARGET CHECK EXTENSION COMMAND...: a row of another target, by a command that runs its programs.
 foreign() {
+    wanted "$1" && have_target "$1" "$2" && beside make_foreign "$@"
+}
+make_foreign() {
     local name=$1 target=$2 check=$3 extension=$4; shift 4
-    wanted "$name" || return 0
-    timeout 120 rustup target add "$target" >/dev/null 2>&1 || { skip "$name" "rustup has no $target"; return; }
-    if build "$target" --release --target "$target"; then
-        row "$name" "$check" "$@" "$out/$target/$target/release/$runner$extension"
-    else
-        failed=$((failed + 1)); printf 'FAILED: %s does not build\n' "$name"
-    fi
+    build "$target" --release --target "$target" || { fail "$name" "does not build"; return; }
+    row "$name" "$check" "$@" "$out/$target/$target/release/$runner$extension"
 }
 
 # board NAME TARGET FLAGS CHECK: a row of a Cortex-M7 without an operating system.
@@ -99,27 +115,46 @@ on_board() {
 }
 export -f on_board
 board() {
+    wanted "$1" && have_target "$1" "$2" && beside make_board "$@"
+}
+make_board() {
     local name=$1 target=$2 flags=$3 check=$4
-    wanted "$name" || return 0
-    timeout 120 rustup target add "$target" >/dev/null 2>&1 || { skip "$name" "rustup has no $target"; return; }
-    if (cd "$firmware" && RUSTFLAGS=$flags CARGO_PROFILE_RELEASE_LTO=off CARGO_PROFILE_RELEASE_CODEGEN_UNITS=16 \
-        cargo build -q --release --bin runner --target "$target" --target-dir "$out/firmware"); then
-        row "$name" "$check" bash -c 'on_board "$@"' board "$out/firmware/$target/release/runner"
+    (cd "$firmware" && RUSTFLAGS=$flags CARGO_PROFILE_RELEASE_LTO=off CARGO_PROFILE_RELEASE_CODEGEN_UNITS=16 \
+        cargo build -q --jobs 1 --release --bin runner --target "$target" --target-dir "$out/firmware-$runner-$target") ||
+        { fail "$name" "does not build"; return; }
+    row "$name" "$check" bash -c 'on_board "$@"' board "$out/firmware-$runner-$target/$target/release/runner"
+}
+
+# chosen NAME SET: the program with every instruction set, made to take one.
+chosen() {
+    build features --release --features $features || { fail "$1" "does not build"; return; }
+    row "$1" check "$out/features/release/softanvil-golden" --instructions "$2"
+}
+
+# refused: without SSE2 the kernel does not build, and says why.
+refused() {
+    rustup target add i586-unknown-linux-gnu >/dev/null 2>&1
+    cargo check -q -p softanvil-kernel --target i586-unknown-linux-gnu --target-dir "$out/x87" >"$work/x87.txt" 2>&1
+    if grep -q 'x86 without SSE2 is excluded' "$work/x87.txt"; then
+        line same "$(printf '%-44s as it must be' "$1")"
     else
-        failed=$((failed + 1)); printf 'FAILED: %s does not build\n' "$name"
+        fail "$1" "it builds, or for another reason not"
     fi
 }
 
 # The first row is what the others are compared with, so it is always there: as it is shipped.
 LTO=thin UNITS=1 build o3 --release || exit 1
-row "$(uname -m), opt-level 3" check "$out/o3/release/softanvil-golden"
+home=("$out/o3/release/softanvil-golden")
+next_row
+row "$(uname -m), opt-level 3" check "${home[@]}"
 native "$(uname -m), opt-level 0, debug" o0 dev
 for level in 2 s; do
     CARGO_PROFILE_RELEASE_OPT_LEVEL=$level native "$(uname -m), opt-level $level" "o$level" release
 done
 # With the features that other members of the workspace switch on: owned simulations, vectors chosen at run time.
-native "kernel with all its features" features release -p softanvil-kernel --all-features
-wanted "8 threads" && row "8 threads" check "$out/o3/release/softanvil-golden" --threads 8
+features=softanvil-kernel/alloc,softanvil-kernel/dispatch
+native "features as in the workspace" features release --features $features
+wanted "8 threads" && beside row "8 threads" check "${home[@]}" --threads 8
 RUSTFLAGS='-C no-vectorize-loops -C no-vectorize-slp' native "scalar" scalar release
 if [ "$(uname -m)" = x86_64 ]; then
     RUSTFLAGS='-C target-cpu=x86-64' native "SSE2" sse2 release
@@ -131,7 +166,25 @@ if [ "$(uname -m)" = x86_64 ]; then
             skip "$name" "the processor does not have it"
         fi
     done
+    # Chosen at run time, each made to be: one program with all of them.
+    for set in baseline avx2 avx512f; do
+        if [ $set = baseline ] || grep -qw $set /proc/cpuinfo; then
+            name="chosen at run time, ${set%f}"
+            wanted "$name" && beside chosen "$name" "${set%f}"
+        else
+            skip "chosen at run time, ${set%f}" "the processor does not have it"
+        fi
+    done
 fi
+
+# Compilers that are installed beside this one.
+compilers=$(rustc --version)
+for toolchain in $(rustup toolchain list 2>/dev/null | awk '{ print $1 }'); do
+    version=$(rustc "+$toolchain" --version | cut -d' ' -f1-2)
+    [[ $compilers != *"$version"* ]] || continue
+    compilers+=" $version"
+    RUSTUP_TOOLCHAIN=$toolchain native "$version" "compiler-$toolchain" release
+done
 
 if ! command -v rustup >/dev/null; then
     skip "other targets" "rustup is missing"
@@ -140,17 +193,7 @@ else
     if [ "$(uname -m)" = x86_64 ]; then
         export CARGO_TARGET_I686_UNKNOWN_LINUX_MUSL_RUSTFLAGS='-C linker=rust-lld -C linker-flavor=ld.lld'
         foreign "x86, 32 bit, SSE2" i686-unknown-linux-musl check ''
-        # Without SSE2 the kernel does not build, and says why.
-        if wanted "x87 is refused"; then
-            rustup target add i586-unknown-linux-gnu >/dev/null 2>&1
-            cargo check -q -p softanvil-kernel --target i586-unknown-linux-gnu --target-dir "$out/x87" \
-                >"$work/x87.txt" 2>&1
-            if grep -q 'x86 without SSE2 is excluded' "$work/x87.txt"; then
-                printf '%-44s as it must be\n' "x87 is refused" | tee -a "$table"
-            else
-                failed=$((failed + 1)); printf 'FAILED: x87 is refused\n'
-            fi
-        fi
+        wanted "x87 is refused" && beside refused "x87 is refused"
     fi
     export CARGO_TARGET_AARCH64_UNKNOWN_LINUX_MUSL_RUSTFLAGS='-C linker=rust-lld -C linker-flavor=ld.lld'
     if need qemu-aarch64 qemu-user; then
@@ -194,24 +237,34 @@ else
 fi
 
 # In single precision, with digests of its own.
-runner=softanvil-golden-f32 firmware=tests/firmware/rust/single home=()
-LTO=thin UNITS=1 native "f32: $(uname -m), opt-level 3" f32-o3 release
-native "f32: $(uname -m), opt-level 0, debug" f32-o0 dev
-if [ ${#home[@]} -gt 0 ] && command -v rustup >/dev/null; then
+runner=softanvil-golden-f32 firmware=tests/firmware/rust/single
+if wanted "f32: " || [[ $only == f32* ]]; then
+    LTO=thin UNITS=1 build f32-o3 --release || exit 1
+    home=("$out/f32-o3/release/$runner")
+    next_row
+    row "f32: $(uname -m), opt-level 3" check "${home[@]}"
+    native "f32: $(uname -m), opt-level 0, debug" f32-o0 dev
     # The skips of these tools were counted above.
-    if command -v qemu-s390x >/dev/null && command -v s390x-linux-gnu-gcc >/dev/null; then
-        foreign "f32: s390x, big-endian (qemu-user)" s390x-unknown-linux-gnu 'check --short' '' qemu-s390x
-    fi
-    if command -v node >/dev/null; then
-        foreign "f32: wasm32 (Node)" wasm32-wasip1 check .wasm node --no-warnings "$root/tests/targets/wasi.mjs"
-    fi
-    if command -v qemu-system-arm >/dev/null; then
-        board "f32: Cortex-M7, single-precision FPU (QEMU)" thumbv7em-none-eabihf '' 'check --short'
-        board "f32: Cortex-M7, without FPU (QEMU)" thumbv7em-none-eabi '' 'check --short yeoh'
+    if command -v rustup >/dev/null; then
+        if command -v qemu-s390x >/dev/null && command -v s390x-linux-gnu-gcc >/dev/null; then
+            foreign "f32: s390x, big-endian (qemu-user)" s390x-unknown-linux-gnu 'check --short' '' qemu-s390x
+        fi
+        if command -v node >/dev/null; then
+            foreign "f32: wasm32 (Node)" wasm32-wasip1 check .wasm node --no-warnings "$root/tests/targets/wasi.mjs"
+        fi
+        if command -v qemu-system-arm >/dev/null; then
+            board "f32: Cortex-M7, single-precision FPU (QEMU)" thumbv7em-none-eabihf '' 'check --short'
+            board "f32: Cortex-M7, without FPU (QEMU)" thumbv7em-none-eabi '' 'check --short yeoh'
+        fi
     fi
 fi
 
+wait
+verdict() { find "$rows" -name "$1" | wc -l; }
+for row in "$rows"/*/; do cat "$row"/{same,failed,skipped} 2>/dev/null; done >>"$table"
 printf '\n'
 cat "$table"
-printf '%d targets, %d failed, %d skipped; the table is in %s\n' "$rows" "$failed" "$skipped" "${table#"$root"/}"
-[ "$failed" = 0 ] && { [ "${CI:-}" != true ] || [ "$skipped" = 0 ]; }
+printf '%d rows, %d failed, %d skipped; the table is in %s\n' "$count" "$(verdict failed)" "$(verdict skipped)" \
+    "${table#"$root"/}"
+[ "$(verdict failed)" = 0 ] && [ "$(($(verdict same) + $(verdict skipped)))" = "$count" ] &&
+    { [ "${CI:-}" != true ] || [ "$(verdict skipped)" = 0 ]; }

@@ -40,7 +40,7 @@ impl Loaded {
         Some(Self {
             // SAFETY: the library has no initialisers.
             library: unsafe { Library::new(&path) }.expect("a shared library"),
-            token: CString::new(token()).expect("text without zeros"),
+            token: CString::new(token().as_str()).expect("text without zeros"),
             element_size: (reference("mesh.element_size"), scenario.mesh.element_size),
             outputs: RECORDED.map(reference),
             dt: kernel.constants().dt,

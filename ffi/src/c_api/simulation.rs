@@ -245,7 +245,7 @@ pub unsafe extern "C" fn softanvil_run(
     error: *mut SoftanvilError,
 ) -> SoftanvilStatus {
     // SAFETY: C keeps the conventions of the header.
-    unsafe { advance(simulation, input, error, |model, _| steps_in(&model.constants, duration)) }
+    unsafe { advance(simulation, input, error, |model, _| steps_in(model.constants, duration)) }
 }
 
 /// Steps that cover `duration`, if it is legal.

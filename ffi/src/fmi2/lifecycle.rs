@@ -7,7 +7,7 @@ use super::types::{self, Boolean, CO_SIMULATION, CallbackFunctions, FmuType, Rea
 use crate::environment::neutral;
 use crate::foreign::{Array, Given, Handle, Text};
 use crate::instance::Instance;
-use crate::log::{Log, Logger};
+use crate::log::{Log, Logger, Name};
 use crate::session::{Session, Status, enter};
 use crate::variables::{Version, token};
 
@@ -36,7 +36,7 @@ pub extern "C" fn fmi2SetDebugLogging(
     })
 }
 
-/// A new instance; null, with the reason in the log, for what cannot be one.
+/// A new instance; null, with the reason in the log, for what cannot be one, and null if there is no memory for it.
 #[unsafe(no_mangle)]
 pub extern "C" fn fmi2Instantiate(
     instance_name: Text,
@@ -50,7 +50,8 @@ pub extern "C" fn fmi2Instantiate(
     neutral(|| {
         let Some(callbacks) = functions.get() else { return Handle::NULL };
         let name = instance_name.get().unwrap_or_default();
-        let logger = callbacks.logger.map_or(Logger::Silent, |logger| Logger::Format(logger, name.into()));
+        let Some(own_name) = Name::new(name) else { return Handle::NULL };
+        let logger = callbacks.logger.map_or(Logger::Silent, |logger| Logger::Format(logger, own_name));
         let log = Log::new(logger, callbacks.environment, logging_on != 0);
         let refusal = if name.is_empty() {
             "the instance name is missing"
@@ -59,8 +60,8 @@ pub extern "C" fn fmi2Instantiate(
         } else if guid.get().map(CStr::to_bytes) != Some(token().as_bytes()) {
             "the GUID is not that of this library: model description and binary do not belong together"
         } else {
-            log.event("instantiated");
-            return Handle::new(Session::new(Instance::new(Version::Fmi2), log));
+            log.event(&"instantiated");
+            return Handle::new(Session::new(Instance::new(Version::Fmi2), log)).unwrap_or(Handle::NULL);
         };
         log.error("fmi2Instantiate", &refusal);
         Handle::NULL

@@ -48,14 +48,15 @@ fn open(
     } else if let Some(other) = other {
         other
     } else {
-        log.event("instantiated");
+        log.event(&"instantiated");
         return Some(log);
     };
     log.error(function, &refusal);
     None
 }
 
-/// A new instance of the preset; null, with the reason in the log, for what cannot be one.
+/// A new instance of the preset; null, with the reason in the log, for what cannot be one, and null if there is no memory for
+/// it.
 #[unsafe(no_mangle)]
 pub extern "C" fn fmi3InstantiateCoSimulation(
     instance_name: Text,
@@ -89,7 +90,7 @@ pub extern "C" fn fmi3InstantiateCoSimulation(
         let updates = IntermediateUpdates { call: intermediate_update, environment: instance_environment };
         let mut session = Session::new(instance, log);
         (session.early_return_allowed, session.updates) = (early_return_allowed, updates);
-        Handle::new(session)
+        Handle::new(session).unwrap_or(Handle::NULL)
     })
 }
 

@@ -114,6 +114,11 @@ pub enum Error {
     },
     /// The kernel could not complete a step.
     Step(StepError),
+    /// The heap has no room.
+    NoMemory {
+        /// Bytes needed.
+        bytes: usize,
+    },
     /// The saved state was refused.
     Snapshot(SnapshotError),
     /// The buffer does not have the length of the saved state.
@@ -142,6 +147,7 @@ impl fmt::Display for Error {
             Self::Model(error) => error.fmt(f),
             Self::Step(error) => error.fmt(f),
             Self::Snapshot(error) => error.fmt(f),
+            Self::NoMemory { bytes } => write!(f, "there is no memory for {bytes} bytes"),
             Self::StateSize { given, needed } => {
                 write!(f, "the buffer has {given} bytes: legal is exactly {needed}, the size of the saved state")
             }

@@ -4,7 +4,6 @@
 //! bytes; mode, start, whether there is a stop, stop, points of the profiles; the inputs; the parameters in the order of the kernel's table; the
 //! kernel's own snapshot, which is empty before the first step can be made; last the FNV-1a digest of everything before.
 
-use alloc::vec;
 use alloc::vec::Vec;
 
 use softanvil_kernel::digest::Digest;
@@ -69,6 +68,13 @@ fn header(bytes: &[u8]) -> Option<[u64; 4]> {
     (whole && header[0] == MAGIC && header[1] == VERSION).then_some(header)
 }
 
+/// An empty list with room for `length` bytes.
+fn room(length: usize) -> Result<Vec<u8>, Error> {
+    let mut bytes = Vec::new();
+    bytes.try_reserve_exact(length).map_err(|_| Error::NoMemory { bytes: length })?;
+    Ok(bytes)
+}
+
 fn word(chunk: &[u8]) -> u64 {
     chunk.first_chunk::<8>().map_or(0, |bytes| u64::from_le_bytes(*bytes))
 }
@@ -108,13 +114,13 @@ impl Instance {
     /// The state, to go back to later.
     ///
     /// # Errors
-    /// A state that has failed.
+    /// A state that has failed, or no memory.
     pub fn save(&mut self) -> Result<SavedState, Error> {
         let snapshot = self.snapshot()?;
         let Experiment { start, stop } = self.experiment;
         let words = HEADER_WORDS + INPUTS.len() + PARAMETERS.len() + 1;
         let length = 8 * words + snapshot.len();
-        let mut bytes = Vec::with_capacity(length);
+        let mut bytes = room(length)?;
         let mut put = |word: u64| bytes.extend_from_slice(&word.to_le_bytes());
         [MAGIC, VERSION, self.table.digest(), length as u64].into_iter().for_each(&mut put);
         put(self.mode as u64);
@@ -134,7 +140,9 @@ impl Instance {
             return Ok(Vec::new());
         }
         let Some(simulation) = &mut self.simulation else { return Ok(Vec::new()) };
-        let mut bytes = vec![0; snapshot_size(simulation.constants())];
+        let length = snapshot_size(simulation.constants());
+        let mut bytes = room(length)?;
+        bytes.resize(length, 0);
         simulation
             .with(|model, state| save(model, state, &mut bytes))
             .map_err(Error::Model)?
@@ -145,7 +153,7 @@ impl Instance {
     /// Reads back the bytes of a saved state.
     ///
     /// # Errors
-    /// Bytes that are no saved state, of another version, cut short or altered.
+    /// Bytes that are no saved state, of another version, cut short or altered; or no memory.
     pub fn read_state(&self, bytes: &[u8]) -> Result<SavedState, Error> {
         let header = header(bytes).ok_or(Error::Snapshot(SnapshotError::Format))?;
         if header[2] != self.table.digest() {
@@ -156,7 +164,9 @@ impl Instance {
         if u64::from_le_bytes(*checksum) != digest_of(content) {
             return Err(corrupt);
         }
-        let state = SavedState(bytes.to_vec());
+        let mut copy = room(bytes.len())?;
+        copy.extend_from_slice(bytes);
+        let state = SavedState(copy);
         state.content()?;
         Ok(state)
     }

@@ -8,13 +8,11 @@ pub mod references;
 mod token;
 pub mod units;
 
-use alloc::vec::Vec;
-
 use softanvil_kernel::parameter::Kind;
 use softanvil_kernel::{OUTPUTS, Output, PARAMETERS, Parameter, ParameterError, Scenario, preset};
 
 use profile::Profile;
-pub use token::token;
+pub use token::{Token, token};
 
 /// A version of the standard.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -317,23 +315,32 @@ static MODEL: [Variable; 5] = [
     },
 ];
 
+/// How many variables there are.
+const COUNT: usize = 1
+    + references::PARAMETERS.len()
+    + INPUTS.len()
+    + references::OUTPUTS.len()
+    + MODEL.len()
+    + profile::VARIABLES.len();
+
 /// All variables, in ascending order of their references.
 pub struct Table {
-    rows: Vec<Variable>,
+    rows: [Variable; COUNT],
     digest: u64,
 }
 
 impl Table {
     /// The table, made from the kernel's.
     pub fn new() -> Self {
-        let mut rows: Vec<Variable> = core::iter::once(TIME)
-            .chain(PARAMETERS.iter().filter_map(Variable::of_parameter))
+        let mut all = PARAMETERS
+            .iter()
+            .filter_map(Variable::of_parameter)
             .chain(INPUTS.iter().map(Variable::of_input))
             .chain(OUTPUTS.iter().filter_map(Variable::of_output))
             .chain(MODEL)
-            .chain(profile::VARIABLES)
-            .collect();
-        rows.sort_by_key(|variable| variable.reference);
+            .chain(profile::VARIABLES);
+        let mut rows = core::array::from_fn(|_| all.next().unwrap_or(TIME));
+        rows.sort_unstable_by_key(|variable: &Variable| variable.reference);
         let digest = token::digest(0, &rows);
         Self { rows, digest }
     }

@@ -71,8 +71,11 @@ fn start_values_are_legal() {
 fn the_token_is_stable_and_has_the_form_of_a_guid() {
     let token = token();
     assert_eq!(token, super::token());
-    assert_eq!(token.len(), 38);
-    assert_eq!(token.char_indices().filter(|(_, c)| *c == '-').map(|(i, _)| i).collect::<Vec<_>>(), [9, 14, 19, 24]);
+    assert_eq!(token.as_str().len(), 38);
+    assert_eq!(
+        token.as_str().char_indices().filter(|(_, c)| *c == '-').map(|(i, _)| i).collect::<Vec<_>>(),
+        [9, 14, 19, 24]
+    );
 }
 
 #[test]

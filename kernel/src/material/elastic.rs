@@ -1,12 +1,13 @@
 //! The choice of isochoric hyperelastic law, made once per block of triangles and outside the loop over lanes.
 
 use crate::element::Kinematics;
-use crate::lanes::{Deviator, Lane};
+use crate::lanes::Deviator;
 use crate::material::{MooneyRivlin, NeoHookean, Ogden, Yeoh};
 use crate::math;
 use crate::real::Real;
 use crate::scenario::{ElasticLaw, Material};
 use crate::stretch::IsochoricStretch;
+use crate::vector::Instructions;
 
 /// Long-term isochoric elasticity.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,14 +43,19 @@ impl Elastic {
         }
     }
 
-    /// Kirchhoff stress in the unrotated frame, Pa, and W, J/m3, of a block of triangles.
+    /// Kirchhoff stress in the unrotated frame, Pa, and W, J/m3, of neighbouring triangles; without `rings`, U33 = 1.
     #[inline(always)]
-    pub fn stress(&self, kinematics: &Kinematics) -> (Deviator, Lane) {
+    pub fn stress<S: Instructions>(
+        &self,
+        set: S,
+        kinematics: &Kinematics<S::Vector>,
+        rings: bool,
+    ) -> (Deviator<S::Vector>, S::Vector) {
         match self {
             Self::NeoHookean(law) => law.stress(kinematics),
-            Self::MooneyRivlin(law) => law.stress(kinematics),
+            Self::MooneyRivlin(law) => law.stress(kinematics, rings),
             Self::Yeoh(law) => law.stress(kinematics),
-            Self::Ogden(law) => law.stress(kinematics),
+            Self::Ogden(law) => law.stress(set, kinematics),
         }
     }
 

@@ -10,6 +10,7 @@ use crate::lanes::Deviator;
 use crate::material::relaxation::{Branches, MAX_BRANCHES, Overstress};
 use crate::real::Real;
 use crate::scenario::Material;
+use crate::vector::Instructions;
 
 /// Most additive Maxwell terms.
 pub const MAX_MAXWELL_TERMS: usize = MAX_BRANCHES;
@@ -46,7 +47,14 @@ impl Maxwell {
 
     /// Advances the `history` of a block (one entry per active term) by the deviatoric strain increment.
     #[inline(always)]
-    pub fn update(&self, strain_increment: &Deviator, history: &mut [Deviator], overstress: &mut Overstress) {
-        self.branches.update(strain_increment, history, overstress);
+    pub fn update<S: Instructions>(
+        &self,
+        set: S,
+        chunk: usize,
+        strain_increment: &Deviator<S::Vector>,
+        history: &mut [Deviator],
+        overstress: &mut Overstress<S::Vector>,
+    ) {
+        self.branches.update(set, chunk, strain_increment, history, overstress);
     }
 }

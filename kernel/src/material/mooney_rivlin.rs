@@ -7,11 +7,12 @@
 //! frame is tau = dev(2 W1 C-bar - 2 W2 C-bar^-1), because I2 = tr C-bar^-1 when det C-bar = 1.
 
 use crate::element::Kinematics;
-use crate::lanes::{Deviator, LANES, Lane};
+use crate::lanes::{Deviator, SQRT_THIRD};
 use crate::material::plane_shear_tangent;
 use crate::real::Real;
 use crate::scenario::Material;
 use crate::stretch::IsochoricStretch;
+use crate::vector::Vector;
 
 /// Long-term coefficients, Pa.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -61,30 +62,32 @@ impl MooneyRivlin {
         self.energy(i1, i2)
     }
 
-    /// Kirchhoff stress in the unrotated frame, Pa, and W, J/m3, of a block of triangles.
+    /// Kirchhoff stress in the unrotated frame, Pa, and W, J/m3, of neighbouring triangles; without `rings`, U33 = 1.
+    ///
+    /// In the section, C-bar^-1 is the adjugate of C-bar times C33, and out of it the determinant of the section.
     #[inline(always)]
-    pub fn stress(&self, kinematics: &Kinematics) -> (Deviator, Lane) {
-        let mut tau = Deviator::ZERO;
-        let mut energy = [0.0; LANES];
-        for l in 0..LANES {
-            let (u11, u22, u12, u33) = (kinematics.u11[l], kinematics.u22[l], kinematics.u12[l], kinematics.u33[l]);
-            let shear = u12 * u12;
-            let (c11, c22, c12, c33) = (u11 * u11 + shear, u22 * u22 + shear, u12 * (u11 + u22), u33 * u33);
-            let det = u11 * u22 - shear;
-            // J^(-2/3) scales C, J^(-4/3) its cofactors, which are C^-1 when det C-bar = 1.
-            let scale = kinematics.inverse_cbrt_j[l] * kinematics.inverse_cbrt_j[l];
-            let cofactor_scale = scale * scale;
-            let section = c11 + c22;
-            let i1 = scale * (section + c33);
-            let i2 = cofactor_scale * (section * c33 + det * det);
-            let (w1, w2) = self.derivatives(i1, i2);
-            let (a, b) = (2.0 * w1 * scale, 2.0 * w2 * cofactor_scale * c33);
-            let mean = (2.0 / 3.0) * (w1 * i1 - w2 * i2);
-            tau.xx[l] = a * c11 - b * c22 - mean;
-            tau.yy[l] = a * c22 - b * c11 - mean;
-            tau.xy[l] = (a + b) * c12;
-            energy[l] = self.energy(i1, i2);
-        }
+    pub fn stress<V: Vector>(&self, kinematics: &Kinematics<V>, rings: bool) -> (Deviator<V>, V) {
+        let Kinematics { mean, difference, shear, .. } = *kinematics;
+        let scale = kinematics.inverse_cbrt_j * kinematics.inverse_cbrt_j;
+        let squares = [mean * mean, difference * difference + shear * shear];
+        let c_mean = scale * (squares[0] + squares[1]);
+        let c_out = if rings { scale * (kinematics.hoop * kinematics.hoop) } else { scale };
+        let section = scale * if rings { squares[0] - squares[1] } else { kinematics.jacobian };
+        let (inverse_mean, inverse_out) = (c_mean * c_out, section * section);
+        // I1 - 3 and I2 - 3.
+        let a = c_mean + c_mean + c_out.plus(-3.0);
+        let b = inverse_mean + inverse_mean + inverse_out.plus(-3.0);
+        // Twice the derivatives of W.
+        let w1 = (a.times(4.0 * self.c20) + b.times(2.0 * self.c11)).plus(2.0 * self.c10);
+        let w2 = (b.times(4.0 * self.c02) + a.times(2.0 * self.c11)).plus(2.0 * self.c01);
+        let turned = (w1 + w2 * c_out) * (scale * (mean + mean));
+        let tau = Deviator {
+            mean: (w1 * (c_mean - c_out) - w2 * (inverse_mean - inverse_out)).times(SQRT_THIRD),
+            difference: turned * difference,
+            shear: turned * shear,
+        };
+        // W is of degree two without a constant: half the invariants times the mean of the slope and that at rest.
+        let energy = (a * w1.plus(2.0 * self.c10) + b * w2.plus(2.0 * self.c01)).times(0.25);
         (tau, energy)
     }
 

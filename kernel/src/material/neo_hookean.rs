@@ -2,11 +2,12 @@
 //! frame is tau = dev(2 C10 C-bar).
 
 use crate::element::Kinematics;
-use crate::lanes::{Deviator, LANES, Lane};
+use crate::lanes::{Deviator, SQRT_THIRD};
 use crate::material::plane_shear_tangent;
 use crate::real::Real;
 use crate::scenario::Material;
 use crate::stretch::IsochoricStretch;
+use crate::vector::Vector;
 
 /// Long-term coefficient, Pa.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,22 +27,17 @@ impl NeoHookean {
         self.c10 * (stretch.invariants().0 - 3.0)
     }
 
-    /// Kirchhoff stress in the unrotated frame, Pa, and W, J/m3, of a block of triangles.
+    /// Kirchhoff stress in the unrotated frame, Pa, and W, J/m3, of neighbouring triangles.
     #[inline(always)]
-    pub fn stress(&self, kinematics: &Kinematics) -> (Deviator, Lane) {
-        let mut tau = Deviator::ZERO;
-        let mut energy = [0.0; LANES];
+    pub fn stress<V: Vector>(&self, kinematics: &Kinematics<V>) -> (Deviator<V>, V) {
+        let c = kinematics.isochoric_cauchy_green();
         let factor = 2.0 * self.c10;
-        for l in 0..LANES {
-            let [c11, c22, c12, c33] = kinematics.isochoric_cauchy_green(l);
-            let i1 = c11 + c22 + c33;
-            let mean = i1 * (1.0 / 3.0);
-            tau.xx[l] = factor * (c11 - mean);
-            tau.yy[l] = factor * (c22 - mean);
-            tau.xy[l] = factor * c12;
-            energy[l] = self.c10 * (i1 - 3.0);
-        }
-        (tau, energy)
+        let tau = Deviator {
+            mean: (c.mean - c.out).times(factor * SQRT_THIRD),
+            difference: c.difference.times(factor),
+            shear: c.shear.times(factor),
+        };
+        (tau, (c.mean + c.mean + c.out.plus(-3.0)).times(self.c10))
     }
 
     /// Shear modulus at rest, Pa.

@@ -18,11 +18,12 @@
 //! written with e^y - 1 and sinh(alpha x / 2), which keeps them accurate for small strains as well.
 
 use crate::element::Kinematics;
-use crate::lanes::{Deviator, LANES, Lane};
+use crate::lanes::{Deviator, SQRT_THIRD};
 use crate::math;
 use crate::real::Real;
 use crate::scenario::Material;
 use crate::stretch::IsochoricStretch;
+use crate::vector::Instructions;
 
 /// Most terms of an Ogden law.
 pub const MAX_OGDEN_TERMS: usize = 3;
@@ -49,9 +50,10 @@ struct Mohr {
 }
 
 impl Mohr {
-    fn new(u: &IsochoricStretch) -> Self {
-        let g = math::sqrt(u.u11 * u.u22 - u.u12 * u.u12);
-        let direction = [0.5 * (u.u11 - u.u22) / g, u.u12 / g];
+    /// From mean, half difference and shear of U-bar in the section.
+    fn new(mean: Real, difference: Real, shear: Real) -> Self {
+        let g = math::sqrt((mean - difference) * (mean + difference) - shear * shear);
+        let direction = [difference / g, shear / g];
         let sinh = math::sqrt(direction[0] * direction[0] + direction[1] * direction[1]);
         Self { log: math::ln(g), sinh, x: math::asinh(sinh), direction }
     }
@@ -99,30 +101,34 @@ impl Ogden {
 
     /// W, J/m3 of reference volume.
     pub fn strain_energy_density(&self, stretch: &IsochoricStretch) -> Real {
-        let mohr = Mohr::new(stretch);
+        let mohr = Mohr::new(0.5 * (stretch.u11 + stretch.u22), 0.5 * (stretch.u11 - stretch.u22), stretch.u12);
         self.terms().fold(0.0, |sum, (mu, alpha)| sum + mu / alpha * Term::new(alpha, &mohr).energy)
     }
 
-    /// Kirchhoff stress in the unrotated frame, Pa, and W, J/m3, of a block of triangles.
-    #[inline]
-    pub fn stress(&self, kinematics: &Kinematics) -> (Deviator, Lane) {
-        let mut tau = Deviator::ZERO;
-        let mut energy = [0.0; LANES];
-        for l in 0..LANES {
-            let mohr = Mohr::new(&kinematics.isochoric_stretch(l));
-            let (mut step, mut slope) = (0.0, 0.0);
-            for (mu, alpha) in self.terms() {
-                let term = Term::new(alpha, &mohr);
-                step += mu * term.step;
-                slope += mu * term.slope;
-                energy[l] += mu / alpha * term.energy;
-            }
-            let mean = step * (1.0 / 3.0);
-            tau.xx[l] = mean + slope * mohr.direction[0];
-            tau.yy[l] = mean - slope * mohr.direction[0];
-            tau.xy[l] = slope * mohr.direction[1];
+    /// Kirchhoff stress in the unrotated frame, Pa, and W, J/m3, of neighbouring triangles.
+    #[inline(always)]
+    pub fn stress<S: Instructions>(
+        &self,
+        set: S,
+        kinematics: &Kinematics<S::Vector>,
+    ) -> (Deviator<S::Vector>, S::Vector) {
+        let Kinematics { mean, difference, shear, inverse_cbrt_j, .. } = *kinematics;
+        let stretch = [mean, difference, shear].map(|component| inverse_cbrt_j * component);
+        let [mean, difference, shear, energy] = set.map(stretch, |stretch| self.stress_of_one(stretch));
+        (Deviator { mean, difference, shear }, energy)
+    }
+
+    /// Components of the [`Deviator`] of stress, Pa, and W, J/m3, from mean, half difference and shear of U-bar.
+    fn stress_of_one(&self, [mean, difference, shear]: [Real; 3]) -> [Real; 4] {
+        let mohr = Mohr::new(mean, difference, shear);
+        let (mut step, mut slope, mut energy) = (0.0, 0.0, 0.0);
+        for (mu, alpha) in self.terms() {
+            let term = Term::new(alpha, &mohr);
+            step += mu * term.step;
+            slope += mu * term.slope;
+            energy += mu / alpha * term.energy;
         }
-        (tau, energy)
+        [SQRT_THIRD * step, slope * mohr.direction[0], slope * mohr.direction[1], energy]
     }
 
     /// Shear modulus at rest, Pa.

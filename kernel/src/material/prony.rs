@@ -7,10 +7,11 @@
 //! G_k = (g_k / g_inf) G_inf; on a law that stiffens this makes the dissipation too large at large
 //! strain (see [`crate::energy`]).
 
-use crate::lanes::{Deviator, LANES};
+use crate::lanes::Deviator;
 use crate::material::relaxation::{Branches, MAX_BRANCHES, Overstress};
 use crate::real::Real;
 use crate::scenario::Material;
+use crate::vector::Instructions;
 
 /// Most terms of a Prony series.
 pub const MAX_PRONY_TERMS: usize = MAX_BRANCHES;
@@ -48,21 +49,16 @@ impl Prony {
         self.overstress
     }
 
-    /// Advances the `history` of a block (one entry per active term) by the change of the elastic stress.
+    /// Advances the `history` of a block (one entry per active term) by the increment of the elastic stress.
     #[inline(always)]
-    pub fn update(
+    pub fn update<S: Instructions>(
         &self,
-        elastic: &Deviator,
-        elastic_prev: &Deviator,
+        set: S,
+        chunk: usize,
+        increment: &Deviator<S::Vector>,
         history: &mut [Deviator],
-        overstress: &mut Overstress,
+        overstress: &mut Overstress<S::Vector>,
     ) {
-        let mut increment = Deviator::ZERO;
-        for l in 0..LANES {
-            increment.xx[l] = elastic.xx[l] - elastic_prev.xx[l];
-            increment.yy[l] = elastic.yy[l] - elastic_prev.yy[l];
-            increment.xy[l] = elastic.xy[l] - elastic_prev.xy[l];
-        }
-        self.branches.update(&increment, history, overstress);
+        self.branches.update(set, chunk, increment, history, overstress);
     }
 }

@@ -7,9 +7,10 @@
 //!
 //! Its dashpot has the viscosity G tau and dissipates the power H : H / (2 G tau), which no history makes negative.
 
-use crate::lanes::{Deviator, LANES, Lane, ZERO};
+use crate::lanes::Deviator;
 use crate::math;
 use crate::real::Real;
+use crate::vector::{Instructions, Vector};
 
 /// Most branches of one kind.
 pub const MAX_BRANCHES: usize = 5;
@@ -24,21 +25,28 @@ pub struct Branches {
     fluidity: [Real; MAX_BRANCHES],
 }
 
-/// Stress of a block with its overstress, and what the overstress does in a step.
-pub struct Overstress {
+/// Stress of neighbouring triangles with their overstress, and what the overstress does in a step.
+pub struct Overstress<V> {
     /// Stress after the step with the sum over the branches, Pa.
-    pub total: Deviator,
-    /// Sum over the branches before the step and after it, Pa.
-    pub double_mean: Deviator,
+    pub total: Deviator<V>,
+    /// Sum over the branches before the step, Pa.
+    pub before: Deviator<V>,
     /// Power that the dashpots dissipate after the step, W/m3.
-    pub power: Lane,
+    pub power: V,
 }
 
-impl Overstress {
+impl<V: Vector> Overstress<V> {
     /// No branch yet, beside the stress `rest`.
     #[inline(always)]
-    pub fn beside(rest: &Deviator) -> Self {
-        Self { total: *rest, double_mean: Deviator::ZERO, power: ZERO }
+    pub fn beside<S: Instructions<Vector = V>>(set: S, rest: Deviator<V>) -> Self {
+        let zero = set.splat(0.0);
+        Self { total: rest, before: Deviator { mean: zero, difference: zero, shear: zero }, power: zero }
+    }
+
+    /// Sum over the branches before and after the step, Pa, beside the stress `rest`.
+    #[inline(always)]
+    pub fn double_mean(&self, rest: &Deviator<V>) -> Deviator<V> {
+        self.before + (self.total - *rest)
     }
 }
 
@@ -67,27 +75,23 @@ impl Branches {
 
     /// Advances the `history` of a block (one entry per branch) by the `increment` of what drives it, and adds it up.
     #[inline(always)]
-    pub fn update(&self, increment: &Deviator, history: &mut [Deviator], overstress: &mut Overstress) {
+    pub fn update<S: Instructions>(
+        &self,
+        set: S,
+        chunk: usize,
+        increment: &Deviator<S::Vector>,
+        history: &mut [Deviator],
+        overstress: &mut Overstress<S::Vector>,
+    ) {
         let constants = self.decay.iter().zip(&self.gain).zip(&self.fluidity);
-        let Overstress { total, double_mean, power } = overstress;
-        for (stress, ((decay, gain), fluidity)) in history.iter_mut().zip(constants) {
-            for l in 0..LANES {
-                let before = [stress.xx[l], stress.yy[l], stress.xy[l]];
-                let xx = decay * before[0] + gain * increment.xx[l];
-                let yy = decay * before[1] + gain * increment.yy[l];
-                let xy = decay * before[2] + gain * increment.xy[l];
-                stress.xx[l] = xx;
-                stress.yy[l] = yy;
-                stress.xy[l] = xy;
-                total.xx[l] += xx;
-                total.yy[l] += yy;
-                total.xy[l] += xy;
-                double_mean.xx[l] += before[0] + xx;
-                double_mean.yy[l] += before[1] + yy;
-                double_mean.xy[l] += before[2] + xy;
-                // Half of H : H, with zz = -(xx + yy).
-                power[l] += fluidity * (xx * (xx + yy) + yy * yy + xy * xy);
-            }
+        for (history, ((decay, gain), fluidity)) in history.iter_mut().zip(constants) {
+            let before = set.load_deviator(history, chunk);
+            let stress = before.scaled(set.splat(*decay)) + increment.scaled(set.splat(*gain));
+            set.store_deviator(&stress, history, chunk);
+            overstress.before = overstress.before + before;
+            overstress.total = overstress.total + stress;
+            // Half of H : H.
+            overstress.power = overstress.power + stress.half_contract(&stress).times(*fluidity);
         }
     }
 }

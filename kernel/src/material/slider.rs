@@ -8,9 +8,10 @@
 //! stress, whatever its speed, and nothing drifts. The rate of Jaumann would oscillate in large simple shear and needs
 //! the rotation integrated.
 
-use crate::lanes::{Deviator, LANES, Lane, ZERO, contract};
+use crate::lanes::{Deviator, SQRT_THIRD};
 use crate::math;
 use crate::real::Real;
+use crate::vector::{Instructions, Vector};
 
 /// Constants of the spring-slider.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,12 +22,14 @@ pub struct Slider {
     pub yield_stress: Real,
 }
 
-/// Energies of a block's springs and sliders, J/m3.
-pub struct SliderEnergy {
-    /// Dissipated in the step, from the mean of the stresses before and after.
-    pub dissipation: Lane,
-    /// Stored in the spring after the step.
-    pub stored: Lane,
+/// Springs and sliders of neighbouring triangles after a step.
+pub struct SliderStep<V> {
+    /// Stress of the springs, Pa.
+    pub stress: Deviator<V>,
+    /// Energy dissipated in the step, J/m3, from the mean of the stresses before and after.
+    pub dissipation: V,
+    /// Energy stored in the springs, J/m3.
+    pub stored: V,
 }
 
 impl Slider {
@@ -36,36 +39,29 @@ impl Slider {
         self.stiffness > 0.0
     }
 
-    /// Advances the `stress` of a block by the deviatoric strain increment.
+    /// Advances the stress `before` of neighbouring triangles by the deviatoric strain increment.
     #[inline(always)]
-    pub fn update(&self, strain_increment: &Deviator, stress: &mut Deviator) -> SliderEnergy {
-        let mut energy = SliderEnergy { dissipation: ZERO, stored: ZERO };
+    pub fn update<S: Instructions>(
+        &self,
+        set: S,
+        strain_increment: &Deviator<S::Vector>,
+        before: &Deviator<S::Vector>,
+    ) -> SliderStep<S::Vector> {
+        let one = set.splat(1.0);
         let double_stiffness = 2.0 * self.stiffness;
-        let (half_compliance, quarter_compliance) = (0.5 / double_stiffness, 0.25 / self.stiffness);
-        let squared_limit = self.yield_stress * self.yield_stress * (2.0 / 3.0);
-        let limit = self.yield_stress * SQRT_TWO_THIRDS;
-        for l in 0..LANES {
-            let before = [stress.xx[l], stress.yy[l], stress.xy[l]];
-            let trial = [
-                before[0] + double_stiffness * strain_increment.xx[l],
-                before[1] + double_stiffness * strain_increment.yy[l],
-                before[2] + double_stiffness * strain_increment.xy[l],
-            ];
-            // The von Mises stress is the root of 3/2 trial : trial.
-            let squared = contract(trial, trial);
-            let returned = limit * math::inverse_sqrt(squared);
-            let scale = if squared > squared_limit { returned } else { 1.0 };
+        let trial = *before + strain_increment.scaled(set.splat(double_stiffness));
+        // The von Mises stress is the root of 3/2 trial : trial.
+        let squared = trial.half_contract(&trial);
+        let returned = math::inverse_sqrt(squared).times(self.yield_stress * SQRT_THIRD);
+        let limit = set.splat(self.yield_stress * self.yield_stress * (1.0 / 3.0));
+        let scale = squared.if_greater(limit, returned, one);
+        let scaled = scale * squared;
+        let compliance = 1.0 / double_stiffness;
+        SliderStep {
+            stress: trial.scaled(scale),
             // The slip increment is (trial - after) / 2G = (1 - scale) / 2G trial, and after = scale trial.
-            let double_mean = contract(before, trial) + scale * squared;
-            energy.dissipation[l] = (1.0 - scale) * half_compliance * double_mean;
-            energy.stored[l] = quarter_compliance * (scale * scale * squared);
-            stress.xx[l] = scale * trial[0];
-            stress.yy[l] = scale * trial[1];
-            stress.xy[l] = scale * trial[2];
+            dissipation: ((one - scale) * (before.half_contract(&trial) + scaled)).times(compliance),
+            stored: (scale * scaled).times(compliance),
         }
-        energy
     }
 }
-
-/// The square root of 2/3, rounded once.
-const SQRT_TWO_THIRDS: Real = 0.816_496_580_927_726;

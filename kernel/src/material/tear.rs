@@ -11,10 +11,10 @@
 //! counted with their work (see [`crate::energy`]), before and after.
 
 use crate::element::Kinematics;
-use crate::lanes::{LANES, Lane};
 use crate::real::Real;
 use crate::scenario::Material;
 use crate::stretch::largest_in_plane;
+use crate::vector::Instructions;
 
 /// Constants of a tear.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -51,18 +51,21 @@ impl Tear {
         }
     }
 
-    /// Takes the stretch of a block into the `largest` so far; returns phi before and after.
-    #[inline]
-    pub fn update(&self, kinematics: &Kinematics, largest: &mut Lane) -> [Lane; 2] {
-        let mut factors = [[1.0; LANES]; 2];
-        for l in 0..LANES {
-            factors[0][l] = self.factor(largest[l]);
-            let in_plane = largest_in_plane(kinematics.u11[l], kinematics.u22[l], kinematics.u12[l]);
-            for stretch in [in_plane, kinematics.u33[l]] {
-                largest[l] = if stretch > largest[l] { stretch } else { largest[l] };
+    /// Takes the stretch of neighbouring triangles into the `largest` so far; returns it, and phi before and after.
+    #[inline(always)]
+    pub fn update<S: Instructions>(
+        &self,
+        set: S,
+        kinematics: &Kinematics<S::Vector>,
+        largest: S::Vector,
+    ) -> [S::Vector; 3] {
+        let Kinematics { mean, difference, shear, hoop, .. } = *kinematics;
+        set.map([mean, difference, shear, hoop, largest], |[mean, difference, shear, hoop, before]| {
+            let mut largest = before;
+            for stretch in [largest_in_plane(mean, difference, shear), hoop] {
+                largest = if stretch > largest { stretch } else { largest };
             }
-            factors[1][l] = self.factor(largest[l]);
-        }
-        factors
+            [largest, self.factor(before), self.factor(largest)]
+        })
     }
 }

@@ -4,10 +4,10 @@
 //! * Simo (Simo, Taylor and Pister 1985; Simo and Miehe 1992): U = K/4 (J^2 - 1 - 2 ln J), p = K/2 (J - 1/J), which
 //!   grows without bound as J goes to 0 and so keeps J positive.
 
-use crate::lanes::{LANES, Lane};
 use crate::math;
 use crate::real::Real;
 use crate::scenario::{Material, VolumetricLaw};
+use crate::vector::{Instructions, Vector};
 
 /// The chosen law and its modulus.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,49 +24,31 @@ impl Volumetric {
         Self { law: material.volumetric_law, bulk_modulus: material.effective_bulk_modulus() }
     }
 
-    /// dU/dJ at each lane's mean `jacobian`, Pa.
+    /// dU/dJ at the mean `jacobian` of neighbouring cells, Pa.
     #[inline(always)]
-    pub fn stress(&self, jacobian: &Lane) -> Lane {
-        let mut stress = [0.0; LANES];
+    pub fn stress<V: Vector>(&self, jacobian: V) -> V {
+        let dilatation = jacobian.plus(-1.0);
         match self.law {
-            VolumetricLaw::Quadratic => {
-                for l in 0..LANES {
-                    stress[l] = self.bulk_modulus * (jacobian[l] - 1.0);
-                }
-            }
-            VolumetricLaw::Simo => {
-                let half = 0.5 * self.bulk_modulus;
-                for l in 0..LANES {
-                    // (J - 1)(J + 1) / J, which is exact near rest.
-                    stress[l] = half * ((jacobian[l] - 1.0) * (jacobian[l] + 1.0)) / jacobian[l];
-                }
-            }
+            VolumetricLaw::Quadratic => dilatation.times(self.bulk_modulus),
+            // (J - 1)(J + 1) / J, which is exact near rest.
+            VolumetricLaw::Simo => (dilatation * jacobian.plus(1.0)).times(0.5 * self.bulk_modulus) / jacobian,
         }
-        stress
     }
 
-    /// U at each lane's mean `jacobian`, J/m3 of reference volume. Error of Simo's: below 10^-15 K, from the logarithm.
+    /// U at the mean `jacobian` of neighbouring cells, J/m3 of reference volume. Error of Simo's: below 10^-15 K, from the
+    /// logarithm.
     #[inline(always)]
-    pub fn strain_energy_density(&self, jacobian: &Lane) -> Lane {
-        let mut energy = [0.0; LANES];
+    pub fn strain_energy_density<S: Instructions>(&self, set: S, jacobian: S::Vector) -> S::Vector {
+        let dilatation = jacobian.plus(-1.0);
+        let square = dilatation * dilatation;
         match self.law {
-            VolumetricLaw::Quadratic => {
-                for l in 0..LANES {
-                    let dilatation = jacobian[l] - 1.0;
-                    energy[l] = 0.5 * self.bulk_modulus * dilatation * dilatation;
-                }
-            }
+            VolumetricLaw::Quadratic => square.times(0.5 * self.bulk_modulus),
             VolumetricLaw::Simo => {
-                let quarter = 0.25 * self.bulk_modulus;
-                for l in 0..LANES {
-                    let dilatation = jacobian[l] - 1.0;
-                    // J^2 - 1 - 2 ln J with d = J - 1.
-                    let first_order = dilatation - math::ln_1p(dilatation);
-                    energy[l] = quarter * (dilatation * dilatation + 2.0 * first_order);
-                }
+                // J^2 - 1 - 2 ln J with d = J - 1.
+                let [first_order] = set.map([dilatation], |[d]| [d - math::ln_1p(d)]);
+                (square + first_order.times(2.0)).times(0.25 * self.bulk_modulus)
             }
         }
-        energy
     }
 
     /// An upper bound of the modulus of volume strain at `jacobian`, Pa: J^2 d2U/dJ2, the modulus against spatial

@@ -2,11 +2,12 @@
 //! Kirchhoff stress in the unrotated frame is tau = dev(2 dW/dI1 C-bar). Zero coefficients give one or two terms.
 
 use crate::element::Kinematics;
-use crate::lanes::{Deviator, LANES, Lane};
+use crate::lanes::{Deviator, SQRT_THIRD};
 use crate::material::plane_shear_tangent;
 use crate::real::Real;
 use crate::scenario::Material;
 use crate::stretch::IsochoricStretch;
+use crate::vector::Vector;
 
 /// Long-term coefficients, Pa.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,22 +44,19 @@ impl Yeoh {
         self.energy(stretch.invariants().0 - 3.0)
     }
 
-    /// Kirchhoff stress in the unrotated frame, Pa, and W, J/m3, of a block of triangles.
+    /// Kirchhoff stress in the unrotated frame, Pa, and W, J/m3, of neighbouring triangles.
     #[inline(always)]
-    pub fn stress(&self, kinematics: &Kinematics) -> (Deviator, Lane) {
-        let mut tau = Deviator::ZERO;
-        let mut energy = [0.0; LANES];
-        for l in 0..LANES {
-            let [c11, c22, c12, c33] = kinematics.isochoric_cauchy_green(l);
-            let i1 = c11 + c22 + c33;
-            let mean = i1 * (1.0 / 3.0);
-            let factor = 2.0 * self.slope(i1 - 3.0);
-            tau.xx[l] = factor * (c11 - mean);
-            tau.yy[l] = factor * (c22 - mean);
-            tau.xy[l] = factor * c12;
-            energy[l] = self.energy(i1 - 3.0);
-        }
-        (tau, energy)
+    pub fn stress<V: Vector>(&self, kinematics: &Kinematics<V>) -> (Deviator<V>, V) {
+        let c = kinematics.isochoric_cauchy_green();
+        let a = c.mean + c.mean + c.out.plus(-3.0);
+        let slope = a * (a.times(3.0 * self.c30)).plus(2.0 * self.c20);
+        let factor = slope.plus(self.c10).times(2.0);
+        let tau = Deviator {
+            mean: factor * (c.mean - c.out).times(SQRT_THIRD),
+            difference: factor * c.difference,
+            shear: factor * c.shear,
+        };
+        (tau, a * (a * a.times(self.c30).plus(self.c20)).plus(self.c10))
     }
 
     /// Shear modulus at rest, Pa.

@@ -3,7 +3,7 @@
 use core::fmt;
 
 use softanvil_kernel::snapshot::{restore, save, snapshot_size, state_digest};
-use softanvil_kernel::{Model, ModelError, SnapshotError, State, StepError, step};
+use softanvil_kernel::{InstructionSet, Model, ModelError, SnapshotError, State, StepError, step_with};
 
 use crate::memory::Memory;
 use crate::record::Record;
@@ -16,6 +16,8 @@ pub struct Run<'a> {
     pub model: Model<'a>,
     /// The state that changes.
     pub state: State<'a>,
+    /// What the steps are made with.
+    pub instructions: InstructionSet,
 }
 
 /// Why a scene could not be simulated.
@@ -50,7 +52,7 @@ impl<'a> Run<'a> {
         let (model, state) = memory.split();
         let model = Model::new(&(scene.scenario)(), model).map_err(Failure::Model)?;
         let state = State::new(&model, state).map_err(Failure::Model)?;
-        Ok(Self { scene, model, state })
+        Ok(Self { scene, model, state, instructions: InstructionSet::best() })
     }
 
     /// Steps between records.
@@ -80,8 +82,8 @@ impl<'a> Run<'a> {
     /// # Errors
     /// A step that fails.
     pub fn step(&mut self) -> Result<(), Failure> {
-        let input = (self.scene.input)(&self.model.constants, self.state.scalars.step_index);
-        step(&self.model, &mut self.state, &input).map_err(Failure::Step)
+        let input = (self.scene.input)(self.model.constants, self.state.scalars.step_index);
+        step_with(self.instructions, &self.model, &mut self.state, &input).map_err(Failure::Step)
     }
 
     /// Goes on to the next record; none at the end.
@@ -103,7 +105,7 @@ impl<'a> Run<'a> {
     /// # Errors
     /// Too little room.
     pub fn save<'b>(&self, bytes: &'b mut [u8]) -> Result<&'b [u8], Failure> {
-        let (given, needed) = (bytes.len(), snapshot_size(&self.model.constants));
+        let (given, needed) = (bytes.len(), snapshot_size(self.model.constants));
         let short = Failure::Snapshot(SnapshotError::Length { given, needed });
         let bytes = bytes.get_mut(..needed).ok_or(short)?;
         save(&self.model, &self.state, bytes).map_err(Failure::Snapshot)?;

@@ -9,6 +9,7 @@
 
 use core::fmt::{self, Arguments};
 
+use softanvil_kernel::InstructionSet;
 use softanvil_kernel::digest::Digest;
 
 use crate::check::Checker;
@@ -25,6 +26,10 @@ pub trait Host {
     fn read(&mut self, name: &str, room: &mut [u8]) -> Option<usize>;
     /// Writes a file; returns whether it could.
     fn write(&mut self, name: &str, bytes: &[u8]) -> bool;
+    /// What the steps are made with.
+    fn instructions(&self) -> InstructionSet {
+        InstructionSet::best()
+    }
 }
 
 /// What the commands work in.
@@ -137,6 +142,7 @@ fn check_scene(
     let last = if short { SHORT } else { u64::MAX };
     let mut at_short = None;
     let played = Run::new(scene, memory).and_then(|mut run| {
+        run.instructions = host.instructions();
         play(&mut run, scene, last, host, |number, record| {
             if number == SHORT {
                 at_short = Some(record.state);
@@ -219,6 +225,7 @@ fn save<'w>(
     room: &mut Room,
 ) -> Result<bool, Refusal<'w>> {
     let mut run = Run::new(scene, &mut room.memory).map_err(Refusal::Run)?;
+    run.instructions = host.instructions();
     finish(&mut run, scene, Some((last, file)), host, &mut room.snapshot)
 }
 
@@ -230,6 +237,7 @@ fn resume<'w>(
     room: &mut Room,
 ) -> Result<bool, Refusal<'w>> {
     let mut run = Run::new(scene, &mut room.memory).map_err(Refusal::Run)?;
+    run.instructions = host.instructions();
     let length = host.read(from, &mut room.snapshot).ok_or(Refusal::File(from))?;
     run.restore(room.snapshot.get(..length).unwrap_or_default()).map_err(Refusal::Run)?;
     host.line(format_args!("{} taken over at step {}", scene.name, run.state.scalars.step_index));

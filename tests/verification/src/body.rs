@@ -1,9 +1,12 @@
 //! A meshed body whose internal forces are asked of the kernel at any displacement: the bridge from the kernel's step to
 //! the static solver, and to triangles without the patch.
 
-use softanvil_kernel::element::{CellConstants, CellHistory, Corners, ElementEnergy, HoopConstants, internal_force};
+use softanvil_kernel::element::{
+    Block, CellConstants, CellHistory, Corners, ElementEnergy, HoopConstants, internal_force,
+};
 use softanvil_kernel::lanes::{Deviator, LANES, ZERO};
 use softanvil_kernel::mesh::triangles;
+use softanvil_kernel::vector::Scalar;
 use softanvil_kernel::{Constants, Model, ModelMemory, Scenario, Size, State, StateMemory, StepInput, step};
 
 /// A number pair per node (u, v), at index `u + v (n_u + 1)`.
@@ -144,32 +147,32 @@ impl Body {
     pub fn cell_stress(&self, displacement: &Field, u: usize, v: usize) -> [f64; 4] {
         let position = self.positions();
         let (block, lane) = (v * self.constants.grid.blocks_per_row() + u / LANES, u % LANES);
-        let mut corners: Corners = [[ZERO; 2]; 4];
+        let mut corners: Corners<f64> = [[0.0; 2]; 4];
         for (corner, value) in corners.iter_mut().enumerate() {
-            let moved = displacement[self.corner(u, v, corner)];
-            (value[0][lane], value[1][lane]) = (moved[0], moved[1]);
+            *value = displacement[self.corner(u, v, corner)];
         }
         let constants = &self.cells[0][block];
+        let mut energy = ElementEnergy::ZERO;
         let force = internal_force(
-            self.constants.laws_of(block),
-            constants,
-            self.hoops.get(block),
+            Scalar,
+            lane,
+            &Block { laws: self.constants.laws_of(block), constants, hoop: self.hoops.get(block) },
             &corners,
             &mut CellHistory::REST.clone(),
             &mut vec![Deviator::ZERO; 2 * self.constants.n_term()],
-            &mut ElementEnergy::ZERO.clone(),
-        )
-        .expect("a positive Jacobian");
+            &mut energy,
+        );
+        assert_eq!(energy.inverted, ZERO, "a positive Jacobian");
         // sum f (x) X = V P, in which the hoop stress adds to xx; the radial forces alone add up to V P33 / R.
         let volume: f64 = constants.triangle.iter().map(|t| t.reference_volume[lane]).sum();
         let mut moment = [[0.0; 2]; 2];
         let mut radial = 0.0;
         for (corner, force) in force.iter().enumerate() {
             let reference = position[self.corner(u, v, corner)];
-            radial += force[0][lane];
+            radial += force[0];
             for i in 0..2 {
                 for j in 0..2 {
-                    moment[i][j] += force[i][lane] * reference[j] / volume;
+                    moment[i][j] += force[i] * reference[j] / volume;
                 }
             }
         }

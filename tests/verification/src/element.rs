@@ -1,9 +1,10 @@
 //! One cell of two triangles, driven through a history of deformation gradients, as the kernel's step drives it.
 
-use softanvil_kernel::element::{CellHistory, Corners, ElementEnergy, internal_force};
-use softanvil_kernel::lanes::{Deviator, LANES, ZERO, sum};
+use softanvil_kernel::element::{Block, CellHistory, Corners, ElementEnergy, internal_force};
+use softanvil_kernel::lanes::{Deviator, ZERO, sum};
 use softanvil_kernel::material::Laws;
 use softanvil_kernel::scenario::{Formulation, Material};
+use softanvil_kernel::vector::Scalar;
 use softanvil_kernel::{Model, ModelMemory, Scenario, Size};
 
 use crate::scenes;
@@ -72,27 +73,26 @@ impl Cell {
     /// Deforms the cell homogeneously; returns the mean first Piola-Kirchhoff stress from the nodal forces, Pa:
     /// sum_a f_a (x) X_a = V P. In an axisymmetric cell the xx entry is P11 + P33.
     pub fn deform(&mut self, gradient: Gradient) -> Gradient {
-        let mut displacement: Corners = [[ZERO; 2]; 4];
+        let mut displacement: Corners<f64> = [[0.0; 2]; 4];
         for (corner, reference) in displacement.iter_mut().zip(&self.corners) {
             for i in 0..2 {
                 let deformed = gradient[i][0] * reference[0] + gradient[i][1] * reference[1];
-                corner[i] = [0.0; LANES];
-                corner[i][0] = deformed - reference[i];
+                corner[i] = deformed - reference[i];
             }
         }
         let constants = self.lane_zero();
         let mut energy = ElementEnergy::ZERO;
         let hoop = self.memory.2.first();
         let force = internal_force(
-            &self.laws,
-            &constants,
-            hoop,
+            Scalar,
+            0,
+            &Block { laws: &self.laws, constants: &constants, hoop },
             &displacement,
             &mut self.history,
             &mut self.viscous,
             &mut energy,
-        )
-        .expect("a positive Jacobian");
+        );
+        assert_eq!(energy.inverted, ZERO, "a positive Jacobian");
         let volume: f64 = constants.triangle.iter().map(|t| t.reference_volume[0]).sum();
         self.viscous_work += sum(&energy.viscous_increment) / volume;
         let power = sum(&energy.viscous_power) / volume;
@@ -106,7 +106,7 @@ impl Cell {
         for (nodal, reference) in force.iter().zip(&self.corners) {
             for i in 0..2 {
                 for j in 0..2 {
-                    stress[i][j] += nodal[i][0] * reference[j] / volume;
+                    stress[i][j] += nodal[i] * reference[j] / volume;
                 }
             }
         }

@@ -58,6 +58,7 @@ pub fn laws(bulk_modulus: f64) -> Vec<(&'static str, Material)> {
             "Mooney-Rivlin 5",
             Material { c11: 0.02e6, c20: 0.004e6, c02: 0.003e6, ..elastic(0.1e6, 0.05e6, bulk_modulus) },
         ),
+        ("Yeoh 1", Material { law: ElasticLaw::Yeoh, ..base }),
         ("Yeoh 2", Material { law: ElasticLaw::Yeoh, c20: -0.002e6, ..base }),
         ("Yeoh 3", Material { law: ElasticLaw::Yeoh, c20: -0.002e6, c30: 0.0004e6, ..base }),
         ("Ogden 1", ogden(bulk_modulus, [0.15e6, 0.0, 0.0], [1.3, 0.0, 0.0])),

@@ -3,10 +3,7 @@
 //! Reaching a static solution by explicit steps costs many periods of the slowest mode and leaves its convergence in
 //! doubt; this gives the same discrete solution to round-off, so that orders of convergence can be measured.
 
-use nalgebra::DVector;
-use nalgebra_sparse::factorization::CscCholesky;
-use nalgebra_sparse::{CooMatrix, CscMatrix};
-
+use crate::band::{Band, Factor};
 use crate::body::{Body, Field};
 
 /// What holds and loads the nodes.
@@ -42,12 +39,22 @@ pub struct Equilibrium {
 /// law, are both below one part in 10^9 of the stiffness.
 const PERTURBATION: f64 = 1e-6;
 
-/// Size of the last correction over the displacement: Newton's method nearly squares the error, so that this leaves
-/// round-off.
+/// Size of a correction by a new stiffness over the displacement: Newton's method nearly squares the error, so that this
+/// leaves round-off.
 const ACCURACY: f64 = 1e-7;
 
-/// Iterations after which the balance counts as not found. Newton's method takes under ten; a moving contact adds some.
-const ITERATIONS: usize = 60;
+/// What a correction by an old stiffness may leave over the displacement, from how much it is smaller than the one before.
+const REST: f64 = 1e-12;
+
+/// Size of a correction over the displacement from which on a stiffness is kept: farther away it can mislead.
+const NEAR: f64 = 0.02;
+
+/// A correction that is not smaller than the one before by this calls for a new stiffness, which costs as much as some
+/// forty corrections.
+const SLOW: f64 = 0.3;
+
+/// Iterations after which the balance counts as not found. It takes about ten; a moving contact adds some.
+const ITERATIONS: usize = 100;
 
 /// The equilibrium under `supports`, from rest, in `increments` equal parts.
 ///
@@ -66,9 +73,9 @@ pub fn solve(body: &mut Body, supports: &Supports, increments: u32) -> Equilibri
 /// The equilibrium of the linearised body under `supports`: no load is small enough to be exactly linear.
 pub fn linear(body: &mut Body, supports: &Supports) -> Equilibrium {
     let rest = vec![[0.0; 2]; body.n_node()];
-    let stiffness = Stiffness::new(body, &rest);
-    let displacement = stiffness.correction(supports, &rest, &rest);
-    let force = stiffness.forces(&displacement);
+    let tangent = Tangent::new(body, &rest, supports);
+    let displacement = tangent.correction(supports, &rest, &rest);
+    let force = tangent.stiffness.forces(&displacement);
     Equilibrium { displacement, force }
 }
 
@@ -113,23 +120,35 @@ fn scaled(supports: &Supports, part: f64) -> Supports {
     }
 }
 
-/// Newton's method under constraints that may depend on displacement and internal force.
+/// Newton's method under constraints that may depend on displacement and internal force. It keeps a stiffness while the
+/// same nodes are held and the corrections shrink fast.
 fn balance(
     body: &mut Body,
     mut displacement: Field,
     constraints: &mut dyn FnMut(&Field, &Field) -> Supports,
 ) -> Equilibrium {
     let mut force = body.internal_forces(&displacement);
+    let mut known: Option<Tangent> = None;
+    let mut before = f64::INFINITY;
     for _ in 0..ITERATIONS {
         let now = constraints(&displacement, &force);
-        let correction = Stiffness::new(body, &displacement).correction(&now, &displacement, &force);
+        let old = known.take().filter(|tangent| tangent.holds(&now));
+        let (tangent, new) = match old {
+            Some(tangent) => (tangent, false),
+            None => (Tangent::new(body, &displacement, &now), true),
+        };
+        let correction = tangent.correction(&now, &displacement, &force);
         for (u, d) in displacement.iter_mut().zip(&correction) {
             *u = [u[0] + d[0], u[1] + d[1]];
         }
         force = body.internal_forces(&displacement);
-        if largest(&correction) <= ACCURACY * largest(&displacement) {
+        let (size, whole) = (largest(&correction), largest(&displacement));
+        let shrinks = size / before;
+        if size <= ACCURACY * whole && (new || size * shrinks <= REST * whole) {
             return Equilibrium { displacement, force };
         }
+        known = (size <= NEAR * whole && (new || shrinks < SLOW)).then_some(tangent);
+        before = size;
     }
     panic!("no equilibrium after {ITERATIONS} iterations");
 }
@@ -184,6 +203,17 @@ impl Stiffness {
         Self { entries, first }
     }
 
+    /// Which freedoms are held.
+    fn held(&self, supports: &Supports) -> Vec<bool> {
+        let mut held = vec![false; 2 * self.first.len()];
+        for (first, prescribed) in self.first.iter().zip(&supports.prescribed) {
+            for i in 0..2 {
+                held[first + i] = prescribed[i].is_some();
+            }
+        }
+        held
+    }
+
     /// Linearised internal forces at `displacement`.
     fn forces(&self, displacement: &Field) -> Field {
         let mut force = vec![0.0; 2 * self.first.len()];
@@ -197,37 +227,66 @@ impl Stiffness {
         self.first.iter().map(|first| [force[*first], force[first + 1]]).collect()
     }
 
+    /// The symmetric matrix, in which held freedoms stand alone: the mean of both halves, which differences do not make
+    /// equal.
+    fn matrix(&self, held: &[bool]) -> Band {
+        let free = |row: usize, column: usize| !held[row] && !held[column];
+        let width = self.entries.iter().map(|(row, column, _)| row.abs_diff(*column)).max().unwrap_or(0);
+        let mut matrix = Band::new(held.len(), width);
+        for (row, column, value) in self.entries.iter().filter(|(row, column, _)| free(*row, *column)) {
+            let part = if row == column { *value } else { 0.5 * value };
+            matrix.add(*row.max(column), *row.min(column), part);
+        }
+        for row in (0..held.len()).filter(|row| held[*row]) {
+            matrix.add(row, row, 1.0);
+        }
+        matrix
+    }
+}
+
+/// A stiffness with the factors for the freedoms that are held.
+struct Tangent {
+    stiffness: Stiffness,
+    held: Vec<bool>,
+    factor: Factor,
+}
+
+impl Tangent {
+    fn new(body: &mut Body, displacement: &Field, supports: &Supports) -> Self {
+        let stiffness = Stiffness::new(body, displacement);
+        let held = stiffness.held(supports);
+        let factor = stable_factor(&stiffness.matrix(&held));
+        Self { stiffness, held, factor }
+    }
+
+    /// Whether the same freedoms are held.
+    fn holds(&self, supports: &Supports) -> bool {
+        self.held == self.stiffness.held(supports)
+    }
+
     /// The change of displacement that meets the constraints and balances the linearised forces.
     fn correction(&self, supports: &Supports, displacement: &Field, force: &Field) -> Field {
-        let n = 2 * self.first.len();
-        let mut held = vec![None; n];
-        let mut residual = DVector::zeros(n);
-        for (node, first) in self.first.iter().enumerate() {
+        let Stiffness { entries, first } = &self.stiffness;
+        let mut shift = vec![0.0; self.held.len()];
+        let mut residual = shift.clone();
+        for (node, first) in first.iter().enumerate() {
             for i in 0..2 {
-                held[first + i] = supports.prescribed[node][i].map(|value| value - displacement[node][i]);
-                residual[first + i] = supports.load[node][i] - force[node][i];
-            }
-        }
-        let mut matrix = CooMatrix::new(n, n);
-        for (row, column, value) in &self.entries {
-            match (held[*row], held[*column]) {
-                // Both halves of the mean make the matrix symmetric, which differences do not.
-                (None, None) => {
-                    matrix.push(*row, *column, 0.5 * value);
-                    matrix.push(*column, *row, 0.5 * value);
+                match supports.prescribed[node][i] {
+                    Some(value) => shift[first + i] = value - displacement[node][i],
+                    None => residual[first + i] = supports.load[node][i] - force[node][i],
                 }
-                (None, Some(shift)) => residual[*row] -= value * shift,
-                _ => {}
             }
         }
-        for (freedom, shift) in held.iter().enumerate() {
-            if let Some(shift) = shift {
-                matrix.push(freedom, freedom, 1.0);
-                residual[freedom] = *shift;
-            }
+        for (row, column, value) in entries.iter().filter(|(_, column, _)| shift[*column] != 0.0) {
+            residual[*row] -= value * shift[*column];
         }
-        let solution = stable_factor(matrix).solve(&residual);
-        self.first.iter().map(|first| [solution[(*first, 0)], solution[(first + 1, 0)]]).collect()
+        for (residual, shift) in
+            residual.iter_mut().zip(&shift).zip(&self.held).filter_map(|(both, held)| held.then_some(both))
+        {
+            *residual = *shift;
+        }
+        self.factor.solve(&mut residual);
+        first.iter().map(|first| [residual[*first], residual[first + 1]]).collect()
     }
 }
 
@@ -235,20 +294,15 @@ impl Stiffness {
 ///
 /// Far from balance, spurious pressures can make a stable body look unstable. The stiffening shortens the way there; it
 /// cannot move the balance, and where the body is truly unstable none is found.
-fn stable_factor(matrix: CooMatrix<f64>) -> CscCholesky<f64> {
-    let matrix = CscMatrix::from(&matrix);
+fn stable_factor(matrix: &Band) -> Factor {
     let mut part = 0.0;
     loop {
         let mut stiffened = matrix.clone();
-        for (row, column, value) in stiffened.triplet_iter_mut() {
-            if row == column {
-                *value *= 1.0 + part;
-            }
-        }
-        match CscCholesky::factor(&stiffened) {
-            Ok(factor) => return factor,
-            Err(_) if part < 1.0 => part = (10.0 * part).max(1e-4),
-            Err(error) => panic!("a body that is not held: {error}"),
+        stiffened.scale_diagonal(1.0 + part);
+        match stiffened.factor() {
+            Some(factor) => return factor,
+            None if part < 1.0 => part = (10.0_f64 * part).max(1e-4),
+            None => panic!("a body that is not held"),
         }
     }
 }

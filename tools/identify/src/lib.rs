@@ -10,5 +10,6 @@
 pub mod data;
 pub mod export;
 pub mod law;
+mod least_squares;
 pub mod relaxation;
 pub mod study;

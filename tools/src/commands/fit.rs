@@ -9,6 +9,7 @@ use softanvil_identify::data::curve::{self, Direction};
 use softanvil_identify::data::cycles::Selection;
 use softanvil_identify::data::number::Decimal;
 use softanvil_identify::data::repeats::Repeats;
+use softanvil_identify::data::specimen::Specimen;
 use softanvil_identify::data::unit::{Dimension, parse_quantity};
 use softanvil_identify::export::Layer;
 use softanvil_identify::law::fit::{Settings, Weighting};
@@ -20,8 +21,9 @@ use softanvil_kernel::scenario::Moduli;
 use crate::failure::Failure;
 use crate::identification::files::{Curves, Reading, Source};
 use crate::identification::material::{Identified, given};
+use crate::identification::trial::Trial;
 use crate::identification::{Identification, Request, json, table};
-use crate::{json as text_json, plot, staging};
+use crate::{json as text_json, plot, scenario_file, staging};
 
 /// Fit hyperelastic laws and Prony series to material tests, and write the material
 ///
@@ -74,10 +76,10 @@ struct TableOptions {
     /// Decimal sign
     #[arg(long, value_enum)]
     decimal: Option<DecimalOption>,
-    /// Strains whose title names no measure
+    /// Strains whose title names no measure: change of length, logarithmic, or Green's
     #[arg(long, value_enum)]
     strain_measure: Option<MeasureOption>,
-    /// Stresses whose title names no measure
+    /// Stresses whose title names no measure: nominal, Cauchy, or second Piola-Kirchhoff (green)
     #[arg(long, value_enum)]
     stress_measure: Option<MeasureOption>,
     /// Which way the specimen was loaded, where signs and words leave it open
@@ -174,12 +176,19 @@ macro_rules! choice {
 }
 
 choice!(DecimalOption => Decimal { Point => Decimal::Point, Comma => Decimal::Comma });
-choice!(MeasureOption => Measure { Engineering => Measure::Engineering, True => Measure::True });
+choice!(MeasureOption => Measure {
+    Engineering => Measure::Engineering,
+    True => Measure::True,
+    Green => Measure::Lagrange,
+});
 choice!(DirectionOption => Direction { Tension => Direction::Tension, Compression => Direction::Compression });
 choice!(RepeatsOption => Repeats { Median => Repeats::Median, All => Repeats::All });
 choice!(WeightingOption => Weighting { Absolute => Weighting::Absolute, Relative => Weighting::Relative });
 choice!(ModuliOption => Moduli { LongTerm => Moduli::LongTerm, Instantaneous => Moduli::Instantaneous });
 choice!(LayerOption => Layer { Silicone => Layer::Silicone, Skin => Layer::Skin });
+
+/// File of the scenario that holds the material and goes through.
+const SCENARIO: &str = "scenario.toml";
 
 /// Fits; returns the report.
 ///
@@ -190,7 +199,10 @@ pub fn carry_out(options: &Options) -> Result<String, Failure> {
     if options.study {
         let identified = Identified::of_study(layer)?;
         let mut text = identified.comment.clone() + "\n";
-        text += &options.write(identified.files()?)?;
+        if options.out.is_some() {
+            text += &options.write(identified.files()?)?;
+            text += &options.try_out(&identified)?;
+        }
         return Ok(text);
     }
     let identification = options.identify()?;
@@ -201,10 +213,11 @@ pub fn carry_out(options: &Options) -> Result<String, Failure> {
         false => table::of_identification(&identification),
     };
     if options.out.is_some() {
-        let mut files = Identified::new(&identification, &given)?.files()?;
+        let identified = Identified::new(&identification, &given)?;
+        let mut files = identified.files()?;
         files.extend(plot::identification(&identification)?.into_iter().map(|(name, svg)| (name, svg.into_bytes())));
         files.push(("fit.json".into(), text_json::text(&json::of_identification(&identification)).into_bytes()));
-        let written = options.write(files)?;
+        let written = options.write(files)? + &options.try_out(&identified)?;
         if !options.json {
             text += &written;
         }
@@ -216,12 +229,12 @@ impl Options {
     fn identify(&self) -> Result<Identification, Failure> {
         let (table, specimen) = (&self.table, &self.specimen);
         let area = specimen.area.or(specimen.diameter.map(|d| 0.25 * std::f64::consts::PI * d * d));
+        let size = Specimen { area, height: specimen.height };
         let reading = Reading {
             curve: curve::Options {
                 columns: table.columns.as_deref().map(titles),
                 decimal: table.decimal.map(Into::into),
-                area,
-                height: specimen.height,
+                specimen: size,
                 strain_measure: table.strain_measure.map(Into::into),
                 stress_measure: table.stress_measure.map(Into::into),
                 direction: table.direction.map(Into::into),
@@ -240,8 +253,9 @@ impl Options {
         let relaxation = relaxation::Options {
             columns: table.relaxation_columns.as_deref().map(titles),
             decimal: table.decimal.map(Into::into),
-            area,
-            height: specimen.height,
+            specimen: size,
+            strain_measure: table.strain_measure.map(Into::into),
+            stress_measure: table.stress_measure.map(Into::into),
             ramp_time: self.prony.ramp_time,
             start: self.prony.relaxation_start,
             strain: self.prony.relaxation_strain,
@@ -258,6 +272,22 @@ impl Options {
             n_term: self.prony.terms,
         };
         Identification::new(curves, source.as_ref().map(|source| (source, &relaxation)), &request)
+    }
+
+    /// Drops on the study's anvil of the material, writes the scenario that goes through, and says what it needs.
+    fn try_out(&self, identified: &Identified) -> Result<String, Failure> {
+        match Trial::new(&identified.scenario()) {
+            Ok(trial) => {
+                let content = scenario_file::to_toml(&trial.scenario).into_bytes();
+                let written = self.write(vec![(SCENARIO.into(), content)])?;
+                let path = self.out.as_deref().unwrap_or(Path::new("")).join(SCENARIO);
+                Ok(written.trim_start().to_string() + &trial.text(&path.display().to_string()))
+            }
+            Err(error) => Ok(format!(
+                "! No drop on the study's anvil goes through with this material, not even a small one: {error}. Look at the \
+                 law's stability (--stable, --law), or at the units of the data.\n"
+            )),
+        }
     }
 
     /// Puts `files` into the folder asked for; says so.

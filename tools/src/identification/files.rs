@@ -6,6 +6,7 @@ use softanvil_identify::data::ReadError;
 use softanvil_identify::data::curve::{self, Point};
 use softanvil_identify::data::cycles::{self, Selection};
 use softanvil_identify::data::repeats::{self, Repeats};
+use softanvil_identify::data::thinned::thinned;
 use softanvil_identify::law::{DataSet, Mode};
 
 use crate::failure::Failure;
@@ -81,6 +82,7 @@ impl Curves {
                 let mut own = Vec::new();
                 let points = cycles::select(&repeat.points, reading.selection, &mut own)
                     .map_err(|reason| Failure::Input(format!("{}: {label}{reason}", path.display())))?;
+                let points = thinned(points, &mut own);
                 own.iter().for_each(|note| say(&format!("{label}{note}")));
                 specimens.push(points);
             }

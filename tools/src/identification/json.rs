@@ -69,6 +69,7 @@ fn of_relaxed(relaxed: &Relaxed) -> Value {
             Load::Stress => "nominal_stress",
             Load::Modulus => "modulus",
             Load::Force => "force",
+            Load::Normalised => "normalised",
         },
         "held_stretch": relaxed.test.stretch,
         "points": relaxed.test.relaxation.times.len(),

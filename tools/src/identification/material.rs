@@ -93,7 +93,7 @@ impl Identified {
     }
 
     /// The study's scenario with this material.
-    fn scenario(&self) -> Scenario {
+    pub fn scenario(&self) -> Scenario {
         let mut scenario = preset::study();
         match self.layer {
             Layer::Silicone => scenario.silicone = self.material,

@@ -7,6 +7,7 @@ pub mod files;
 pub mod json;
 pub mod material;
 pub mod table;
+pub mod trial;
 
 use softanvil_identify::law::fit::{Fit, Settings};
 use softanvil_identify::law::{LAWS, Law, Mode, ranking, stability, stress};

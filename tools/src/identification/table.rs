@@ -105,7 +105,11 @@ fn relaxation(relaxed: &Relaxed) -> String {
     let mut text = format!("relaxation: {} points\n", relaxed.test.relaxation.times.len());
     relaxed.test.notes.iter().for_each(|note| push(&mut text, "  ", note));
     text += "\n";
-    let unit = if relaxed.test.load == Load::Force { "N" } else { "Pa" };
+    let unit = match relaxed.test.load {
+        Load::Force => " N",
+        Load::Normalised => "",
+        Load::Stress | Load::Modulus => " Pa",
+    };
     let mut table =
         new_plain_table(&["terms", "residual rms", "R2", "AIC", "g and tau (s) of each term", "equilibrium"]);
     for (index, prony) in relaxed.choice.series.iter().enumerate() {
@@ -113,7 +117,7 @@ fn relaxation(relaxed: &Relaxed) -> String {
         let terms = prony.normalised().iter().map(|(g, tau)| format!("{g:.4} at {tau:.3e}")).collect::<Vec<_>>();
         table.add_row([
             format!("{mark}{}", prony.terms.len()),
-            format!("{} {unit}", digits(prony.statistics.rms)),
+            format!("{}{unit}", digits(prony.statistics.rms)),
             format!("{:.5}", prony.statistics.r_squared),
             format!("{:.1}", prony.statistics.aic),
             terms.join("\n"),
@@ -133,6 +137,7 @@ fn relaxation(relaxed: &Relaxed) -> String {
 fn moduli(relaxed: &Relaxed, prony: &Prony) -> String {
     let (whole, rest) = (prony.instantaneous(), prony.equilibrium);
     let mut text = match relaxed.test.load {
+        Load::Normalised => format!("load {} instantaneous, {} in equilibrium", digits(whole), digits(rest)),
         Load::Force => format!("force {} N instantaneous, {} N in equilibrium", digits(whole), digits(rest)),
         Load::Stress => {
             format!("stress {} kPa instantaneous, {} kPa in equilibrium", digits(whole * 1e-3), digits(rest * 1e-3))

@@ -1,6 +1,6 @@
 //! Pictures of test data with everything that was fitted to them, one for each kind of test.
 
-use plotters::chart::{ChartBuilder, ChartContext, SeriesLabelPosition};
+use plotters::chart::{ChartBuilder, ChartContext};
 use plotters::coord::Shift;
 use plotters::coord::ranged1d::Ranged;
 use plotters::drawing::{DrawingArea, IntoDrawingArea};
@@ -21,6 +21,10 @@ type Chart<'a> = ChartContext<'a, SVGBackend<'a>, Cartesian2d<Span, Span>>;
 
 /// Radius of a measured point, which are many.
 const POINT: u32 = 3 * UNITS;
+/// Width of the legend beside the axes, and height of its entries.
+const LEGEND_WIDTH: u32 = 230 * UNITS;
+/// See [`LEGEND_WIDTH`].
+const LEGEND_STEP: u32 = 26 * UNITS;
 /// Points shown, at most.
 const MOST_POINTS: usize = 300;
 /// Points of a fitted curve.
@@ -35,7 +39,6 @@ struct Picture {
     y: (Span, String),
     measured: Vec<(f64, f64)>,
     fitted: Vec<Line>,
-    legend_at: SeriesLabelPosition,
 }
 
 /// A fitted curve.
@@ -73,60 +76,34 @@ fn of_curves(identification: &Identification, curves: &Curves) -> Picture {
     let mut families: Vec<Family> = Vec::new();
     let mut fitted = Vec::new();
     for (index, fit) in identification.fits.iter().enumerate() {
-        let dashed = families.contains(&fit.law.family);
+        let behind = families.iter().filter(|family| **family == fit.law.family).count();
         families.push(fit.law.family);
         let chosen = if index == identification.chosen { ", chosen" } else { "" };
         let stresses = stress::nominal(&fit.elastic(), curves.data.mode, &stretches);
         fitted.push(Line {
             label: format!("{}{chosen}", fit.law.label),
-            colour: colour(fit.law.family as usize),
-            dashed,
+            colour: shade(colour(fit.law.family as usize), behind),
+            dashed: behind > 0,
             points: stretches.iter().copied().zip(stresses).map(shown).collect(),
         });
     }
     let measured: Vec<_> = points.iter().copied().map(shown).collect();
     let (bottom, top) = measured.iter().fold((0.0_f64, 0.0_f64), |(b, t), point| (b.min(point.1), t.max(point.1)));
     let (x, y) = (Span::linear(100.0 * (low - 1.0), 100.0 * (high - 1.0)), Span::linear(bottom, top));
-    let (mode, legend_at) = (curves.data.mode.name(), free_corner((&x, &y), &measured, &fitted));
+    let mode = curves.data.mode.name();
     Picture {
         title: format!("{}{}: test and fitted laws", mode[..1].to_uppercase(), &mode[1..]),
         x: (x, "engineering strain (%)".into()),
         y: (y, format!("nominal stress ({unit})")),
         measured,
         fitted,
-        legend_at,
     }
 }
 
-/// Part of the picture's width that the legend takes, and of its height for each entry.
-const LEGEND_SHARE: (f64, f64) = (0.30, 0.063);
-
-/// The corner where the legend hides least: above all no measured point, then the fewest points of curves.
-fn free_corner((x, y): (&Span, &Span), measured: &[(f64, f64)], fitted: &[Line]) -> SeriesLabelPosition {
-    let (across, upwards) = (x.range(), y.range());
-    let height = LEGEND_SHARE.1 * (fitted.len() + 1) as f64;
-    let hidden = |points: &[(f64, f64)], right: bool, lower: bool| {
-        let inside = points.iter().filter(|(strain, stress)| {
-            let x = (strain - across.start) / (across.end - across.start);
-            let y = (stress - upwards.start) / (upwards.end - upwards.start);
-            let x = if right { 1.0 - x } else { x };
-            let y = if lower { y } else { 1.0 - y };
-            x < LEGEND_SHARE.0 && (0.0..height).contains(&y)
-        });
-        inside.count()
-    };
-    let corners = [
-        (LEGEND_UPPER_LEFT, false, false),
-        (SeriesLabelPosition::LowerRight, true, true),
-        (SeriesLabelPosition::UpperRight, true, false),
-        (SeriesLabelPosition::LowerLeft, false, true),
-    ];
-    let cost = |right, lower| {
-        let lines: usize = fitted.iter().map(|line| hidden(&line.points, right, lower)).sum();
-        (hidden(measured, right, lower), lines)
-    };
-    let best = corners.into_iter().min_by_key(|(_, right, lower)| cost(*right, *lower));
-    best.map_or(LEGEND_UPPER_LEFT, |(corner, ..)| corner)
+/// The colour of a law that `behind` others of its family precede in the ranking: every further one is darker.
+fn shade(colour: RGBColor, behind: usize) -> RGBColor {
+    let darker = |part: u8| (f64::from(part) * 0.62_f64.powi(behind as i32)) as u8;
+    RGBColor(darker(colour.0), darker(colour.1), darker(colour.2))
 }
 
 fn of_relaxation(relaxed: &Relaxed) -> Picture {
@@ -135,6 +112,7 @@ fn of_relaxation(relaxed: &Relaxed) -> Picture {
     let kilo = if largest > 1e3 * KILO_LIMIT { (1e-6, "MPa") } else { (1e-3, "kPa") };
     let (scale, unit, quantity) = match relaxed.test.load {
         Load::Force => (1.0, "N", "force"),
+        Load::Normalised => (1.0, "1", "normalised load"),
         Load::Stress => (kilo.0, kilo.1, "nominal stress"),
         Load::Modulus => (kilo.0, kilo.1, "modulus"),
     };
@@ -162,7 +140,6 @@ fn of_relaxation(relaxed: &Relaxed) -> Picture {
         y: (Span::linear(0.0, scale * largest), format!("{quantity} ({unit})")),
         measured,
         fitted: relaxed.choice.series.iter().enumerate().map(line).collect(),
-        legend_at: SeriesLabelPosition::LowerLeft,
     }
 }
 
@@ -177,16 +154,18 @@ const OTHERS: [RGBColor; 5] = [
 
 fn draw(picture: &Picture) -> Result<String, PlotError> {
     let mut svg = String::new();
+    let size = (PANEL_SIZE.0 + LEGEND_WIDTH, PANEL_SIZE.1);
     {
-        let area = SVGBackend::with_string(&mut svg, PANEL_SIZE).into_drawing_area();
+        let area = SVGBackend::with_string(&mut svg, size).into_drawing_area();
         area.fill(&BACKGROUND)?;
         draw_on(&area, picture)?;
         area.present()?;
     }
-    Ok(in_pixels(&svg, PANEL_SIZE))
+    Ok(in_pixels(&svg, size))
 }
 
 fn draw_on(area: &Area, picture: &Picture) -> Result<(), PlotError> {
+    let (area, legend) = area.split_horizontally(PANEL_SIZE.0);
     let (strip, axes) = area.split_vertically(TITLE_AREA);
     let title_at = ((MARGIN + Y_LABEL_AREA) as i32, MARGIN as i32);
     strip.draw(&Text::new(picture.title.as_str(), title_at, text(TITLE_SIZE)))?;
@@ -210,14 +189,29 @@ fn draw_on(area: &Area, picture: &Picture) -> Result<(), PlotError> {
     picture.fitted.iter().try_for_each(|line| draw_line(&mut chart, line))?;
     // On top, so that no curve hides them.
     draw_measured(&mut chart, &picture.measured)?;
-    chart
-        .configure_series_labels()
-        .position(picture.legend_at.clone())
-        .margin(MARGIN)
-        .legend_area_size(LEGEND_LINE + MARGIN / 2)
-        .background_style(BACKGROUND.mix(0.85))
-        .label_font(text(LABEL_SIZE))
-        .draw()?;
+    draw_legend(&legend, picture)
+}
+
+/// The legend beside the axes, where it hides no curve, in the order of the ranking.
+fn draw_legend(area: &Area, picture: &Picture) -> Result<(), PlotError> {
+    let entry = |index: usize| [0, (TITLE_AREA + MARGIN + LEGEND_STEP * index as u32) as i32];
+    let label = |text_of: &str, [x, y]: [i32; 2]| {
+        let at = (x + (LEGEND_LINE + MARGIN / 2) as i32, y - LABEL_SIZE as i32 / 2);
+        area.draw(&Text::new(text_of.to_string(), at, text(LABEL_SIZE)))
+    };
+    let [x, y] = entry(0);
+    area.draw(&Circle::new((x + LEGEND_LINE as i32 / 2, y), POINT, test_style()))?;
+    label("test", [x, y])?;
+    for (index, line) in picture.fitted.iter().enumerate() {
+        let [x, y] = entry(index + 1);
+        let ends = vec![(x, y), (x + LEGEND_LINE as i32, y)];
+        let style = line.style();
+        match line.dashed {
+            true => area.draw(&DashedPathElement::new(ends, DASH.0, DASH.1, style))?,
+            false => area.draw(&PathElement::new(ends, style))?,
+        }
+        label(&line.label, [x, y])?;
+    }
     Ok(())
 }
 
@@ -226,19 +220,24 @@ fn text(size: u32) -> TextStyle<'static> {
 }
 
 fn draw_measured(chart: &mut Chart, points: &[(f64, f64)]) -> Result<(), PlotError> {
-    let style = INK.stroke_width(3 * UNITS / 2);
     let every = points.len().div_ceil(MOST_POINTS).max(1);
     let shown = points.iter().step_by(every);
-    chart
-        .draw_series(shown.map(|point| Circle::new(*point, POINT, style)))?
-        .label("test")
-        .legend(move |(x, y)| Circle::new((x + LEGEND_LINE as i32 / 2, y), POINT, style));
+    chart.draw_series(shown.map(|point| Circle::new(*point, POINT, test_style())))?;
     Ok(())
 }
 
+fn test_style() -> ShapeStyle {
+    INK.stroke_width(3 * UNITS / 2)
+}
+
+impl Line {
+    fn style(&self) -> ShapeStyle {
+        self.colour.stroke_width(CURVE)
+    }
+}
+
 fn draw_line(chart: &mut Chart, line: &Line) -> Result<(), PlotError> {
-    let style: ShapeStyle = line.colour.stroke_width(CURVE);
-    let ends = |(x, y): (i32, i32)| [(x, y), (x + LEGEND_LINE as i32, y)];
+    let style = line.style();
     // What leaves the picture upwards or downwards is left out, not drawn over the title.
     let range = Ranged::range(chart.as_coord_spec().y_spec());
     for points in line.points.split(|point| !(range.start..=range.end).contains(&point.1)).filter(|p| p.len() > 1) {
@@ -252,11 +251,5 @@ fn draw_line(chart: &mut Chart, line: &Line) -> Result<(), PlotError> {
             }
         }
     }
-    let nothing: [PathElement<(f64, f64)>; 0] = [];
-    let series = chart.draw_series(nothing)?.label(&line.label);
-    match line.dashed {
-        true => series.legend(move |at| DashedPathElement::new(ends(at), DASH.0, DASH.1, style)),
-        false => series.legend(move |at| PathElement::new(ends(at), style)),
-    };
     Ok(())
 }

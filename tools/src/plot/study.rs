@@ -24,7 +24,7 @@ pub struct Line {
 /// Radius of a marked point.
 const POINT: u32 = 4 * UNITS;
 /// Part of the axes' height that the legend takes for each line, and around them.
-const LEGEND_SHARE: (f64, f64) = (0.07, 0.06);
+const LEGEND_SHARE: (f64, f64) = (0.066, 0.04);
 
 /// Draws `lines` over the quantity `x` (with whether its axis is logarithmic).
 ///
@@ -73,7 +73,7 @@ pub fn draw(title: &str, x: (&str, bool), y: &str, lines: &[Line]) -> Result<Str
         }
         chart
             .configure_series_labels()
-            .position(SeriesLabelPosition::UpperRight)
+            .position(emptier_corner(x.1, lines))
             .margin(MARGIN)
             .legend_area_size(LEGEND_LINE + MARGIN / 2)
             .background_style(BACKGROUND.mix(0.85))
@@ -97,6 +97,22 @@ fn spans(logarithmic: bool, lines: &[Line]) -> (Span, Span) {
     let top = top + share / (1.0 - share) * (top - bottom).max(1e-3 * top.abs());
     let across = if logarithmic && left > 0.0 { Span::logarithmic(left, right) } else { Span::linear(left, right) };
     (across, Span::linear(bottom, top))
+}
+
+/// The upper corner on the side where the lines stay lower.
+fn emptier_corner(logarithmic: bool, lines: &[Line]) -> SeriesLabelPosition {
+    let place = |x: f64| if logarithmic { x.ln() } else { x };
+    let points: Vec<(f64, f64)> =
+        lines.iter().flat_map(|line| line.points.iter().map(|point| (place(point.0), point.1))).collect();
+    let (left, right) = points.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, r), p| (l.min(p.0), r.max(p.0)));
+    let highest = |side: &dyn Fn(f64) -> bool| {
+        points.iter().filter(|point| side(point.0)).map(|point| point.1).fold(f64::NEG_INFINITY, f64::max)
+    };
+    let middle = 0.5 * (left + right);
+    match highest(&|x| x < middle) < highest(&|x| x >= middle) {
+        true => LEGEND_UPPER_LEFT,
+        false => SeriesLabelPosition::UpperRight,
+    }
 }
 
 fn text(size: u32) -> TextStyle<'static> {

@@ -27,6 +27,32 @@ fn a_curve_becomes_a_material_that_runs() {
     assert!(json(folder.path(), &run)["peak_force"].as_f64().unwrap() > 0.0);
 }
 
+/// A soft material is pressed thinner than the study's step is chosen for: the scenario file has a step that holds.
+#[test]
+fn a_soft_material_comes_with_a_scenario_that_goes_through() {
+    let folder = folder();
+    let row = |k: u32| (1.0 - 0.05 * f64::from(k), 0.1e6);
+    let line = |(l, c): (f64, f64)| format!("{l:.2},{:.3}\n", c * (l - l.powi(-2)));
+    let rows: String = (1..13).map(row).map(line).collect();
+    std::fs::write(folder.path().join("soft.csv"), format!("stretch,stress [Pa]\n{rows}")).unwrap();
+    let text = succeed(folder.path(), &["fit", "--uniaxial", "soft.csv", "--law", "neo_hookean", "--out", "out"]);
+    assert!(text.contains("softanvil run --scenario out/scenario.toml"), "{text}");
+    let run = json(folder.path(), &["run", "--scenario", "out/scenario.toml", "--json"]);
+    assert!(run["peak_force"].as_f64().unwrap() > 0.0);
+}
+
+/// The table of the documentation is that of the last comparison with other programs.
+#[test]
+fn the_documented_comparison_is_the_recorded_one() {
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let document = std::fs::read_to_string(root.join("docs/identification.md")).unwrap();
+    let recorded = std::fs::read_to_string(root.join("tests/identify/peers.csv")).unwrap();
+    for row in recorded.lines().skip(1) {
+        let row = format!("| {} |", row.replace(',', " | "));
+        assert!(document.contains(&row), "{row}");
+    }
+}
+
 #[test]
 fn json_names_the_chosen_law_and_its_errors() {
     let folder = folder();

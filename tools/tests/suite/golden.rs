@@ -81,6 +81,45 @@ fn scenes_reach_what_they_are_there_for() {
     }
 }
 
+/// The code of the kernel, without comments and unit tests, has no fused operation, no IEEE minimum or maximum, nothing of
+/// the standard library, and `libm` in two files alone.
+#[test]
+fn the_kernel_keeps_to_the_rules() {
+    let mut folders = vec![Path::new(env!("CARGO_MANIFEST_DIR")).join("../kernel/src")];
+    let mut files = 0;
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            let name = path.file_name().unwrap().to_string_lossy().into_owned();
+            if path.is_dir() {
+                folders.push(path);
+            } else if name != "tests.rs" {
+                let text = std::fs::read_to_string(&path).unwrap();
+                let code = text.lines().take_while(|line| !line.starts_with("#[cfg(all(test"));
+                for line in code.filter(|line| !line.trim_start().starts_with("//")) {
+                    for word in [
+                        "mul_add",
+                        "fmin",
+                        "fmax",
+                        "Real::min",
+                        "Real::max",
+                        "f64::min",
+                        "f64::max",
+                        ".clamp(",
+                        " std::",
+                    ] {
+                        assert!(!line.contains(word), "{name}: {line}");
+                    }
+                    let transcendental = line.contains("libm::") && !["math.rs", "real.rs"].contains(&name.as_str());
+                    assert!(!transcendental, "{name}: {line}");
+                }
+                files += 1;
+            }
+        }
+    }
+    assert!(files > 40, "{files}");
+}
+
 /// Files and tests that the contract names in code type exist; a test follows the file that holds it.
 #[test]
 fn the_contract_names_what_exists() {

@@ -7,6 +7,7 @@ use core::panic::PanicInfo;
 
 use cortex_m::peripheral::{SYST, syst::SystClkSource};
 use cortex_m_rt::STACK_PAINT_VALUE;
+use semihosting::experimental::env;
 use semihosting::{println, process};
 
 /// Instructions per tick of the counter under QEMU with `-icount shift=0`, where an instruction takes 1 ns and the
@@ -16,6 +17,12 @@ pub const INSTRUCTIONS_PER_TICK: u32 = 40;
 /// Ends the program and QEMU.
 pub fn end(success: bool) -> ! {
     process::exit(i32::from(!success))
+}
+
+/// The number that follows the program's name on the command line, which QEMU or a debugger gives.
+pub fn argument() -> Option<u64> {
+    let arguments = env::args::<256>().ok()?;
+    (&arguments).nth(1)?.ok()?.parse().ok()
 }
 
 #[panic_handler]

@@ -2,6 +2,7 @@
 
 use softanvil_kernel::material::Volumetric;
 use softanvil_kernel::scenario::{Formulation, Material, VolumetricLaw};
+use softanvil_kernel::vector::Scalar;
 
 use crate::element::Cell;
 use crate::scenes::elastic;
@@ -30,9 +31,9 @@ pub fn dilatation_error() -> f64 {
 pub fn gradient_error(law: VolumetricLaw, j: f64) -> f64 {
     let volumetric = Volumetric { law, bulk_modulus: BULK };
     let step = 1e-5 * j;
-    let energy = |j: f64| volumetric.strain_energy_density(&[j; 8])[0];
+    let energy = |j: f64| volumetric.strain_energy_density(Scalar, j);
     let difference = (energy(j + step) - energy(j - step)) / (2.0 * step);
-    let stress = volumetric.stress(&[j; 8])[0];
+    let stress = volumetric.stress(j);
     (stress - difference).abs() / (stress.abs() + BULK)
 }
 

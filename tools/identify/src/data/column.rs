@@ -19,6 +19,8 @@ pub enum Kind {
     Time,
     /// Stress over strain.
     Modulus,
+    /// A load over its first or largest value.
+    Normalised,
     /// Which specimen or repeat.
     Specimen,
     /// Which load cycle.
@@ -30,8 +32,10 @@ pub enum Kind {
 pub enum Measure {
     /// The original length and cross-section (nominal).
     Engineering,
-    /// The current ones: logarithmic strain, Cauchy stress.
+    /// The current ones: logarithmic strain, Cauchy (of these specimens also Kirchhoff) stress.
     True,
+    /// Green and Lagrange's strain (l^2 - 1) / 2, the second Piola-Kirchhoff stress.
+    Lagrange,
 }
 
 /// A column that is understood.
@@ -53,7 +57,7 @@ impl Kind {
     /// What it measures; none for names and counts.
     pub fn dimension(self) -> Option<Dimension> {
         match self {
-            Self::Strain | Self::Stretch => Some(Dimension::Ratio),
+            Self::Strain | Self::Stretch | Self::Normalised => Some(Dimension::Ratio),
             Self::Stress | Self::Modulus => Some(Dimension::Stress),
             Self::Force => Some(Dimension::Force),
             Self::Displacement => Some(Dimension::Length),
@@ -72,6 +76,7 @@ impl Kind {
             Self::Displacement => ("displacement", "displacement [mm]"),
             Self::Time => ("time", "time [s]"),
             Self::Modulus => ("modulus", "modulus [kPa]"),
+            Self::Normalised => ("normalised load", "normalised load [-]"),
             Self::Specimen => ("specimen", "specimen"),
             Self::Cycle => ("cycle", "cycle"),
         }
@@ -117,19 +122,22 @@ fn split_unit(title: &str) -> (String, Option<Unit>, Option<String>) {
             if let Some(unit) = Unit::parse(inside) {
                 return (rest, Some(unit), Some(inside.into()));
             }
+            // "stress (engineering, MPa)"
+            if let (name, Some(unit), None) = split_unit(inside) {
+                return (format!("{rest} {name}"), Some(unit), Some(inside.into()));
+            }
             let (name, unit, _) = split_unit(&rest);
             return (format!("{name} {inside}"), unit, Some(inside.into()));
         }
     }
-    // "stress, MPa", "stress/MPa", "stress in MPa", "stress_MPa", "stress MPa"; the first separator that leaves a unit.
-    for separator in [",", "/", " in ", "_", " ", ":", "-"] {
-        for (at, _) in title.match_indices(separator) {
-            let (name, tail) = (&title[..at], &title[at + separator.len()..]);
-            // Without brackets, a 1 or a dash is a number or a sign, no unit.
-            let spelled = tail.contains(|c: char| c.is_alphabetic() || c == '%');
-            if let Some(unit) = Unit::parse(tail).filter(|_| spelled && !name.trim().is_empty()) {
-                return (name.into(), Some(unit), None);
-            }
+    // "stress, MPa", "stress/MPa", "stress in N/mm2", "stress_MPa", "stress MPa": the longest end that is a unit.
+    for (at, separator) in title.match_indices([',', '/', '_', ' ', ':', '-']) {
+        let (name, tail) = (&title[..at], &title[at + separator.len()..]);
+        // Without brackets a 1 or a dash is a number or a sign, and the ratio of "extension ratio" a word of its name.
+        let spelled =
+            tail.contains(|c: char| c.is_alphabetic() || c == '%') && !tail.trim().eq_ignore_ascii_case("ratio");
+        if let Some(unit) = Unit::parse(tail).filter(|_| spelled && !name.trim().is_empty()) {
+            return (name.into(), Some(unit), None);
         }
     }
     // "StressMPa", "Strain%".
@@ -154,24 +162,42 @@ fn kind_of(words: &[String], unit: Option<Unit>) -> Result<Option<Kind>, &'stati
     if has(&["time", "zeit", "temps", "elapsed"]) || is(&["t"]) && !of(Dimension::Stress) {
         return Ok(Some(Kind::Time));
     }
+    if has(&["normali"]) && !of(Dimension::Stress) && !of(Dimension::Force) {
+        return Ok(Some(Kind::Normalised));
+    }
     if has(&["modulus", "modul"])
         || matches!(joined.as_str(), "g" | "g t" | "e t" | "gt")
         || is(&["e"]) && of(Dimension::Stress)
     {
         return Ok(Some(Kind::Modulus));
     }
-    if has(&["stretch", "lambda", "λ"]) || joined.contains("extension ratio") || joined.contains("elongation ratio") {
+    let ratio = ["extension ratio", "elongation ratio", "draw ratio", "l l0"].iter().any(|name| joined.contains(name));
+    if has(&["stretch", "lambda", "λ", "streckung"]) || ratio || is(&["lam"]) {
         return Ok(Some(Kind::Stretch));
     }
     if has(&["stress", "spannung", "contrainte", "sigma", "σ", "piola"])
-        || is(&["p", "s", "pk1"]) && !of(Dimension::Time) && !of(Dimension::Force)
+        || has_word(words, &["p", "s", "pk"]) && !of(Dimension::Time) && !of(Dimension::Force)
     {
         return Ok(Some(Kind::Stress));
     }
+    // What may be a force or a deformation as well is a stress by its unit.
+    let loaded = has(&["force", "kraft", "load", "traction", "tension", "tensión", "sforzo", "esfuerzo"]);
+    if of(Dimension::Stress) && (loaded || is(&["t", "f", "n"]) || joined == "f a" || joined == "f a0") {
+        return Ok(Some(Kind::Stress));
+    }
     let strained = has(&["strain", "dehnung", "stauchung", "epsilon", "ε"]) || has_word(words, &["eps"]) || is(&["e"]);
-    let lengthened = has(&["elongation", "deformation", "compression", "déformation"]);
-    let moved = has(&["displacement", "extension", "position", "crosshead", "travel", "stroke", "weg", "deflection"])
-        || has_word(words, &["disp", "u", "x", "dl"]);
+    let lengthened = has(&["elongation", "deform", "compression", "déform", "verformung"]);
+    let moved = has(&[
+        "displacement",
+        "extension",
+        "position",
+        "crosshead",
+        "travel",
+        "stroke",
+        "weg",
+        "deflection",
+        "längung",
+    ]) || has_word(words, &["disp", "u", "x", "dl"]);
     if strained || lengthened || moved {
         return match dimension {
             Some(Dimension::Length) => Ok(Some(Kind::Displacement)),
@@ -197,16 +223,24 @@ fn has_word(words: &[String], names: &[&str]) -> bool {
 
 fn measure_of(words: &[String]) -> Result<Option<Measure>, &'static str> {
     let has = |names: &[&str]| words.iter().any(|word| names.iter().any(|name| word.starts_with(name)));
-    if has(&["green", "lagrange", "almansi", "pk2", "kirchhoff"]) && !has(&["piola"]) || has(&["second", "2nd"]) {
-        return Err("is of a measure that is not read: legal is engineering (nominal) or true (logarithmic, Cauchy)");
+    if has(&["almansi", "biot"]) {
+        return Err(
+            "is of a measure that is not read: legal is engineering (nominal), true (logarithmic, Cauchy), Green or \
+                    second Piola-Kirchhoff",
+        );
     }
-    let engineering = has(&["eng", "nominal", "nom", "techn", "pk1", "piola", "conventional"]);
-    let current = has(&["true", "log", "hencky", "cauchy", "wahr"]);
-    match (engineering, current) {
-        (true, true) => Err("names two measures: legal is engineering or true"),
-        (true, false) => Ok(Some(Measure::Engineering)),
-        (false, true) => Ok(Some(Measure::True)),
-        (false, false) => Ok(None),
+    let second = has(&["second", "2nd", "2pk", "pk2"]);
+    let first = has(&["eng", "nominal", "nom", "techn", "pk1", "1pk", "conventional"]) || has(&["piola"]) && !second;
+    let current = has(&["true", "log", "hencky", "cauchy", "wahr"]) && !has(&["green"])
+        || has(&["kirchhoff"]) && !has(&["piola"]) && !second;
+    let mut measures = Vec::new();
+    measures.extend(first.then_some(Measure::Engineering));
+    measures.extend(current.then_some(Measure::True));
+    measures.extend((second || has(&["green", "lagrang"])).then_some(Measure::Lagrange));
+    match measures.as_slice() {
+        [] => Ok(None),
+        [measure] => Ok(Some(*measure)),
+        _ => Err("names two measures: legal is one of engineering, true and Green or second Piola-Kirchhoff"),
     }
 }
 
@@ -247,6 +281,22 @@ mod tests {
             ("Cauchy stress [Pa]", Stress, Some(1.0), Some(Measure::True)),
             ("Sample", Specimen, None, None),
             ("cycle", Cycle, None, None),
+            ("Normalized modulus [-]", Normalised, Some(1.0), None),
+            ("Extension ratio", Stretch, None, None),
+            ("L/L0 [-]", Stretch, Some(1.0), None),
+            ("Strain (ratio)", Strain, Some(1.0), None),
+            ("stress N/mm2", Stress, Some(1e6), None),
+            ("Spannung in N/mm²", Stress, Some(1e6), None),
+            ("sigma_eng / MPa", Stress, Some(1e6), Some(Measure::Engineering)),
+            ("Stress (engineering, MPa)", Stress, Some(1e6), Some(Measure::Engineering)),
+            ("S11 [kPa]", Stress, Some(1e3), None),
+            ("Load/area (MPa)", Stress, Some(1e6), None),
+            ("Verformung [mm]", Displacement, Some(1e-3), None),
+            ("Green strain", Strain, None, Some(Measure::Lagrange)),
+            ("Cauchy-Green strain", Strain, None, Some(Measure::Lagrange)),
+            ("Kirchhoff stress [Pa]", Stress, Some(1.0), Some(Measure::True)),
+            ("first Piola-Kirchhoff stress [Pa]", Stress, Some(1.0), Some(Measure::Engineering)),
+            ("2nd Piola-Kirchhoff stress [Pa]", Stress, Some(1.0), Some(Measure::Lagrange)),
         ] {
             let column = Column::recognise(0, title).unwrap().unwrap_or_else(|| panic!("{title}"));
             assert_eq!((column.kind, column.measure), (kind, measure), "{title}");
@@ -260,7 +310,7 @@ mod tests {
         for title in ["Temperature (C)", "strain rate (1/s)", "", "remarks", "Poisson's ratio"] {
             assert_eq!(Column::recognise(0, title), Ok(None), "{title}");
         }
-        for title in ["Elongation", "Green strain", "stress [mm]", "second Piola-Kirchhoff stress [MPa]"] {
+        for title in ["Elongation", "Almansi strain", "stress [mm]", "engineering true strain"] {
             assert!(Column::recognise(0, title).is_err(), "{title}");
         }
     }

@@ -5,6 +5,7 @@ use super::column::{Column, Kind, Measure};
 use super::number::Decimal;
 use super::series::{Series, Table};
 use super::sheet;
+use super::specimen::{Specimen, at_rest};
 
 /// Which way the specimen was loaded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,10 +23,8 @@ pub struct Options {
     pub columns: Option<Vec<String>>,
     /// Decimal sign of the numbers.
     pub decimal: Option<Decimal>,
-    /// Cross-section of the specimen that a force acts on, m2.
-    pub area: Option<f64>,
-    /// Length or height of the specimen that a displacement changes, m.
-    pub height: Option<f64>,
+    /// Size of the specimens.
+    pub specimen: Specimen,
     /// Measure of strains whose title names none.
     pub strain_measure: Option<Measure>,
     /// Measure of stresses whose title names none.
@@ -76,7 +75,7 @@ pub fn read(name: &str, bytes: &[u8], options: &Options) -> Result<Curve, ReadEr
     let mut repeats = Vec::new();
     for series in &table.series {
         for (index, pair) in pairs.iter().enumerate() {
-            let points = points(&table, series, pair, options)?;
+            let points = points(&table, series, pair, options, &mut notes)?;
             let name = if pairs.len() > 1 { format!("{} {}", series.name, index + 1) } else { series.name.clone() };
             if !points.is_empty() {
                 repeats.push(Repeat { name: name.trim().into(), points });
@@ -88,6 +87,12 @@ pub fn read(name: &str, bytes: &[u8], options: &Options) -> Result<Curve, ReadEr
     }
     if repeats.iter().all(|repeat| repeat.points.len() < 3) {
         return Err(ReadError::file("fewer than three points with strain and stress"));
+    }
+    let unloaded = |value: fn(&Point) -> f64| repeats.iter().flat_map(|repeat| &repeat.points).all(|p| value(p) == 0.0);
+    for (what, value) in [("strain", (|p| p.stretch) as fn(&Point) -> f64), ("stress", |p| p.stress)] {
+        if unloaded(value) {
+            return Err(ReadError::file(format!("every {what} is zero: legal are points of a specimen under load")));
+        }
     }
     let stretched = pairs.iter().any(|pair| pair.deformation.kind == Kind::Stretch);
     let words = if stretched { None } else { Some(format!("{name}\n{}", table.words)) };
@@ -106,11 +111,10 @@ struct Pair {
 
 impl Pair {
     fn measures(&self) -> String {
-        let name = |measure| if measure == Measure::True { "true" } else { "engineering" };
-        let stress = name(self.stress_measure);
+        let stress = self.stress_measure.names().1;
         match self.deformation.kind {
             Kind::Stretch => format!("read as {stress} stress"),
-            _ => format!("read as {} strain and {stress} stress", name(self.strain_measure)),
+            _ => format!("read as {} strain and {stress} stress", self.strain_measure.names().0),
         }
     }
 }
@@ -176,55 +180,26 @@ fn candidates(table: &Table, kinds: &[Kind], machine: Kind, wanted: Option<Measu
 }
 
 /// Strain as the file has it (in `stretch`) and stress in Pa.
-fn points(table: &Table, series: &Series, pair: &Pair, options: &Options) -> Result<Vec<Point>, ReadError> {
-    let strain_factor = strain_factor(table, series, &pair.deformation, options)?;
-    let stress_factor = match pair.load.kind {
-        Kind::Force => {
-            let area = options.area.ok_or_else(|| needs(&pair.load, "--area or --diameter of the specimen"))?;
-            table.si(&pair.load)? / area
-        }
-        _ => table.si(&pair.load)?,
-    };
+fn points(
+    table: &Table,
+    series: &Series,
+    pair: &Pair,
+    options: &Options,
+    notes: &mut Vec<String>,
+) -> Result<Vec<Point>, ReadError> {
+    let strain_factor = options.specimen.strain_per_unit(table, series, &pair.deformation, notes)?;
+    let stress_factor = options.specimen.stress_per_unit(table, &pair.load)?;
     let cycle = table.of(Kind::Cycle).next();
     let mut points = Vec::new();
     for row in &series.rows {
         let values = (table.value(&pair.deformation, row)?, table.value(&pair.load, row)?);
         if let (Some(strain), Some(load)) = values {
-            let offset = if pair.deformation.kind == Kind::Stretch { 1.0 } else { 0.0 };
             let cycle = cycle.map(|column| table.value(column, row)).transpose()?.flatten();
-            let stretch = strain * strain_factor - offset;
+            let stretch = strain * strain_factor - at_rest(pair.deformation.kind);
             points.push(Point { line: row.line, cycle, stretch, stress: load * stress_factor });
         }
     }
     Ok(points)
-}
-
-fn needs(column: &Column, option: &str) -> ReadError {
-    ReadError::file(format!("column \"{}\" needs {option}", column.title))
-}
-
-/// A strain above this without a unit may be meant in percent: the softest silicones tear at about 17 (1700 %).
-const LARGEST_RATIO: f64 = 20.0;
-
-fn strain_factor(table: &Table, series: &Series, column: &Column, options: &Options) -> Result<f64, ReadError> {
-    if column.kind == Kind::Displacement {
-        let height =
-            options.height.ok_or_else(|| needs(column, "--height, the specimen's length in the loaded direction"))?;
-        return Ok(table.si(column)? / height);
-    }
-    if let Some(si) = column.si {
-        return Ok(si);
-    }
-    for row in &series.rows {
-        if let Some(value) = table.value(column, row)?.filter(|value| value.abs() > LARGEST_RATIO) {
-            let reason = format!(
-                "{} = {value} has no unit and may be a ratio or a percentage: write the unit in the title or give --columns, such as \"strain [%]\"",
-                column.title
-            );
-            return Err(ReadError::line(row.line, reason));
-        }
-    }
-    Ok(1.0)
 }
 
 /// Gives compression negative signs. Without `words` (a column of stretches) the signs of the strains are sure.
@@ -275,6 +250,12 @@ fn orient(
             Direction::Tension
         }
     };
+    let work = || points().map(|point| point.stretch * point.stress).sum::<f64>();
+    if strain == 0.0 && given.is_none() && work() < 0.0 {
+        return Err(ReadError::file(
+            "tension and compression with stresses against the strains: legal is one sign for tension in both columns",
+        ));
+    }
     let negative = direction == Direction::Compression;
     let flip = |sign: f64| if negative && sign > 0.0 { -1.0 } else { 1.0 };
     let (strain_flip, mut stress_flip) = (flip(strain), flip(stress));
@@ -285,8 +266,7 @@ fn orient(
     }
     if negative && stress == 0.0 {
         // Loading and unloading with some tension at the end: the work of the loading tells the sign.
-        let work: f64 = points().map(|point| strain_flip * point.stretch * point.stress).sum();
-        stress_flip = if work < 0.0 { -1.0 } else { 1.0 };
+        stress_flip = if strain_flip * work() < 0.0 { -1.0 } else { 1.0 };
     }
     for point in repeats.iter_mut().flat_map(|repeat| &mut repeat.points) {
         point.stretch *= strain_flip;
@@ -296,7 +276,7 @@ fn orient(
 }
 
 /// The direction that words name; none if they name both or neither.
-fn hinted(words: &str) -> Option<Direction> {
+pub(crate) fn hinted(words: &str) -> Option<Direction> {
     let text = words.to_lowercase();
     let has = |parts: &[&str]| parts.iter().any(|part| text.contains(part));
     match (has(&["compress", "stauch", "druckversuch"]), has(&["tension", "tensile", "zugversuch", "pull"])) {
@@ -310,19 +290,8 @@ fn hinted(words: &str) -> Option<Direction> {
 fn to_stretch(pairs: &[Pair], repeats: &mut [Repeat]) -> Result<(), ReadError> {
     let Some(pair) = pairs.first() else { return Ok(()) };
     for point in repeats.iter_mut().flat_map(|repeat| &mut repeat.points) {
-        let strain = point.stretch;
-        point.stretch = match pair.strain_measure {
-            Measure::Engineering => 1.0 + strain,
-            Measure::True => strain.exp(),
-        };
-        if point.stretch <= 0.0 || !point.stretch.is_finite() {
-            let legal = "legal is an engineering strain above -1 (is it in percent, or a stretch?)";
-            return Err(ReadError::line(point.line, format!("strain {strain} is refused: {legal}")));
-        }
-        if pair.stress_measure == Measure::True {
-            // sigma = P l in all three tests, because the volume stays.
-            point.stress /= point.stretch;
-        }
+        point.stretch = pair.strain_measure.stretch(point.stretch, point.line)?;
+        point.stress = pair.stress_measure.nominal(point.stress, point.stretch);
     }
     Ok(())
 }
@@ -356,6 +325,7 @@ mod tests {
             "stress(MPa)\tstrain(%)\n0.02\t10\n0.04\t20\n0.06\t30\n",
             "Time (s);True Strain;True Stress (MPa);Engineering Strain;Engineering Stress (MPa)\n\
              1;.09;.1;0.1;0.02\n2;.1;.1;0.2;0.04\n3;.1;.1;0.3;0.06\n",
+            "Green strain,2nd Piola-Kirchhoff stress [Pa]\n0.105,18181.8181818182\n0.22,33333.3333333333\n0.345,46153.8461538462\n",
             "true strain,true stress [Pa]\n0.0953101798043249,22000\n0.182321556793955,48000\n0.262364264467491,78000\n",
         ] {
             close(&pairs_of(text), &expected);
@@ -383,7 +353,8 @@ mod tests {
         let text = "Weg [mm];Kraft [N]\n-1;-2\n-2;-4\n-3;-6\n";
         let error = curve("x", text, &Options::default()).unwrap_err().to_string();
         assert!(error.contains("--height"), "{error}");
-        let options = Options { height: Some(0.01), area: Some(1e-4), ..Options::default() };
+        let specimen = Specimen { height: Some(0.01), area: Some(1e-4) };
+        let options = Options { specimen, ..Options::default() };
         let curve = curve("x", text, &options).unwrap();
         let points: Vec<_> = curve.repeats[0].points.iter().map(|p| (p.stretch, p.stress)).collect();
         close(&points, &[(0.9, -2e4), (0.8, -4e4), (0.7, -6e4)]);
@@ -399,6 +370,9 @@ mod tests {
             ("strain [%],stress [kPa]\n-50,1\n-99,2\n-120,3\n", "line 4: strain -1.2"),
             ("strain,force [N]\n0.1,1\n0.2,2\n0.3,3\n", "--area"),
             ("a,b\n1,2\n3,4\n", "no two columns understood"),
+            ("strain,stress [Pa]\n0.1,0\n0.2,0\n0.3,0\n", "every stress is zero"),
+            ("strain,stress [Pa]\n0,1\n0,2\n0,3\n", "every strain is zero"),
+            ("strain,stress [Pa]\n-0.2,1\n0,0\n0.2,-1\n", "against the strains"),
             ("elongation,stress [Pa]\n1,2\n3,4\n5,6\n", "% or mm"),
             ("strain,strain,stress [Pa],stress [Pa],stress [Pa]\n1,1,1,1,1\n2,2,2,2,2\n3,3,3,3,3\n", "make no pairs"),
         ] {

@@ -97,7 +97,8 @@ fn branches(points: &[Point]) -> Vec<Branch> {
         if heading == 0.0 && advance.abs() > threshold {
             heading = advance.signum();
             extreme = index;
-        } else if heading != 0.0 && advance * heading >= 0.0 {
+        } else if heading != 0.0 && advance * heading > 0.0 {
+            // The first point at the turn: a hold there belongs to the way back.
             extreme = index;
         } else if heading != 0.0 && advance * heading < -threshold {
             turns.push(extreme + 1);

@@ -1,8 +1,9 @@
 //! From the files of a test machine to curves in SI units.
 //!
 //! [`text`] decodes a file, [`sheet`] finds its table of numbers, [`column`] says what the columns are (with [`unit`]
-//! and [`number`]), [`series`] tells specimens apart, [`curve`] makes stretches and nominal stresses of them, [`cycles`] tells loading from unloading and
-//! [`repeats`] makes one curve of several specimens.
+//! and [`number`]), [`series`] tells specimens apart, [`curve`] makes stretches and nominal stresses of them (with
+//! [`specimen`]), [`cycles`] tells loading from unloading, [`repeats`] makes one curve of several specimens, and [`thinned`]
+//! fewer points of very many.
 
 pub mod column;
 pub mod curve;
@@ -11,7 +12,9 @@ pub mod number;
 pub mod repeats;
 pub mod series;
 pub mod sheet;
+pub mod specimen;
 pub mod text;
+pub mod thinned;
 pub mod unit;
 
 /// Why a file is refused.

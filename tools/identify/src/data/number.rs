@@ -22,14 +22,15 @@ pub enum Cell {
 
 /// Reads a cell.
 ///
-/// Groups of thousands are understood only where the number has a decimal sign as well; alone, 1,234 has two meanings.
+/// Groups of thousands by the other decimal sign are understood only where the number has its decimal sign as well:
+/// alone, 1,234 has two meanings. A blank or an apostrophe between groups has one.
 pub fn read(cell: &str, decimal: Decimal) -> Cell {
     let text = cell.trim().trim_matches('\u{a0}');
-    if text.is_empty() || ["nan", "n/a", "na", "null", "none", "--"].iter().any(|word| text.eq_ignore_ascii_case(word))
+    if text.chars().all(|c| matches!(c, '-' | '–' | '—')) || MISSING.iter().any(|word| text.eq_ignore_ascii_case(word))
     {
         return Cell::Missing;
     }
-    let text = text.replace('−', "-");
+    let text = joined(&text.replace('−', "-"));
     let plain = match decimal {
         Decimal::Point => ungrouped(&text, ',', '.'),
         Decimal::Comma => ungrouped(&text, '.', ',').map(|number| number.replace(',', ".")),
@@ -38,6 +39,39 @@ pub fn read(cell: &str, decimal: Decimal) -> Cell {
         Some(Ok(number)) if number.is_finite() && !text.contains(char::is_alphabetic) => Cell::Number(number),
         Some(Ok(number)) if number.is_finite() && has_exponent(&text) => Cell::Number(number),
         _ => Cell::Text,
+    }
+}
+
+/// Words of spreadsheets and programs for a value that is not there.
+const MISSING: [&str; 15] = [
+    "nan",
+    "-nan",
+    "nan(ind)",
+    "-nan(ind)",
+    "-1.#ind",
+    "1.#qnan",
+    "n/a",
+    "#n/a",
+    "#nv",
+    "#value!",
+    "#div/0!",
+    "na",
+    "null",
+    "none",
+    "missing",
+];
+
+/// `text` without blanks or apostrophes between its groups of thousands; as it is if they stand anywhere else.
+fn joined(text: &str) -> String {
+    let is_gap = |c: char| matches!(c, ' ' | '\u{a0}' | '\u{202f}' | '\u{2009}' | '\'' | '’');
+    let end = text.find(['.', ',']).unwrap_or(text.len());
+    let mut groups = text[..end].trim_start_matches(['-', '+']).split(is_gap);
+    let first = groups.next().unwrap_or_default();
+    let digits = |group: &str| group.chars().all(|c| c.is_ascii_digit());
+    let grouped = (1..=3).contains(&first.len()) && digits(first);
+    match grouped && groups.all(|group| group.len() == 3 && digits(group)) && !text[end..].contains(is_gap) {
+        true => text.replace(is_gap, ""),
+        false => text.into(),
     }
 }
 
@@ -73,6 +107,9 @@ mod tests {
             ("1.234,5", Decimal::Comma, 1234.5),
             ("1,2e-3", Decimal::Comma, 1.2e-3),
             ("+7", Decimal::Comma, 7.0),
+            ("1 234.5", Decimal::Point, 1234.5),
+            ("-12\u{202f}345\u{a0}678", Decimal::Comma, -12345678.0),
+            ("1'234,5", Decimal::Comma, 1234.5),
         ] {
             assert_eq!(read(text, decimal), Cell::Number(number), "{text}");
         }
@@ -87,13 +124,14 @@ mod tests {
             ("inf", Decimal::Point),
             ("12 mm", Decimal::Point),
             ("1,23,4.5", Decimal::Point),
+            ("1 23.4", Decimal::Point),
+            ("0.1 0.2", Decimal::Point),
             ("infinity", Decimal::Comma),
         ] {
             assert_eq!(read(text, decimal), Cell::Text, "{text}");
         }
-        for text in ["", "  ", "NaN", "n/a", "-"] {
-            let cell = read(text, Decimal::Point);
-            assert!(cell == Cell::Missing || text == "-", "{text}: {cell:?}");
+        for text in ["", "  ", "NaN", "n/a", "-", "---", "-nan", "#N/A"] {
+            assert_eq!(read(text, Decimal::Point), Cell::Missing, "{text}");
         }
     }
 }

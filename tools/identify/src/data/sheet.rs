@@ -38,6 +38,12 @@ enum Separator {
 }
 
 impl Separator {
+    /// Whether a cell of `row` may be two numbers with a blank between them, of which a decimal comma separated a third.
+    fn leaves_two(self, row: &Row) -> bool {
+        self == Self::Sign(b',')
+            && row.cells.iter().any(|cell| cell.contains(' ') && !is_date(cell) && starts_with_digit(cell))
+    }
+
     /// The rows of `text`, without blank ones.
     fn split(self, text: &str) -> Vec<Row> {
         let Self::Sign(delimiter) = self else {
@@ -55,7 +61,14 @@ impl Separator {
     }
 }
 
+fn starts_with_digit(cell: &str) -> bool {
+    cell.trim_start_matches(['-', '+']).starts_with(|c: char| c.is_ascii_digit())
+}
+
 fn split_line(line: &str, delimiter: u8) -> Vec<String> {
+    if !line.contains('"') {
+        return line.split(char::from(delimiter)).map(|cell| cell.trim().into()).collect();
+    }
     let mut reader =
         csv::ReaderBuilder::new().delimiter(delimiter).has_headers(false).flexible(true).from_reader(line.as_bytes());
     let mut record = csv::StringRecord::new();
@@ -76,31 +89,55 @@ pub fn parse(bytes: &[u8], decimal: Option<Decimal>) -> Result<Sheet, ReadError>
     for separator in SEPARATORS {
         let rows = separator.split(&text);
         for &decimal in &decimals {
-            let count = rows.iter().filter(|row| is_numeric(row, decimal)).count();
+            let count = rows.iter().filter(|row| is_numeric(row, decimal) && !separator.leaves_two(row)).count();
             if count > most {
                 (best, most) = (Some((rows.clone(), decimal)), count);
             }
         }
     }
-    let (rows, decimal) = best.ok_or_else(|| {
-        ReadError::file("no row of two or more numbers: legal is a table of numbers separated by tab ; , | or blanks")
-    })?;
+    let (rows, decimal) = best.ok_or_else(|| no_table(&text))?;
     assemble(&text, &comments, rows, decimal)
 }
 
-/// Whether a row is one of numbers: at least two, and at most one cell of another kind (a specimen's name).
+fn no_table(text: &str) -> ReadError {
+    let legal = "legal is a table of numbers separated by tab ; , | or blanks, with units in its titles";
+    match text.lines().enumerate().find(|(_, line)| starts_with_digit(line.trim_start_matches(['"', ' ']))) {
+        Some((index, line)) => {
+            let shown: String = line.trim().chars().take(60).collect();
+            ReadError::line(index + 1, format!("\"{shown}\" is no row of two or more numbers: {legal}"))
+        }
+        None => ReadError::file(format!("no row of two or more numbers: {legal}")),
+    }
+}
+
+/// Whether a row is one of numbers: at least two, beside them only names, dates and times of day.
 fn is_numeric(row: &Row, decimal: Decimal) -> bool {
-    let count = |wanted: fn(&Cell) -> bool| row.cells.iter().filter(|c| wanted(&number::read(c, decimal))).count();
-    let texts = row.cells.iter().filter(|cell| number::read(cell, decimal) == Cell::Text);
-    let name = |cell: &String| !cell.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '-' | '+' | '.' | ','));
-    let numbers = count(|cell| matches!(cell, Cell::Number(_)));
-    numbers >= 2 && texts.clone().count() <= 1 && texts.clone().all(name)
+    let cells = || row.cells.iter().map(|cell| (cell, number::read(cell, decimal)));
+    let name = |cell: &str| !cell.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '-' | '+' | '.' | ','));
+    let numbers = cells().filter(|(_, read)| matches!(read, Cell::Number(_))).count();
+    numbers >= 2 && cells().filter(|(_, read)| *read == Cell::Text).all(|(cell, _)| name(cell) || is_date(cell))
+}
+
+/// Whether a row says that its values are missing.
+fn is_missing(row: &Row, decimal: Decimal) -> bool {
+    let missing = |cell: &String| number::read(cell, decimal) == Cell::Missing;
+    row.cells.iter().any(|cell| !cell.is_empty() && missing(cell))
+        || row.cells.iter().all(|cell| missing(cell) || is_date(cell))
+}
+
+/// Whether a cell is a date, a time of day, or both.
+fn is_date(cell: &str) -> bool {
+    let legal = |c: char| c.is_ascii_digit() || matches!(c, '-' | '/' | ':' | '.' | ',' | ' ' | 'T' | 'Z');
+    cell.chars().all(legal) && cell.matches([':', '/', '-', '.']).count() >= 2
 }
 
 fn assemble(text: &str, comments: &[(usize, String)], rows: Vec<Row>, decimal: Decimal) -> Result<Sheet, ReadError> {
     let first = first_row(&rows, decimal);
     let columns = rows[first].cells.len();
-    let head = Head::find(text, comments, &rows[..first], rows[first].line, columns);
+    let empty = |row: &&Row| row.cells.iter().all(|cell| number::read(cell, decimal) != Cell::Text);
+    let above: Vec<Row> =
+        rows[..first].iter().filter(|row| !empty(row) || is_row_of_units(&row.cells)).cloned().collect();
+    let head = Head::find(text, comments, &above, rows[first].line, columns);
     let lines: Vec<&str> = text.lines().collect();
     let mut blocks = vec![Vec::new()];
     for row in rows.into_iter().skip(first) {
@@ -112,7 +149,7 @@ fn assemble(text: &str, comments: &[(usize, String)], rows: Vec<Row>, decimal: D
             if blocks.last().is_some_and(|block| !block.is_empty()) {
                 blocks.push(Vec::new());
             }
-        } else {
+        } else if !is_missing(&row, decimal) {
             let found = lines.get(row.line - 1).copied().unwrap_or_default().trim();
             let legal = "legal is a row of numbers, a comment (#), or the titles again before the next specimen";
             return Err(ReadError::line(row.line, format!("\"{found}\" is refused: {legal}")));
@@ -241,6 +278,12 @@ mod tests {
     }
 
     #[test]
+    fn rows_of_missing_values_above_the_table_are_no_titles() {
+        assert_eq!(sheet("a;b\nnan;nan\n0.1;nan\n1;2\n3;4\n").titles, ["a", "b"]);
+        assert_eq!(sheet("a;b\n-;MPa\n1;2\n3;4\n").titles, ["a [-]", "b [MPa]"]);
+    }
+
+    #[test]
     fn titles_again_begin_another_block() {
         let sheet = sheet("a,b\n1,2\n3,4\na,b\n5,6\n");
         assert_eq!(sheet.blocks.iter().map(Vec::len).collect::<Vec<_>>(), [2, 1]);
@@ -253,6 +296,26 @@ mod tests {
         for empty in ["", "strain,stress\n", "hello\nworld\n", "# only a comment"] {
             assert!(parse(empty.as_bytes(), None).is_err(), "{empty}");
         }
+    }
+
+    #[test]
+    fn names_dates_and_missing_values_stand_beside_numbers() {
+        let sheet =
+            sheet("date;by;a;b\n2024-01-02 10:00:00;me;1,5;2\n02.01.2024;me;nan;-\n-;-;-;-\n3.1.2024;you;2;3\n");
+        assert_eq!(sheet.titles, ["date", "by", "a", "b"]);
+        assert_eq!(sheet.blocks[0].len(), 2);
+    }
+
+    #[test]
+    fn a_blank_is_no_group_of_thousands_beside_a_decimal_comma() {
+        assert_eq!(numbers(&sheet("a b\n10 200,5\n20 300,5\n")), [[10.0, 200.5], [20.0, 300.5]]);
+        assert_eq!(numbers(&sheet("a;b\n1;1 200,5\n2;1 300,5\n")), [[1.0, 1200.5], [2.0, 1300.5]]);
+    }
+
+    #[test]
+    fn what_is_no_table_is_refused_at_its_first_line_of_digits() {
+        let error = parse(b"strain;stress\n10 %;0.2 MPa\n", None).unwrap_err().to_string();
+        assert!(error.starts_with("line 2: \"10 %;0.2 MPa\" is no row"), "{error}");
     }
 
     #[test]

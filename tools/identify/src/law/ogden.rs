@@ -1,15 +1,16 @@
 //! Ogden's law, by Levenberg-Marquardt from several starts.
 //!
 //! The exponents are bounded by the kernel's range through alpha = A t / sqrt(1 + t^2). Starts are all combinations of
-//! exponents of a fixed grid, with the coefficients that are best for them (a linear problem); the best starts are
-//! refined on a part of the points, the best of those on all. Nothing is random, so a fit can be repeated to the bit.
+//! exponents of a fixed grid, with the coefficients that are best for them (a linear problem), and the law of one term less
+//! with another one; the best starts are refined on a part of the points, the best of those on all. Nothing is random, so a
+//! fit can be repeated to the bit.
 
-use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt};
-use nalgebra::{DMatrix, DVector, Dyn, Owned};
+use nalgebra::{DMatrix, DVector};
 
 use super::linear;
 use super::stress::stretches;
 use super::{DataSet, Mode};
+use crate::least_squares::{self, Bounded, Model};
 
 /// Largest exponent, as in the kernel's table of parameters.
 pub const LARGEST_ALPHA: f64 = 30.0;
@@ -18,6 +19,8 @@ const SMALLEST_ALPHA: f64 = 1e-3;
 
 /// Exponents of the starts, denser where rubbers are.
 const GRID: [f64; 14] = [-20.0, -12.0, -8.0, -5.0, -3.0, -2.0, -1.0, 1.0, 2.0, 3.0, 5.0, 8.0, 12.0, 20.0];
+/// Exponents of a term that is added to the law of one term less.
+const ADDED: [f64; 2] = [-4.0, 4.0];
 /// Starts that are refined.
 const REFINED: usize = 16;
 /// Refined starts that are finished on all points.
@@ -52,13 +55,17 @@ fn basis_slope(alpha: f64, target: &Target) -> f64 {
 pub fn fit(n_term: usize, data: &[DataSet], weights: &[f64], stable: bool) -> Vec<f64> {
     let all = targets(data, weights);
     let few = thinned(&all);
-    let refine = |targets: &[Target], start: &[f64]| minimise(targets, start, stable);
-    let mut refined: Vec<(f64, Vec<f64>)> =
-        starts(n_term, &few, stable).iter().map(|start| refine(&few, start)).collect();
+    let smaller = if n_term > 1 { fit(n_term - 1, data, weights, stable) } else { Vec::new() };
+    let larger = ADDED.iter().filter(|_| n_term > 1).map(|alpha| [smaller.as_slice(), &[0.0, *alpha]].concat());
+    let mut starts = starts(n_term, &few, stable);
+    starts.extend(larger.clone());
+    let mut refined: Vec<(f64, Vec<f64>)> = starts.iter().map(|start| minimise(&few, start, stable)).collect();
     refined.sort_by(|a, b| a.0.total_cmp(&b.0));
     refined.dedup_by(|a, b| (a.0 - b.0).abs() <= 1e-6 * b.0);
-    let finished = refined.iter().take(FINISHED).map(|(_, start)| refine(&all, start));
-    let best = finished.min_by(|a, b| a.0.total_cmp(&b.0)).map_or_else(Vec::new, |(_, values)| values);
+    let finished = refined.iter().take(FINISHED).map(|(_, start)| minimise(&all, start, stable));
+    // The smaller law itself with a term of nothing, so that a further term never fits worse.
+    let smaller = larger.take(1).map(|values| (cost(&values, &all), values));
+    let best = finished.chain(smaller).min_by(|a, b| a.0.total_cmp(&b.0)).map_or_else(Vec::new, |(_, values)| values);
     let mut terms: Vec<&[f64]> = best.chunks(2).collect();
     terms.sort_by(|a, b| b[1].total_cmp(&a[1]));
     terms.concat()
@@ -128,11 +135,22 @@ fn combinations(n_term: usize) -> Vec<Vec<usize>> {
 /// The parameters that Levenberg-Marquardt reaches from `start`, and their sum of squares.
 fn minimise(targets: &[Target], start: &[f64], stable: bool) -> (f64, Vec<f64>) {
     let scale = targets.iter().fold(0.0, |largest, t| f64::max(largest, t.stress.abs()));
-    let problem = Problem { targets, scale, stable, inner: to_inner(start, scale, stable) };
-    let (problem, _) = LevenbergMarquardt::new().with_tol(1e-13).with_patience(200).minimize(problem);
-    let cost = problem.residuals().map_or(f64::INFINITY, |r| r.norm_squared());
-    (if cost.is_finite() { cost } else { f64::INFINITY }, problem.values())
+    let problem = Problem { targets, scale, stable };
+    let (cost, inner) = least_squares::minimise(&problem, problem.inner(start));
+    (cost, problem.values(&inner))
 }
+
+/// Sum of the squared residuals of the parameters mu_1, alpha_1, mu_2, ...
+fn cost(values: &[f64], targets: &[Target]) -> f64 {
+    targets.iter().map(|target| residual(values, target).powi(2)).sum()
+}
+
+fn residual(values: &[f64], target: &Target) -> f64 {
+    let stress: f64 = values.chunks(2).map(|term| term[0] * basis(term[1], target)).sum();
+    target.weight * (stress - target.stress)
+}
+
+const EXPONENT: Bounded = Bounded { middle: 0.0, half: LARGEST_ALPHA };
 
 /// The problem in unbounded parameters: for each term mu / scale (or sqrt(mu alpha / scale) where it must be positive),
 /// and t of the exponent.
@@ -140,70 +158,49 @@ struct Problem<'a> {
     targets: &'a [Target],
     scale: f64,
     stable: bool,
-    inner: DVector<f64>,
-}
-
-fn to_inner(values: &[f64], scale: f64, stable: bool) -> DVector<f64> {
-    let pairs = values.chunks(2).flat_map(|term| {
-        let ratio = (term[1] / LARGEST_ALPHA).clamp(-0.999, 0.999);
-        let t = ratio / (1.0 - ratio * ratio).sqrt();
-        // A coefficient of exactly zero would never move.
-        let product = (term[0] * term[1] / scale).max(1e-6);
-        [if stable { product.sqrt() } else { term[0] / scale }, t]
-    });
-    DVector::from_iterator(values.len(), pairs)
 }
 
 impl Problem<'_> {
+    fn inner(&self, values: &[f64]) -> Vec<f64> {
+        let term = |term: &[f64]| {
+            // A coefficient of exactly zero would never move.
+            let product = (term[0] * term[1] / self.scale).max(1e-6);
+            [if self.stable { product.sqrt() } else { term[0] / self.scale }, EXPONENT.parameter(term[1])]
+        };
+        values.chunks(2).flat_map(term).collect()
+    }
+
     /// mu_1, alpha_1, mu_2, ...
-    fn values(&self) -> Vec<f64> {
-        let term = |k: usize| {
-            let (a, t) = (self.inner[2 * k], self.inner[2 * k + 1]);
-            let alpha = LARGEST_ALPHA * t / (1.0 + t * t).sqrt();
+    fn values(&self, inner: &[f64]) -> Vec<f64> {
+        let term = |term: &[f64]| {
+            let (a, alpha) = (term[0], EXPONENT.value(term[1]));
             let alpha = if alpha.abs() < SMALLEST_ALPHA { SMALLEST_ALPHA.copysign(alpha) } else { alpha };
             [if self.stable { a * a * self.scale / alpha } else { a * self.scale }, alpha]
         };
-        (0..self.inner.len() / 2).flat_map(term).collect()
+        inner.chunks(2).flat_map(term).collect()
     }
 }
 
-impl LeastSquaresProblem<f64, Dyn, Dyn> for Problem<'_> {
-    type ResidualStorage = Owned<f64, Dyn>;
-    type JacobianStorage = Owned<f64, Dyn, Dyn>;
-    type ParameterStorage = Owned<f64, Dyn>;
-
-    fn set_params(&mut self, x: &DVector<f64>) {
-        self.inner.copy_from(x);
+impl Model for Problem<'_> {
+    fn residuals(&self, inner: &[f64]) -> DVector<f64> {
+        let values = self.values(inner);
+        DVector::from_iterator(self.targets.len(), self.targets.iter().map(|target| residual(&values, target)))
     }
 
-    fn params(&self) -> DVector<f64> {
-        self.inner.clone()
-    }
-
-    fn residuals(&self) -> Option<DVector<f64>> {
-        let values = self.values();
-        let residual = |target: &Target| {
-            let stress: f64 = values.chunks(2).map(|term| term[0] * basis(term[1], target)).sum();
-            target.weight * (stress - target.stress)
-        };
-        Some(DVector::from_iterator(self.targets.len(), self.targets.iter().map(residual)))
-    }
-
-    fn jacobian(&self) -> Option<DMatrix<f64>> {
-        let values = self.values();
-        Some(DMatrix::from_fn(self.targets.len(), self.inner.len(), |i, j| {
+    fn jacobian(&self, inner: &[f64]) -> DMatrix<f64> {
+        let values = self.values(inner);
+        DMatrix::from_fn(self.targets.len(), inner.len(), |i, j| {
             let target = &self.targets[i];
-            let (k, t) = (j - j % 2, self.inner[j - j % 2 + 1]);
+            let (k, t) = (j - j % 2, inner[j - j % 2 + 1]);
             let (mu, alpha) = (values[k], values[k + 1]);
             if j % 2 == 0 {
-                let by_inner = if self.stable { 2.0 * self.inner[k] * self.scale / alpha } else { self.scale };
+                let by_inner = if self.stable { 2.0 * inner[k] * self.scale / alpha } else { self.scale };
                 return target.weight * by_inner * basis(alpha, target);
             }
             // With mu = a^2 / alpha the coefficient moves with the exponent.
             let through_mu = if self.stable { -mu / alpha * basis(alpha, target) } else { 0.0 };
-            let slope = LARGEST_ALPHA * (1.0 + t * t).powf(-1.5);
-            target.weight * slope * (mu * basis_slope(alpha, target) + through_mu)
-        }))
+            target.weight * EXPONENT.slope(t) * (mu * basis_slope(alpha, target) + through_mu)
+        })
     }
 }
 
@@ -239,6 +236,22 @@ mod tests {
         }
     }
 
+    /// Data of one term: what is added has nothing to do, and must not make the fit worse.
+    #[test]
+    fn a_further_term_never_fits_worse() {
+        for (modes, noise) in [(1, 0.0), (1, 0.03), (3, 0.0), (3, 0.03)] {
+            let mut data = data(&[0.4e6, 2.7]);
+            data.truncate(modes);
+            for (k, point) in data.iter_mut().flat_map(|set| &mut set.points).enumerate() {
+                point.1 *= 1.0 + noise * ((k * 7919 % 101) as f64 / 50.0 - 1.0);
+            }
+            let weights = vec![1.0; 24 * modes];
+            let all = targets(&data, &weights);
+            let costs: Vec<f64> = (1..=3).map(|n| cost(&fit(n, &data, &weights, false), &all)).collect();
+            assert!(costs[1] <= costs[0] && costs[2] <= costs[1], "{modes} {noise}: {costs:?}");
+        }
+    }
+
     #[test]
     fn demanded_products_are_positive() {
         let mut data = data(&[0.4e6, 1.5, 0.2e6, -3.0]);
@@ -254,14 +267,14 @@ mod tests {
         let data = data(&[0.4e6, 1.5, 0.2e6, -3.0]);
         let targets = targets(&data, &[1.0; 72]);
         for stable in [false, true] {
-            let inner = to_inner(&[0.3e6, 2.0, -0.1e6, -4.0], 1e6, stable);
-            let mut problem = Problem { targets: &targets, scale: 1e6, stable, inner: inner.clone() };
-            let jacobian = problem.jacobian().unwrap();
+            let problem = Problem { targets: &targets, scale: 1e6, stable };
+            let inner = problem.inner(&[0.3e6, 2.0, -0.1e6, -4.0]);
+            let jacobian = problem.jacobian(&inner);
             for j in 0..inner.len() {
-                let mut at = |by: f64| {
-                    problem.inner = inner.clone();
-                    problem.inner[j] += by;
-                    problem.residuals().unwrap()
+                let at = |by: f64| {
+                    let mut moved = inner.clone();
+                    moved[j] += by;
+                    problem.residuals(&moved)
                 };
                 let difference = (at(1e-6) - at(-1e-6)) / 2e-6;
                 let error = (difference - jacobian.column(j)).norm() / jacobian.column(j).norm();

@@ -60,7 +60,7 @@ pub fn tangent(elastic: &Elastic, stretches: [f64; 3]) -> Matrix2<f64> {
         state
     };
     let states = [moved(0, DIFFERENCE), moved(0, -DIFFERENCE), moved(1, DIFFERENCE), moved(1, -DIFFERENCE)];
-    let stress = kirchhoff(elastic, &states);
+    let stress = states.map(|state| kirchhoff(elastic, state));
     let slope = |axis: usize, component: usize| {
         let of = |index: usize| stress[index][component] - stress[index][2];
         (of(2 * axis) - of(2 * axis + 1)) / (2.0 * DIFFERENCE)

@@ -4,12 +4,10 @@
 //! pressure of the incompressible specimen drops out.
 
 use softanvil_kernel::element::Kinematics;
-use softanvil_kernel::lanes::{Deviator, LANES, Lane, ZERO};
 use softanvil_kernel::material::Elastic;
+use softanvil_kernel::vector::Scalar;
 
 use super::Mode;
-
-const ONE: Lane = [1.0; LANES];
 
 /// Stretches (x, y, z) of a test at the stretch `l`, the loaded direction first.
 pub fn stretches(mode: Mode, l: f64) -> [f64; 3] {
@@ -20,41 +18,21 @@ pub fn stretches(mode: Mode, l: f64) -> [f64; 3] {
     }
 }
 
-/// Deviatoric Kirchhoff stresses (x, y, z), Pa, at up to [`LANES`] isochoric triples of principal stretches.
-pub fn kirchhoff(elastic: &Elastic, states: &[[f64; 3]]) -> [[f64; 3]; LANES] {
-    let mut lanes = [ONE; 3];
-    for (index, state) in states.iter().take(LANES).enumerate() {
-        for (lane, stretch) in lanes.iter_mut().zip(state) {
-            lane[index] = *stretch;
-        }
-    }
-    let kinematics = Kinematics {
-        cos: ONE,
-        sin: ZERO,
-        u11: lanes[0],
-        u22: lanes[1],
-        u12: ZERO,
-        u33: lanes[2],
-        jacobian: ONE,
-        inverse_cbrt_j: ONE,
-    };
-    let (stress, _): (Deviator, Lane) = elastic.stress(&kinematics);
-    std::array::from_fn(|index| {
-        let (x, y) = (stress.xx[index], stress.yy[index]);
-        [x, y, -(x + y)]
-    })
+/// Deviatoric Kirchhoff stress (x, y, z), Pa, at isochoric principal stretches.
+pub fn kirchhoff(elastic: &Elastic, [x, y, z]: [f64; 3]) -> [f64; 3] {
+    let kinematics = Kinematics { mean: 0.5 * (x + y), difference: 0.5 * (x - y), hoop: z, ..Kinematics::REST };
+    let [x, y, _] = elastic.stress(Scalar, &kinematics, true).0.section();
+    [x, y, -(x + y)]
 }
 
 /// Nominal stress, Pa, at each of `points` (stretches of the loaded direction).
 pub fn nominal(elastic: &Elastic, mode: Mode, points: &[f64]) -> Vec<f64> {
-    let mut stresses = Vec::with_capacity(points.len());
-    for chunk in points.chunks(LANES) {
-        let states: Vec<_> = chunk.iter().map(|&l| stretches(mode, l)).collect();
-        let stress = kirchhoff(elastic, &states);
-        // The free direction is the second in all three tests.
-        stresses.extend(chunk.iter().zip(stress).map(|(l, tau)| (tau[0] - tau[1]) / l));
-    }
-    stresses
+    // The free direction is the second in all three tests.
+    let at = |&l: &f64| {
+        let tau = kirchhoff(elastic, stretches(mode, l));
+        (tau[0] - tau[1]) / l
+    };
+    points.iter().map(at).collect()
 }
 
 #[cfg(test)]

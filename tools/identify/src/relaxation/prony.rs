@@ -4,12 +4,12 @@
 //! [`History`], and no negative Y. Normalised on the instantaneous modulus, g_i = Y_i / (Y_inf + sum Y_i), which is the
 //! kernel's convention.
 
-use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt};
-use nalgebra::{DMatrix, DVector, Dyn, Owned};
+use nalgebra::{DMatrix, DVector};
 use ndarray::{Array1, Array2};
 
 use super::history::History;
 use crate::law::statistics::Statistics;
+use crate::least_squares::{self, Bounded, Model};
 
 /// Load over time, in the order of time.
 #[derive(Clone, Debug, PartialEq)]
@@ -128,76 +128,55 @@ fn minimise(data: &Relaxation, taus: &[f64], range: (f64, f64)) -> (f64, Vec<f64
     let scale = data.loads.iter().fold(0.0, |largest, load| f64::max(largest, load.abs()));
     // A root of exactly zero would never move.
     let root = |y: f64| (y / scale).max(1e-4).sqrt();
+    let problem = Problem { data, scale, log_tau: log_tau(range) };
     let mut inner = vec![root(amplitudes[0])];
     for (y, tau) in amplitudes[1..].iter().zip(taus) {
-        inner.extend([root(*y), inner_of(*tau, range)]);
+        inner.extend([root(*y), problem.log_tau.parameter(tau.ln())]);
     }
-    let problem = Problem { data, scale, range, inner: DVector::from_vec(inner) };
-    let (problem, _) = LevenbergMarquardt::new().with_tol(1e-13).with_patience(200).minimize(problem);
-    let cost = problem.residuals().map_or(f64::INFINITY, |r| r.norm_squared());
-    (if cost.is_finite() { cost } else { f64::INFINITY }, problem.values())
+    let (cost, inner) = least_squares::minimise(&problem, inner);
+    (cost, problem.values(&inner))
 }
 
-/// Half of the logarithmic range, and its middle.
-fn half_and_middle(range: (f64, f64)) -> (f64, f64) {
-    (0.5 * (range.1 / range.0).ln(), 0.5 * (range.1 * range.0).ln())
-}
-
-/// The unbounded t of a time within `range`: ln tau = middle + half t / sqrt(1 + t^2).
-fn inner_of(tau: f64, range: (f64, f64)) -> f64 {
-    let (half, middle) = half_and_middle(range);
-    let ratio = ((tau.ln() - middle) / half).clamp(-0.999, 0.999);
-    ratio / (1.0 - ratio * ratio).sqrt()
+/// The logarithm of a time within `range`.
+fn log_tau(range: (f64, f64)) -> Bounded {
+    Bounded { middle: 0.5 * (range.1 * range.0).ln(), half: 0.5 * (range.1 / range.0).ln() }
 }
 
 /// The problem in unbounded parameters: roots of Y over the largest load, and t of the times.
 struct Problem<'a> {
     data: &'a Relaxation,
     scale: f64,
-    range: (f64, f64),
-    inner: DVector<f64>,
+    log_tau: Bounded,
+}
+
+/// Whether the parameter with this index of Y_inf, Y_1, tau_1, ... is a time.
+fn is_time(index: usize) -> bool {
+    index > 0 && index.is_multiple_of(2)
 }
 
 impl Problem<'_> {
-    fn values(&self) -> Vec<f64> {
-        let (half, middle) = half_and_middle(self.range);
-        let value = |(index, x): (usize, &f64)| match index % 2 == 0 && index > 0 {
-            true => (middle + half * x / (1.0 + x * x).sqrt()).exp(),
+    fn values(&self, inner: &[f64]) -> Vec<f64> {
+        let value = |(index, x): (usize, &f64)| match is_time(index) {
+            true => self.log_tau.value(*x).exp(),
             false => x * x * self.scale,
         };
-        self.inner.iter().enumerate().map(value).collect()
+        inner.iter().enumerate().map(value).collect()
     }
 }
 
-impl LeastSquaresProblem<f64, Dyn, Dyn> for Problem<'_> {
-    type ResidualStorage = Owned<f64, Dyn>;
-    type JacobianStorage = Owned<f64, Dyn, Dyn>;
-    type ParameterStorage = Owned<f64, Dyn>;
-
-    fn set_params(&mut self, x: &DVector<f64>) {
-        self.inner.copy_from(x);
+impl Model for Problem<'_> {
+    fn residuals(&self, inner: &[f64]) -> DVector<f64> {
+        DVector::from_vec(residuals(&self.values(inner), self.data)) / self.scale
     }
 
-    fn params(&self) -> DVector<f64> {
-        self.inner.clone()
-    }
-
-    fn residuals(&self) -> Option<DVector<f64>> {
-        Some(DVector::from_vec(residuals(&self.values(), self.data)) / self.scale)
-    }
-
-    fn jacobian(&self) -> Option<DMatrix<f64>> {
-        let mut jacobian = jacobian(&self.values(), self.data) / self.scale;
-        let half = half_and_middle(self.range).0;
-        let values = self.values();
-        for (j, x) in self.inner.iter().enumerate() {
-            let slope = match j % 2 == 0 && j > 0 {
-                true => values[j] * half * (1.0 + x * x).powf(-1.5),
-                false => 2.0 * x * self.scale,
-            };
+    fn jacobian(&self, inner: &[f64]) -> DMatrix<f64> {
+        let values = self.values(inner);
+        let mut jacobian = jacobian(&values, self.data) / self.scale;
+        for (j, x) in inner.iter().enumerate() {
+            let slope = if is_time(j) { values[j] * self.log_tau.slope(*x) } else { 2.0 * x * self.scale };
             jacobian.column_mut(j).scale_mut(slope);
         }
-        Some(jacobian)
+        jacobian
     }
 }
 

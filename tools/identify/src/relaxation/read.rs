@@ -4,9 +4,11 @@ use super::history::History;
 use super::prony::Relaxation;
 use crate::data::ReadError;
 use crate::data::column::{Column, Kind, Measure};
+use crate::data::curve::{Direction, hinted};
 use crate::data::number::Decimal;
 use crate::data::series::{Series, Table};
 use crate::data::sheet;
+use crate::data::specimen::{Specimen, at_rest};
 
 /// What the file leaves open.
 #[derive(Clone, Debug, Default)]
@@ -15,10 +17,12 @@ pub struct Options {
     pub columns: Option<Vec<String>>,
     /// Decimal sign of the numbers.
     pub decimal: Option<Decimal>,
-    /// Cross-section of the specimen, m2.
-    pub area: Option<f64>,
-    /// Length of the specimen, m.
-    pub height: Option<f64>,
+    /// Size of the specimen.
+    pub specimen: Specimen,
+    /// Measure of strains whose title names none.
+    pub strain_measure: Option<Measure>,
+    /// Measure of stresses whose title names none.
+    pub stress_measure: Option<Measure>,
     /// Time in which the strain was applied, s; 0 for a step.
     pub ramp_time: Option<f64>,
     /// Reading of the file's clock when loading began, s.
@@ -36,6 +40,8 @@ pub enum Load {
     Modulus,
     /// Force of a specimen of unknown cross-section, N.
     Force,
+    /// A load over another, without a unit.
+    Normalised,
 }
 
 /// A relaxation test.
@@ -72,11 +78,15 @@ pub fn read(bytes: &[u8], options: &Options, elastic: Option<&dyn Fn(f64) -> f64
     };
     let mut notes = Vec::new();
     let mut rows = rows(&table, series, options, &mut notes)?;
-    let start = options.start.unwrap_or(0.0);
+    let start = options.start.unwrap_or_else(|| beginning(&rows, &mut notes));
     rows.iter_mut().for_each(|row| row.time -= start);
+    if rows.iter().all(|row| row.load == 0.0) {
+        return Err(ReadError::file("every load is zero: legal are points of a specimen under load"));
+    }
     let sign = if rows.iter().map(|row| row.load).sum::<f64>() < 0.0 { -1.0 } else { 1.0 };
     rows.iter_mut().for_each(|row| row.load *= sign);
-    let (history, stretch) = history(&rows, options, elastic, &mut notes)?;
+    let compressed = sign < 0.0 || hinted(&table.words) == Some(Direction::Compression);
+    let (history, stretch) = history(&mut rows, options, elastic, compressed, &mut notes)?;
     let load = rows.first().map_or(Load::Stress, |row| row.kind);
     let (times, loads) = thinned(&rows, &mut notes);
     Ok(Test { relaxation: Relaxation { times, loads, history }, load, stretch, notes })
@@ -88,14 +98,17 @@ struct Row {
     time: f64,
     load: f64,
     kind: Load,
-    /// Engineering strain, negative in compression.
-    strain: Option<f64>,
+    /// Measure of the load.
+    stress: Measure,
+    /// Strain as the file has it, and its measure.
+    strain: Option<(f64, Measure)>,
 }
 
 fn one(table: &Table, kind: Kind) -> Result<Option<&Column>, ReadError> {
     let found: Vec<&Column> = table.of(kind).collect();
     // Of the same quantity in two measures the engineering one counts.
-    let engineering = found.iter().copied().filter(|column| column.measure != Some(Measure::True));
+    let engineering =
+        found.iter().copied().filter(|column| column.measure.is_none_or(|measure| measure == Measure::Engineering));
     match (found.as_slice(), engineering.collect::<Vec<_>>().as_slice()) {
         ([], _) => Ok(None),
         ([only], _) | (_, [only]) => Ok(Some(only)),
@@ -113,34 +126,42 @@ fn rows(table: &Table, series: &Series, options: &Options, notes: &mut Vec<Strin
     if time.si.is_none() {
         notes.push(format!("{} has no unit, read in seconds", time.title));
     }
+    let normalised = one(table, Kind::Normalised)?;
     let (load, kind) = match (one(table, Kind::Modulus)?, one(table, Kind::Stress)?, one(table, Kind::Force)?) {
         (Some(modulus), ..) => (modulus, Load::Modulus),
         (None, Some(stress), _) => (stress, Load::Stress),
-        (None, None, Some(force)) => (force, if options.area.is_some() { Load::Stress } else { Load::Force }),
+        (None, None, Some(force)) if options.specimen.area.is_none() => (force, Load::Force),
+        (None, None, Some(force)) => (force, Load::Stress),
+        _ if normalised.is_some() => (normalised.unwrap_or(time), Load::Normalised),
         _ => return Err(ReadError::file("no column of modulus, stress or force: name it with --relaxation-columns")),
     };
     // Only the shape over time matters for a series; without a unit its size is unknown.
-    let unit = match load.kind {
-        Kind::Force => load.si.unwrap_or(1.0) / options.area.unwrap_or(1.0),
-        _ => table.si(load)?,
+    let unit = match kind {
+        Load::Force | Load::Normalised => load.si.unwrap_or(1.0),
+        _ => options.specimen.stress_per_unit(table, load)?,
     };
-    let strain = match (one(table, Kind::Strain)?, one(table, Kind::Stretch)?, one(table, Kind::Displacement)?) {
-        (Some(strain), ..) => Some((strain, strain.si.unwrap_or(1.0), 0.0)),
-        (None, Some(stretch), _) => Some((stretch, 1.0, 1.0)),
-        (None, None, Some(moved)) => match options.height {
-            Some(height) => Some((moved, table.si(moved)? / height, 0.0)),
-            None => None,
-        },
-        _ => None,
+    let measure = |own: Option<Measure>, given: Option<Measure>| own.or(given).unwrap_or(Measure::Engineering);
+    let stress =
+        if load.kind == Kind::Stress { measure(load.measure, options.stress_measure) } else { Measure::Engineering };
+    // A displacement without the specimen's length is passed over: the load's shape over time is enough.
+    let moved = one(table, Kind::Displacement)?.filter(|_| options.specimen.height.is_some());
+    let deformation = one(table, Kind::Strain)?.or(one(table, Kind::Stretch)?).or(moved);
+    let strained = match deformation {
+        Some(column) => Some((column, options.specimen.strain_per_unit(table, series, column, notes)?)),
+        None => None,
     };
     let mut rows = Vec::new();
     for row in &series.rows {
         let (Some(seconds), Some(value)) = (table.value(time, row)?, table.value(load, row)?) else { continue };
-        let strain = match strain {
-            Some((column, factor, offset)) => table.value(column, row)?.map(|strain| strain * factor - offset),
+        let strain = match strained {
+            Some((column, factor)) => table.value(column, row)?.map(|strain| {
+                let own = if column.kind == Kind::Strain { column.measure } else { Some(Measure::Engineering) };
+                (strain * factor - at_rest(column.kind), measure(own, options.strain_measure))
+            }),
             None => None,
         };
-        rows.push(Row { line: row.line, time: seconds * time.si.unwrap_or(1.0), load: value * unit, kind, strain });
+        let time = seconds * time.si.unwrap_or(1.0);
+        rows.push(Row { line: row.line, time, load: value * unit, kind, stress, strain });
     }
     if let Some(pair) = rows.windows(2).find(|pair| pair[1].time < pair[0].time) {
         let reason = format!("time {} s is before that of the line above: legal is time that rises", pair[1].time);
@@ -153,24 +174,62 @@ fn rows(table: &Table, series: &Series, options: &Options, notes: &mut Vec<Strin
     Ok(rows)
 }
 
+/// Points of a load that relaxes, from its peak on, at least.
+const AFTER_PEAK: usize = 4;
+/// Part of the peak below which a specimen is not loaded yet.
+const UNLOADED: f64 = 0.05;
+
+/// Index of the largest load, whatever its sign; the first of several.
+fn peak(rows: &[Row]) -> usize {
+    let larger = |best: usize, index: usize| if rows[index].load.abs() > rows[best].load.abs() { index } else { best };
+    (0..rows.len()).fold(0, larger)
+}
+
+/// When loading began on the file's clock: at 0, or where a load that was nothing begins to rise; says so if it is later.
+fn beginning(rows: &[Row], notes: &mut Vec<String>) -> f64 {
+    let peak = peak(rows);
+    let unloaded = |row: &Row| row.load.abs() < UNLOADED * rows[peak].load.abs();
+    match rows[..peak].iter().rposition(unloaded) {
+        Some(last) if unloaded(&rows[0]) && rows[last].time != 0.0 => {
+            let time = rows[last].time;
+            notes.push(format!("loading begins at {time} s, where the load rises; --relaxation-start says otherwise"));
+            time
+        }
+        _ => 0.0,
+    }
+}
+
 /// What the load relaxes from, and the held stretch.
 fn history(
-    rows: &[Row],
+    rows: &mut [Row],
     options: &Options,
     elastic: Option<&dyn Fn(f64) -> f64>,
+    compressed: bool,
     notes: &mut Vec<String>,
 ) -> Result<(History, Option<f64>), ReadError> {
     if options.ramp_time.is_none() && rows.iter().all(|row| row.strain.is_some()) {
-        return measured(rows, options, elastic, notes);
+        return measured(rows, options, elastic, compressed, notes);
     }
     let stretch = options.strain.map(|strain| 1.0 + strain);
-    let peak = rows.iter().enumerate().max_by(|a, b| a.1.load.total_cmp(&b.1.load)).map_or(0, |(index, _)| index);
+    if let Some(stretch) = stretch {
+        rows.iter_mut().for_each(|row| row.load = row.stress.nominal(row.load, stretch));
+    }
+    let peak = peak(rows);
+    if options.ramp_time.is_none() && peak + AFTER_PEAK > rows.len() {
+        let reason = format!(
+            "the load is largest here, at {} s, with fewer than {AFTER_PEAK} points from it on: legal is a load that relaxes, or \
+             --ramp-time",
+            rows[peak].time
+        );
+        return Err(ReadError::line(rows[peak].line, reason));
+    }
     let ramp = options.ramp_time.unwrap_or_else(|| {
         if peak == 0 {
             notes.push("no rise of the load in the data: an ideal step; --ramp-time says otherwise".into());
             return 0.0;
         }
-        notes.push(format!("ramp time {} s, from the peak of the load; --ramp-time says otherwise", rows[peak].time));
+        notes
+            .push(format!("ramp time {:.6} s, from the peak of the load; --ramp-time says otherwise", rows[peak].time));
         rows[peak].time.max(0.0)
     });
     let shape = elastic.zip(stretch);
@@ -190,44 +249,62 @@ fn history(
     Ok((history, stretch))
 }
 
-/// The history from a column of strain.
+/// The history from a column of strain; makes the loads nominal with it.
 fn measured(
-    rows: &[Row],
+    rows: &mut [Row],
     options: &Options,
     elastic: Option<&dyn Fn(f64) -> f64>,
+    compressed: bool,
     notes: &mut Vec<String>,
 ) -> Result<(History, Option<f64>), ReadError> {
-    let strains: Vec<f64> = rows.iter().filter_map(|row| row.strain).collect();
-    let largest = strains.iter().fold(0.0, |a: f64, b| if b.abs() > a.abs() { *b } else { a });
-    // A positive strain may be one of compression; the option tells.
-    let sign = options.strain.map_or(1.0, |strain| (strain * largest).signum());
-    let stretch = 1.0 + sign * largest;
-    if largest == 0.0 || stretch <= 0.0 {
-        return Err(ReadError::file(format!("the held strain is {largest}: legal is above -1 and not 0")));
+    let strains = || rows.iter().filter_map(|row| row.strain);
+    let largest = strains().fold(0.0, |a: f64, (b, _)| if b.abs() > a.abs() { b } else { a });
+    if largest == 0.0 {
+        return Err(ReadError::file("every strain is zero: legal is a column of the strain that was held"));
     }
-    notes.push(format!("loading as measured, held at the engineering strain {:.4}", sign * largest));
-    let response = |strain: f64| match elastic {
-        Some(law) => law(1.0 + sign * strain) / law(stretch),
-        None => strain / largest,
+    // A positive strain may be one of compression; the option tells, or the load's sign, or words.
+    let sign = match options.strain {
+        Some(strain) => (strain * largest).signum(),
+        None if compressed && largest > 0.0 => -1.0,
+        None => 1.0,
     };
-    let knots = rows.iter().zip(&strains).map(|(row, strain)| (row.time, response(*strain))).collect();
-    Ok((History::measured(knots), Some(stretch)))
+    let mut stretches = Vec::with_capacity(rows.len());
+    for row in rows.iter_mut() {
+        let stretch = row.strain.map_or(Ok(1.0), |(strain, measure)| measure.stretch(sign * strain, row.line))?;
+        row.load = row.stress.nominal(row.load, stretch);
+        stretches.push(stretch);
+    }
+    let held = stretches.iter().fold(1.0, |a: f64, b| if (b - 1.0).abs() > (a - 1.0).abs() { *b } else { a });
+    notes.push(format!("loading as measured, held at the engineering strain {:.4}", held - 1.0));
+    let response = |stretch: f64| match elastic {
+        Some(law) => law(stretch) / law(held),
+        None => (stretch - 1.0) / (held - 1.0),
+    };
+    let knots: Vec<(f64, f64)> = rows.iter().zip(&stretches).map(|(row, l)| (row.time, response(*l))).collect();
+    Ok((History::measured(means(&knots)), Some(held)))
 }
 
-/// The points, or their means in bins of the logarithm of time if there are many.
+/// The points since loading began, or their means.
 fn thinned(rows: &[Row], notes: &mut Vec<String>) -> (Vec<f64>, Vec<f64>) {
-    let rows: Vec<&Row> = rows.iter().filter(|row| row.time >= 0.0).collect();
-    if rows.len() <= MOST_POINTS {
-        return rows.iter().map(|row| (row.time, row.load)).unzip();
+    let points: Vec<(f64, f64)> = rows.iter().filter(|row| row.time >= 0.0).map(|row| (row.time, row.load)).collect();
+    let means = means(&points);
+    if means.len() < points.len() {
+        notes.push(format!("{} points averaged to {}, {PER_DECADE} a decade", points.len(), means.len()));
     }
-    let bin = |row: &Row| if row.time > 0.0 { (row.time.log10() * PER_DECADE).floor() as i64 } else { i64::MIN };
-    let means = rows.chunk_by(|a, b| bin(a) == bin(b)).map(|rows| {
-        let mean = |value: fn(&Row) -> f64| rows.iter().map(|row| value(row)).sum::<f64>() / rows.len() as f64;
-        (mean(|row| row.time), mean(|row| row.load))
-    });
-    let (times, loads): (Vec<f64>, Vec<f64>) = means.unzip();
-    notes.push(format!("{} points averaged to {}, {PER_DECADE} a decade", rows.len(), times.len()));
-    (times, loads)
+    means.into_iter().unzip()
+}
+
+/// The `points` (time, value), or their means in bins of the logarithm of time if there are more than [`MOST_POINTS`].
+fn means(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    if points.len() <= MOST_POINTS {
+        return points.to_vec();
+    }
+    let bin = |time: f64| if time > 0.0 { (time.log10() * PER_DECADE).floor() as i64 } else { i64::MIN };
+    let mean = |points: &[(f64, f64)]| {
+        let sum = points.iter().fold((0.0, 0.0), |sum, point| (sum.0 + point.0, sum.1 + point.1));
+        (sum.0 / points.len() as f64, sum.1 / points.len() as f64)
+    };
+    points.chunk_by(|a, b| bin(a.0) == bin(b.0)).map(mean).collect()
 }
 
 #[cfg(test)]
@@ -253,11 +330,25 @@ mod tests {
 
     #[test]
     fn a_rise_of_the_load_is_a_ramp() {
-        let text = "time [s],force [N]\n0,0\n0.1,10\n0.2,20\n1,15\n2,12\n";
+        let text = "time [s],force [N]\n0,0\n0.1,10\n0.2,20\n1,15\n2,12\n3,11\n";
         let found = test(text, &Options::default()).unwrap();
         assert_eq!(found.relaxation.history.elastic(&[0.1, 0.2, 5.0]), [0.5, 1.0, 1.0]);
         let given = test(text, &Options { ramp_time: Some(0.0), ..Options::default() }).unwrap();
         assert_eq!(given.relaxation.history, History::step(0.0));
+    }
+
+    #[test]
+    fn a_clock_that_runs_before_loading_is_set_to_it() {
+        let text = "time [s],force [N]\n10,0\n10.1,0\n10.2,20\n11,15\n12,12\n13,11\n";
+        let found = test(text, &Options::default()).unwrap();
+        assert!((found.relaxation.history.elastic(&[0.1])[0] - 1.0).abs() < 1e-9, "{:?}", found.relaxation);
+        assert!(found.notes[0].contains("begins at 10.1 s"), "{:?}", found.notes);
+    }
+
+    #[test]
+    fn a_load_that_rises_to_the_end_is_refused() {
+        let error = test("time [s],force [N]\n0,1\n1,2\n2,3\n3,4\n4,5\n", &Options::default()).unwrap_err();
+        assert!(error.to_string().starts_with("line 6: the load is largest here"), "{error}");
     }
 
     #[test]
@@ -266,6 +357,11 @@ mod tests {
         let found = test(text, &Options::default()).unwrap();
         assert_eq!(found.relaxation.history.elastic(&[0.1, 1.0]), [0.5, 1.0]);
         assert_eq!(found.stretch, Some(0.5));
+        let unsigned = test(&text.replace('-', ""), &Options::default()).unwrap();
+        assert_eq!(unsigned.stretch, Some(1.5));
+        let compressed = test(&text.replace('-', "").replace("strain", "compression"), &Options::default()).unwrap();
+        assert_eq!(compressed.stretch, Some(0.5));
+        assert_eq!(compressed.relaxation.loads, found.relaxation.loads);
         assert!(found.relaxation.loads.iter().all(|load| *load >= 0.0));
     }
 

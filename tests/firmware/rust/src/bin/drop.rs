@@ -9,7 +9,7 @@ use core::mem::MaybeUninit;
 use cortex_m::{Peripherals, singleton};
 use cortex_m_rt::entry;
 use semihosting::println;
-use softanvil_firmware::{Counter, INSTRUCTIONS_PER_TICK, end, flash, stack_high_water, static_ram};
+use softanvil_firmware::{Counter, INSTRUCTIONS_PER_TICK, argument, end, flash, stack_high_water, static_ram};
 use softanvil_golden::{Checker, Record, Scene, scenes::SAMPLES_PER_RECORD};
 use softanvil_kernel::element::{CellConstants, CellHistory, HoopConstants};
 use softanvil_kernel::lanes::Deviator;
@@ -58,7 +58,8 @@ fn run(model_memory: ModelMemory<'static>, state_memory: StateMemory<'static>) -
     let size = Size::of(&scenario).unwrap();
     let model = Model::new(&scenario, model_memory).unwrap();
     let mut state = State::new(&model, state_memory).unwrap();
-    let steps = model.constants.steps_in(scenario.time.duration);
+    let whole = model.constants.steps_in(scenario.time.duration);
+    let steps = argument().map_or(whole, |most| whole.min(most));
     let stride = SAMPLES_PER_RECORD * u64::from(model.constants.steps_per_sample);
 
     let mut golden = Checker::new(scene.trace);

@@ -1,0 +1,67 @@
+//! What differs in single precision: the roots and numbers as text. The physics is held by the traces of
+//! `tests/golden/single` and by the comparison with double precision in `tests/verification`.
+
+use softanvil_kernel_f32::cfc::Coefficients;
+use softanvil_kernel_f32::decimal::Decimal;
+use softanvil_kernel_f32::{SAMPLING_INTERVAL, math};
+
+/// Numbers from 2^-octaves to 2^octaves, every region of the mantissa, without a random source.
+fn samples(octaves: f64) -> impl Iterator<Item = f32> {
+    (0..400_000).map(move |i| (octaves * (f64::from(i) / 200_000.0 - 1.0)).exp2() as f32)
+}
+
+#[test]
+fn inverse_sqrt_stays_within_its_stated_error() {
+    for x in samples(40.0) {
+        let error = (f64::from(math::inverse_sqrt(x)) * f64::from(x).sqrt() - 1.0).abs();
+        assert!(error < 2e-7, "inverse_sqrt({x}) is off by {error}");
+    }
+}
+
+#[test]
+fn inverse_cbrt_stays_within_its_stated_error() {
+    for x in samples(8.0) {
+        let error = (f64::from(math::inverse_cbrt(x)) * f64::from(x).cbrt() - 1.0).abs();
+        assert!(error < 2e-7, "inverse_cbrt({x}) is off by {error}");
+    }
+}
+
+#[test]
+fn short_numbers_read_as_they_are_written() {
+    for (value, text) in [
+        (0.0, "0"),
+        (14.7, "14.7"),
+        (5e-5, "0.00005"),
+        (0.1 + 0.2, "0.3"),
+        (999_999.96, "1000000"),
+        (-1.0 / 3.0, "-0.333333"),
+        (1e16, "1e16"),
+        (f32::MAX, "3.40282e38"),
+        (f32::MIN_POSITIVE, "1.17549e-38"),
+        (f32::NAN, "NaN"),
+        (f32::INFINITY, "inf"),
+    ] {
+        assert_eq!(Decimal(value).to_string(), text);
+    }
+}
+
+#[test]
+fn what_is_read_back_agrees_to_the_last_digit_shown() {
+    let mut bits: u32 = 1;
+    for _ in 0..100_000 {
+        bits = bits.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        let value = f32::from_bits(bits);
+        if value.is_normal() {
+            let read: f64 = Decimal(value).to_string().parse().unwrap();
+            let error = (read / f64::from(value) - 1.0).abs();
+            assert!(error <= 0.6e-5, "{value:e} reads {read:e}");
+        }
+    }
+}
+
+/// A tenth of the sampling rate is legal, though neither it nor the interval is a round number here.
+#[test]
+fn the_highest_channel_class_is_legal() {
+    assert!(Coefficients::new(2000.0, SAMPLING_INTERVAL).is_ok());
+    assert!(Coefficients::new(2001.0, SAMPLING_INTERVAL).is_err());
+}

@@ -1,0 +1,153 @@
+//! Vectors: as many neighbours of a [`Lane`] as one register of the processor holds.
+//!
+//! The element loop is written once, for any [`Instructions`]; compilers turn loops over lanes into vectors only where
+//! they see fit. Every operation works lane by lane and rounds as IEEE 754 says, so the width changes no bit.
+
+use core::ops::{Add, Div, Mul, Sub};
+
+use crate::lanes::{Deviator, LANES, Lane, ZERO};
+use crate::real::{self, Real};
+
+#[cfg(all(feature = "dispatch", target_arch = "x86_64", not(miri), not(feature = "single")))]
+pub(crate) mod x86;
+
+/// Numbers of neighbouring cells.
+pub trait Vector: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> {
+    /// Adds the same number to each.
+    fn plus(self, number: Real) -> Self;
+
+    /// Multiplies each by the same number.
+    fn times(self, number: Real) -> Self;
+
+    /// `then` where this is larger than `other`, `otherwise` elsewhere and where either is not a number.
+    fn if_greater(self, other: Self, then: Self, otherwise: Self) -> Self;
+
+    /// [`real::INVERSE_SQRT_MAGIC`] less half of the bits.
+    fn guess_inverse_sqrt(self) -> Self;
+
+    /// [`real::INVERSE_CBRT_MAGIC`] less a third of the bits.
+    fn guess_inverse_cbrt(self) -> Self;
+}
+
+/// Instructions for vectors of some width.
+///
+/// Everything between a token of a wide set and its instructions must be inlined, which closures and the methods of arrays
+/// that take them are not for certain: the code of the element loop is made of functions that say so, and of plain loops.
+pub trait Instructions: Copy {
+    /// A register.
+    type Vector: Vector;
+    /// Numbers in it, a divisor of [`LANES`].
+    const WIDTH: usize;
+
+    /// The same number everywhere.
+    fn splat(self, number: Real) -> Self::Vector;
+
+    /// The `chunk`-th vector of a lane.
+    fn load(self, lane: &Lane, chunk: usize) -> Self::Vector;
+
+    /// Writes the `chunk`-th vector of a lane.
+    fn store(self, vector: Self::Vector, lane: &mut Lane, chunk: usize);
+
+    /// The `chunk`-th vectors of a pair of lanes.
+    #[inline(always)]
+    fn load_pair(self, pair: &[Lane; 2], chunk: usize) -> [Self::Vector; 2] {
+        [self.load(&pair[0], chunk), self.load(&pair[1], chunk)]
+    }
+
+    /// The `chunk`-th vectors of a lane of tensors.
+    #[inline(always)]
+    fn load_deviator(self, deviator: &Deviator, chunk: usize) -> Deviator<Self::Vector> {
+        Deviator {
+            mean: self.load(&deviator.mean, chunk),
+            difference: self.load(&deviator.difference, chunk),
+            shear: self.load(&deviator.shear, chunk),
+        }
+    }
+
+    /// Writes the `chunk`-th vectors of a lane of tensors.
+    #[inline(always)]
+    fn store_deviator(self, value: &Deviator<Self::Vector>, deviator: &mut Deviator, chunk: usize) {
+        self.store(value.mean, &mut deviator.mean, chunk);
+        self.store(value.difference, &mut deviator.difference, chunk);
+        self.store(value.shear, &mut deviator.shear, chunk);
+    }
+
+    /// Applies a function without vector instructions to each of the neighbours.
+    #[inline(always)]
+    fn map<const I: usize, const O: usize>(
+        self,
+        inputs: [Self::Vector; I],
+        function: impl Fn([Real; I]) -> [Real; O],
+    ) -> [Self::Vector; O] {
+        let (mut given, mut results) = ([ZERO; I], [ZERO; O]);
+        for i in 0..I {
+            self.store(inputs[i], &mut given[i], 0);
+        }
+        for l in 0..Self::WIDTH.min(LANES) {
+            let mut numbers = [0.0; I];
+            for i in 0..I {
+                numbers[i] = given[i][l];
+            }
+            let result = function(numbers);
+            for o in 0..O {
+                results[o][l] = result[o];
+            }
+        }
+        let mut vectors = [self.splat(0.0); O];
+        for o in 0..O {
+            vectors[o] = self.load(&results[o], 0);
+        }
+        vectors
+    }
+}
+
+impl Vector for Real {
+    #[inline(always)]
+    fn plus(self, number: Real) -> Self {
+        self + number
+    }
+
+    #[inline(always)]
+    fn times(self, number: Real) -> Self {
+        self * number
+    }
+
+    #[inline(always)]
+    fn if_greater(self, other: Self, then: Self, otherwise: Self) -> Self {
+        if self > other { then } else { otherwise }
+    }
+
+    #[inline(always)]
+    fn guess_inverse_sqrt(self) -> Self {
+        Self::from_bits(real::INVERSE_SQRT_MAGIC.wrapping_sub(self.to_bits() >> 1))
+    }
+
+    #[inline(always)]
+    fn guess_inverse_cbrt(self) -> Self {
+        Self::from_bits(real::INVERSE_CBRT_MAGIC.wrapping_sub(real::third(self.to_bits())))
+    }
+}
+
+/// One number at a time: for processors whose vectors are not used.
+#[derive(Clone, Copy, Debug)]
+pub struct Scalar;
+
+impl Instructions for Scalar {
+    type Vector = Real;
+    const WIDTH: usize = 1;
+
+    #[inline(always)]
+    fn splat(self, number: Real) -> Real {
+        number
+    }
+
+    #[inline(always)]
+    fn load(self, lane: &Lane, chunk: usize) -> Real {
+        lane[chunk % LANES]
+    }
+
+    #[inline(always)]
+    fn store(self, vector: Real, lane: &mut Lane, chunk: usize) {
+        lane[chunk % LANES] = vector;
+    }
+}
