@@ -1,6 +1,6 @@
 //! All frames of one run.
 
-use softanvil_kernel::{Field, ModelError, Simulation};
+use softanvil_kernel::{Field, ModelError, SAMPLING_INTERVAL, Simulation};
 
 use super::{Frame, Mesh, nodal_means};
 
@@ -85,6 +85,12 @@ impl Film {
     pub fn contact(&self) -> usize {
         let touching = |frame: &Frame| frame.scalars.sampler.last.contact_force > 0.0;
         self.frames.iter().position(touching).unwrap_or(0).saturating_sub(1)
+    }
+
+    /// Time of `frame` since contact, s. Forces are drawn at the middle of their interval, the first one just before contact.
+    pub fn since_contact(&self, frame: &Frame) -> f64 {
+        let contact = self.frames.get(self.contact()).map_or(0.0, |frame| frame.time);
+        frame.time - contact + 0.5 * SAMPLING_INTERVAL
     }
 
     /// Times worth looking at, in their order.

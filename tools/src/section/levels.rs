@@ -25,8 +25,9 @@ impl Levels {
     /// Bands over stresses from `low` to `high`, Pa.
     pub fn new([low, high]: [f64; 2]) -> Self {
         let (scale, unit) = if high >= MEGA { (1e-6, "MPa") } else { (1e-3, "kPa") };
-        let reach = if high > low { high - low } else { 1.0 };
-        let interval = round_near(reach / BANDS);
+        // Where there is one value, any band around it.
+        let high = if high > low { high } else { low + 1.0 };
+        let interval = round_near((high - low) / BANDS);
         let (first, last) = ((low / interval + 1e-6).floor(), (high / interval - 1e-6).ceil());
         let count = (last - first).max(1.0) as usize;
         let shown = interval * scale;

@@ -51,7 +51,7 @@ pub fn maximum_compression(shots: &[Shot]) -> String {
     for shot in shots {
         for (shade, levels) in SHADES.iter().zip(&scales) {
             let Some((mesh, frame)) = shot.film.mesh().zip(shot.film.deepest()) else { continue };
-            let caption = format!("{}, {}", shot.label, numbers(frame));
+            let caption = format!("{}, {}", shot.label, numbers(shot.film, frame));
             panels.push(Panel::contours(mesh, frame, &shot.film.shaded(frame, shade), levels).titled(caption));
         }
     }
@@ -64,22 +64,22 @@ pub fn maximum_compression(shots: &[Shot]) -> String {
 pub fn deformed_mesh(shots: &[Shot]) -> String {
     let panels = shots.iter().filter_map(|shot| {
         let (mesh, frame) = shot.film.mesh().zip(shot.film.deepest())?;
-        Some(Panel::mesh(mesh, frame).titled(format!("{}, {}", shot.label, numbers(frame))))
+        Some(Panel::mesh(mesh, frame).titled(format!("{}, {}", shot.label, numbers(shot.film, frame))))
     });
     compose("Deformed mesh at maximum compression", panels.collect(), 1, &[])
 }
 
 fn panel_of(film: &Film, moment: &Moment, quantity: &Shade, levels: &Levels) -> Option<Panel> {
     let (mesh, frame) = film.mesh().zip(film.frames().get(moment.frame))?;
-    let caption = format!("{}: {}", moment.label, numbers(frame));
+    let caption = format!("{}: {}", moment.label, numbers(film, frame));
     Some(Panel::contours(mesh, frame, &film.shaded(frame, quantity), levels).titled(caption))
 }
 
-/// Time, deformation and force of a frame.
-fn numbers(frame: &Frame) -> String {
+/// Time since contact, deformation and force of a frame.
+fn numbers(film: &Film, frame: &Frame) -> String {
     format!(
         "{:.2} ms, {:.2} mm, {:.0} N",
-        frame.time * 1e3,
+        film.since_contact(frame) * 1e3,
         frame.scalars.impactor.deformation() * 1e3,
         frame.scalars.sampler.last.contact_force
     )

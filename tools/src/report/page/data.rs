@@ -5,7 +5,6 @@ use std::ops::Range;
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use serde_json::{Value, json};
-use softanvil_kernel::SAMPLING_INTERVAL;
 
 use crate::plot::curve::{self, Curve, Measured};
 use crate::plot::{self, Term, style};
@@ -96,10 +95,9 @@ fn range(film: &Film) -> Range<usize> {
     film.contact().saturating_sub(AROUND)..film.frames().len().min(loaded + 1 + AROUND)
 }
 
-/// Time since contact, ms: forces are drawn at the middle of their interval, the first just before contact.
+/// Time since contact, ms.
 fn since_contact(film: &Film, frame: &Frame) -> f64 {
-    let contact = film.frames().get(film.contact()).map_or(0.0, |frame| frame.time);
-    round(MILLI * (frame.time - contact + 0.5 * SAMPLING_INTERVAL), 4)
+    round(MILLI * film.since_contact(frame), 4)
 }
 
 fn film_data(film: &Film, displacement: f64, stresses: &[f64; 2]) -> Value {
