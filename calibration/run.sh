@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Runs every calibration protocol, about an hour on two cores, and writes docs/protocols.md. An interrupted run continues.
+# Runs every calibration protocol, about half an hour on two cores, and writes docs/protocols.md. An interrupted run continues.
 #
 #     calibration/run.sh [FOLDER]
 set -euo pipefail
