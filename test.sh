@@ -54,7 +54,7 @@ run "clippy" cargo clippy -q --workspace --all-targets -- -D warnings
 run "build, release" cargo build -q --release --workspace
 run "build, debug" cargo build -q --workspace
 run "kernel alone, no_std" kernel_alone
-run "Rust tests" cargo test -q --profile checked --workspace
+run "Rust tests" cargo test -q --profile checked --workspace --no-fail-fast
 run "same trace in debug and release" same_hashes
 run "main job" main_job
 

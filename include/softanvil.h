@@ -207,7 +207,9 @@ const char *softanvil_status_text(int32_t status);
 /** Ready-made scenarios. */
 enum SoftanvilPreset {
     /** the soft anvil of the study, one set of parameters for 4.9, 9.8 and 14.7 J */
-    SOFTANVIL_PRESET_STUDY = 0
+    SOFTANVIL_PRESET_STUDY = 0,
+    /** the soft anvil of the study, tuned at 14.7 J alone, as its own model was */
+    SOFTANVIL_PRESET_STUDY_14_7 = 1
 };
 
 /** Parameters of a scenario: name, unit, legal range, meaning. */

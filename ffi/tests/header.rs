@@ -167,7 +167,7 @@ fn enumeration(name: &str, about: &str, rows: &[(&str, String)]) -> String {
             text += &format!("    /** {meaning} */\n");
         }
         let comma = if number + 1 < rows.len() { "," } else { "" };
-        text += &format!("    {prefix}_{} = {number}{comma}\n", row.replace('.', "_").to_uppercase());
+        text += &format!("    {prefix}_{} = {number}{comma}\n", row.replace(['.', '-'], "_").to_uppercase());
     }
     text + "};\n"
 }

@@ -69,9 +69,12 @@ fn the_best_values_score_better_than_the_start() {
 fn the_protocols_of_the_repository_are_legal() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../calibration");
     let mut count = 0;
-    for entry in fs::read_dir(folder).unwrap() {
-        softanvil_tools::calibration::problem::Problem::read(&entry.unwrap().path()).unwrap();
-        count += 1;
+    for path in fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()) {
+        // Beside them stand the scripts that run them.
+        if path.extension().is_some_and(|extension| extension == "toml") {
+            softanvil_tools::calibration::problem::Problem::read(&path).unwrap();
+            count += 1;
+        }
     }
     assert_eq!(count, 6);
 }
