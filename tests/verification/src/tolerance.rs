@@ -107,7 +107,7 @@ pub const COOK_FINITE_LIMIT: f64 = 5e-3;
 /// Stress of a frictionless virtual cylinder over its largest: inertia of 40 periods, 1.6e-4 when measured.
 pub const CYLINDER: f64 = 3e-4;
 
-/// The same with the study's silicone, sixty times as stiff at once as in the end, whose tangent rises at half the height.
+/// The same with the study's silicone, fifty times as stiff at once as in the end, whose tangent rises at half the height.
 pub const CYLINDER_STUDY: f64 = 2e-3;
 
 /// Stress of a bonded virtual cylinder against the equilibrium of its mesh: vibration, averaged over the hold.
