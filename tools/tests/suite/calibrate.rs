@@ -78,3 +78,17 @@ fn the_protocols_of_the_repository_are_legal() {
     }
     assert_eq!(count, 6);
 }
+
+/// The page is of the presets as they are: `calibration/run.sh` writes it anew.
+#[test]
+fn the_page_of_the_protocols_has_the_errors_of_the_presets() {
+    let folder = tempfile::tempdir().unwrap();
+    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/protocols.md");
+    let page = fs::read_to_string(page).unwrap();
+    for preset in ["study", "study-14.7"] {
+        let found = crate::common::json(folder.path(), &["validate", "--preset", preset, "--json"]);
+        let mean = found["mean_error_percent"].as_f64().unwrap();
+        let row = page.lines().find(|line| line.starts_with(&format!("| preset `{preset}`"))).unwrap();
+        assert_eq!(row.split('|').nth(2).unwrap().trim(), format!("{mean:.1}"), "{row}");
+    }
+}
