@@ -26,10 +26,11 @@ pub fn with_material(material: Material) -> Scenario {
     scenario
 }
 
-/// The study's elastic law without Prony terms and slider.
+/// Silicone without Prony terms and slider; its bulk modulus takes the study's drop without them.
 fn bare() -> Material {
     Material {
         volumetric_by: VolumetricBy::BulkModulus,
+        bulk_modulus: 1.5e6,
         prony_g: [0.0; 5],
         slider_stiffness: 0.0,
         slider_yield_stress: 0.0,
@@ -68,7 +69,9 @@ pub fn overlays() -> Vec<(String, Material)> {
                 slider_yield_stress: limit,
                 c10: 0.15e6,
                 c01: 0.1e6,
-                bulk_modulus: 1.5e6,
+                c11: 0.09e6,
+                c20: 0.1e3,
+                c02: 15e3,
                 ..bare()
             };
             let name = format!("{terms} Prony terms{}", if slider { ", slider" } else { "" });
