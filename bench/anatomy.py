@@ -96,7 +96,7 @@ def stages(program, addresses):
             # The nodes of a block, gathered by a function of its own.
             found[int(address, 16)] = STAGES["internal_forces"]
             continue
-        names = [re.sub(r"<.*|.*::", "", name) for name in lines[::2]]
+        names = [re.sub(r".*::", "", re.sub(r"<.*", "", name)) for name in lines[::2]]
         depth = names.index("advance") - 1 if "advance" in names else len(names) - 1
         found[int(address, 16)] = STAGES.get(names[max(depth, 0)], REST)
     return found
