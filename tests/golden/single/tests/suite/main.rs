@@ -10,7 +10,7 @@ const FORCE: f64 = 1e-2;
 /// The same of the position: gravity adds the same to the velocity in every step and is rounded in the same direction. At
 /// 2 m/s that is up to 1.2e-7 m/s a step, so up to 3e-4 m/s after 2400 steps, over 15 ms half a thousandth of a layer's
 /// depth and more.
-const POSITION: f64 = 2e-3;
+const POSITION: f64 = 1e-3;
 
 #[test]
 fn every_scene_gives_the_bits_of_its_trace() {
