@@ -15,11 +15,12 @@ skip() {
     fi
 }
 
-# run NAME COMMAND...: one test.
+# run NAME COMMAND...: one test, and the seconds it took.
 run() {
-    local name=$1; shift
+    local name=$1 start=$SECONDS; shift
     printf '\n== %s\n' "$name"
     if "$@"; then pass; else fail "$name"; fi
+    printf -- '-- %s: %d s\n' "$name" $((SECONDS - start))
 }
 
 . tests/need.sh
