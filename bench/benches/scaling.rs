@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 use softanvil_bench::{results, scene};
 use softanvil_kernel::element::{CellConstants, CellHistory, HoopConstants};
 use softanvil_kernel::lanes::Deviator;
-use softanvil_kernel::{Model, ModelMemory, Scenario, Size, State, StateMemory, StepInput, preset, step};
+use softanvil_kernel::{Model, ModelMemory, Scalars, Scenario, Size, State, StateMemory, StepInput, preset, step};
 
 /// Rounds of each kind; in each, every thread makes one drop.
 const ROUNDS: usize = 60;
@@ -107,6 +107,7 @@ fn with_model(scenario: &Scenario, work: impl FnOnce(&Model)) {
 /// Memory of states, side by side.
 struct Memory {
     size: Size,
+    scalars: Vec<Scalars>,
     nodes: Vec<f64>,
     cells: Vec<CellHistory>,
     viscous: Vec<Deviator>,
@@ -116,6 +117,7 @@ impl Memory {
     fn new(size: &Size, n: usize) -> Self {
         Self {
             size: *size,
+            scalars: vec![Scalars::BLANK; n],
             nodes: vec![0.0; n * size.state_nodes],
             cells: vec![CellHistory::REST; n * size.state_cells],
             viscous: vec![Deviator::ZERO; n * size.state_viscous],
@@ -126,6 +128,8 @@ impl Memory {
         let nodes = self.nodes.chunks_exact_mut(self.size.state_nodes);
         let cells = self.cells.chunks_exact_mut(self.size.state_cells);
         let viscous = self.viscous.chunks_exact_mut(self.size.state_viscous.max(1));
-        nodes.zip(cells).zip(viscous).map(|((nodes, cells), viscous)| StateMemory { nodes, cells, viscous }).collect()
+        let arrays = nodes.zip(cells).zip(viscous);
+        let memory = |(scalars, ((nodes, cells), viscous))| StateMemory { scalars, nodes, cells, viscous };
+        self.scalars.iter_mut().zip(arrays).map(memory).collect()
     }
 }

@@ -44,12 +44,13 @@ struct Arrays<'a> {
 }
 
 impl<'a> Arrays<'a> {
-    fn cut(size: &Size, region: &mut Region<'a>) -> Option<Self> {
+    fn cut(size: &Size, scalars: &'a mut Scalars, region: &mut Region<'a>) -> Option<Self> {
         Some(Self {
             nodes: region.take(size.model_nodes)?,
             cells: region.take(size.model_cells)?,
             hoops: region.take(size.model_hoops)?,
             state: StateMemory {
+                scalars,
                 nodes: region.take(size.state_nodes)?,
                 cells: region.take(size.state_cells)?,
                 viscous: region.take(size.state_viscous)?,
@@ -76,15 +77,17 @@ pub(crate) fn bytes(size: &Size) -> usize {
 pub(crate) fn build(scenario: &Scenario, size: &Size, mut region: Region) -> Result<*mut SoftanvilSimulation, Failure> {
     let short = Failure::Short { argument: "memory", given: 0, needed: bytes(size) };
     let slot = region.slot::<SoftanvilSimulation>().ok_or(short)?;
-    let Arrays { nodes, cells, hoops, state } = Arrays::cut(size, &mut region).ok_or(short)?;
+    // Numbers that wait for their place in the header, and the region for no longer than they live.
+    let (mut scalars, mut region) = (Scalars::BLANK, region);
+    let Arrays { nodes, cells, hoops, state } = Arrays::cut(size, &mut scalars, &mut region).ok_or(short)?;
     let mut constants = None;
     let model = Model::new(scenario, ModelMemory { constants: &mut constants, nodes, cells, hoops })?;
-    let state = State::new(&model, state)?;
+    State::new(&model, state)?;
     Ok(slot.place(SoftanvilSimulation {
         marker: SoftanvilSimulation::MARKER,
         bytes: bytes(size),
         constants: *model.constants,
-        scalars: state.scalars,
+        scalars,
     }))
 }
 
@@ -94,12 +97,10 @@ pub(crate) fn with<R>(
     work: impl FnOnce(&Model, &mut State) -> Result<R, Failure>,
 ) -> Result<R, Failure> {
     let damaged = Failure::Uninitialised { argument: "simulation" };
-    let arrays = Arrays::cut(&header.constants.size, &mut region).ok_or(damaged)?;
+    let arrays = Arrays::cut(&header.constants.size, &mut header.scalars, &mut region).ok_or(damaged)?;
     let model = Model::view(&header.constants, arrays.nodes, arrays.cells, arrays.hoops);
-    let mut state = State::view(&model, header.scalars, arrays.state).map_err(|_| damaged)?;
-    let result = work(&model, &mut state);
-    header.scalars = state.scalars;
-    result
+    let mut state = State::view(&model, arrays.state).map_err(|_| damaged)?;
+    work(&model, &mut state)
 }
 
 /// Reads model and state of a simulation, which others may read at the same time.

@@ -56,6 +56,23 @@ pub struct Ledger {
 }
 
 impl Ledger {
+    /// Nothing at all.
+    pub(crate) const ZERO: Self = Self {
+        impactor_kinetic: 0.0,
+        layer_kinetic: 0.0,
+        elastic: 0.0,
+        viscous: 0.0,
+        viscous_dissipation: 0.0,
+        slider_stored: 0.0,
+        slider_dissipation: 0.0,
+        tear: 0.0,
+        friction: 0.0,
+        contact: 0.0,
+        external: 0.0,
+        viscous_power: 0.0,
+        pending: [0.0; 3],
+    };
+
     /// The start of the drop.
     pub(crate) fn start(model: &Model) -> Self {
         let impactor = &model.constants.scenario.impactor;
@@ -63,21 +80,7 @@ impl Ledger {
             Motion::Drop => 0.5 * impactor.mass * impactor.start_speed() * impactor.start_speed(),
             Motion::Driven | Motion::Prescribed => 0.0,
         };
-        Self {
-            impactor_kinetic: kinetic,
-            layer_kinetic: 0.0,
-            elastic: 0.0,
-            viscous: 0.0,
-            viscous_dissipation: 0.0,
-            slider_stored: 0.0,
-            slider_dissipation: 0.0,
-            tear: 0.0,
-            friction: 0.0,
-            contact: 0.0,
-            external: kinetic,
-            viscous_power: 0.0,
-            pending: [0.0; 3],
-        }
+        Self { impactor_kinetic: kinetic, external: kinetic, ..Self::ZERO }
     }
 
     /// What was brought in and is not accounted for, J.

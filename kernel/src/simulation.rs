@@ -63,11 +63,10 @@ impl Simulation {
             cells: &mut model_cells,
             hoops: &mut model_hoops,
         })?;
-        let state = State::new(
-            &model,
-            StateMemory { nodes: &mut state_nodes, cells: &mut state_cells, viscous: &mut state_viscous },
-        )?;
-        let (constants, scalars) = (*model.constants, state.scalars);
+        let mut scalars = Scalars::BLANK;
+        let (nodes, cells, viscous) = (&mut state_nodes, &mut state_cells, &mut state_viscous);
+        State::new(&model, StateMemory { scalars: &mut scalars, nodes, cells, viscous })?;
+        let constants = *model.constants;
         Ok(Self { constants, scalars, model_nodes, model_cells, model_hoops, state_nodes, state_cells, state_viscous })
     }
 
@@ -93,14 +92,12 @@ impl Simulation {
     pub fn with<R>(&mut self, work: impl FnOnce(&Model, &mut State) -> R) -> Result<R, ModelError> {
         let model = Model::view(&self.constants, &self.model_nodes, &self.model_cells, &self.model_hoops);
         let memory = StateMemory {
+            scalars: &mut self.scalars,
             nodes: &mut self.state_nodes,
             cells: &mut self.state_cells,
             viscous: &mut self.state_viscous,
         };
-        let mut state = State::view(&model, self.scalars, memory)?;
-        let result = work(&model, &mut state);
-        self.scalars = state.scalars;
-        Ok(result)
+        Ok(work(&model, &mut State::view(&model, memory)?))
     }
 
     /// Makes `n` steps with the same input.

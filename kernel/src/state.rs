@@ -65,7 +65,7 @@ pub(crate) struct StateNodes<'a> {
 /// The changing part of a simulation.
 pub struct State<'a> {
     /// The numbers that are not arrays.
-    pub scalars: Scalars,
+    pub scalars: &'a mut Scalars,
     pub(crate) nodes: StateNodes<'a>,
     pub(crate) cells: &'a mut [CellHistory],
     pub(crate) viscous: &'a mut [Deviator],
@@ -77,24 +77,24 @@ impl<'a> State<'a> {
     /// # Errors
     /// Too little memory.
     pub fn new(model: &Model, memory: StateMemory<'a>) -> Result<Self, ModelError> {
-        let scalars = Scalars::start(model);
-        let mut state = Self::view(model, scalars, memory)?;
+        let mut state = Self::view(model, memory)?;
         state.reset(model);
         Ok(state)
     }
 
-    /// A state over memory that already holds one, with the `scalars` that belong to it.
+    /// A state over memory that already holds one.
     ///
     /// # Errors
     /// Too little memory.
-    pub fn view(model: &Model, scalars: Scalars, memory: StateMemory<'a>) -> Result<Self, ModelError> {
+    #[inline]
+    pub fn view(model: &Model, memory: StateMemory<'a>) -> Result<Self, ModelError> {
         let size = &model.constants.size;
         let grid = &model.constants.grid;
         let mut nodes = take(memory.nodes, size.state_nodes, "state nodes")?;
         let mut row = |n| split_row(&mut nodes, n);
         let n = grid.n_node();
         Ok(Self {
-            scalars,
+            scalars: memory.scalars,
             nodes: StateNodes {
                 displacement_x: row(n),
                 displacement_y: row(n),
@@ -112,7 +112,7 @@ impl<'a> State<'a> {
 
     /// Back to the start of the drop.
     pub fn reset(&mut self, model: &Model) {
-        self.scalars = Scalars::start(model);
+        *self.scalars = Scalars::start(model);
         for array in self.nodes.arrays_mut() {
             array.fill(0.0);
         }
@@ -256,17 +256,20 @@ impl StateNodes<'_> {
 }
 
 impl Scalars {
+    /// Of no state yet, for memory that is to be lent to one.
+    pub const BLANK: Self = Self {
+        step_index: 0,
+        impactor: ImpactorState { position: 0.0, velocity_half: 0.0, acceleration: 0.0 },
+        force: Forces { contact: 0.0, core_reaction: 0.0 },
+        contact_half_width: 0.0,
+        sampler: Sampler::START,
+        metrics: Metrics::START,
+        energy: Ledger::ZERO,
+        failure: None,
+    };
+
     /// The start of the drop.
     fn start(model: &Model) -> Self {
-        Self {
-            step_index: 0,
-            impactor: ImpactorState::start(model),
-            force: Forces { contact: 0.0, core_reaction: 0.0 },
-            contact_half_width: 0.0,
-            sampler: Sampler::START,
-            metrics: Metrics::START,
-            energy: Ledger::start(model),
-            failure: None,
-        }
+        Self { impactor: ImpactorState::start(model), energy: Ledger::start(model), ..Self::BLANK }
     }
 }

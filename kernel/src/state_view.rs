@@ -86,7 +86,7 @@ impl State<'_> {
     pub fn as_view(&self) -> StateView<'_> {
         let nodes = &self.nodes;
         StateView {
-            scalars: &self.scalars,
+            scalars: self.scalars,
             arrays: [
                 nodes.displacement_x,
                 nodes.displacement_y,

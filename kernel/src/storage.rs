@@ -7,6 +7,7 @@ use crate::mesh::Grid;
 use crate::model::Constants;
 use crate::real::Real;
 use crate::scenario::{Formulation, Scenario};
+use crate::state::Scalars;
 
 /// Numbers per node in a model: height of rest, inverse masses along x and y, mass, and x of rest.
 pub(crate) const MODEL_NODE_FIELDS: usize = 5;
@@ -67,6 +68,8 @@ pub struct ModelMemory<'a> {
 
 /// Memory lent to a state for its lifetime.
 pub struct StateMemory<'a> {
+    /// Place for the numbers that are not arrays: [`Scalars::BLANK`] will do.
+    pub scalars: &'a mut Scalars,
     /// At least [`Size::state_nodes`] numbers.
     pub nodes: &'a mut [Real],
     /// At least [`Size::state_cells`] blocks.

@@ -43,11 +43,11 @@ impl Rig {
         let mut constants = None;
         let memory = ModelMemory { constants: &mut constants, nodes, cells, hoops };
         let model = Model::new(scenario, memory)?;
-        let memory =
-            StateMemory { nodes: &mut self.state_nodes, cells: &mut self.state_cells, viscous: &mut self.viscous };
-        let mut state = match self.scalars {
-            None => State::new(&model, memory)?,
-            Some(scalars) => State::view(&model, scalars, memory)?,
+        let (nodes, cells, viscous) = (&mut self.state_nodes, &mut self.state_cells, &mut self.viscous);
+        let memory = |scalars| StateMemory { scalars, nodes, cells, viscous };
+        let mut state = match &mut self.scalars {
+            Some(scalars) => State::view(&model, memory(scalars))?,
+            none => State::new(&model, memory(none.insert(Scalars::BLANK)))?,
         };
         for _ in 0..(duration / SAMPLING_INTERVAL).ceil() as u64 {
             let before = state.scalars.impactor.deformation();
@@ -57,7 +57,6 @@ impl Rig {
             let after = state.scalars.impactor.deformation();
             record.take(state.scalars.sampler.last.contact_force, [before, after]);
         }
-        self.scalars = Some(state.scalars);
         Ok(())
     }
 }

@@ -3,7 +3,7 @@
 use softanvil_kernel::element::{CellConstants, CellHistory, HoopConstants};
 use softanvil_kernel::lanes::Deviator;
 use softanvil_kernel::real::Real;
-use softanvil_kernel::{Constants, ModelMemory, StateMemory};
+use softanvil_kernel::{Constants, ModelMemory, Scalars, StateMemory};
 
 /// Blocks of cells of the largest mesh: the full section.
 const BLOCKS: usize = 30;
@@ -20,6 +20,7 @@ pub struct Memory {
     model_nodes: [Real; 5 * NODES],
     model_cells: [CellConstants; BLOCKS],
     model_hoops: [HoopConstants; BLOCKS],
+    scalars: Scalars,
     state_nodes: [Real; 8 * NODES],
     state_cells: [CellHistory; BLOCKS],
     state_viscous: [Deviator; 2 * TERMS * BLOCKS],
@@ -33,6 +34,7 @@ impl Memory {
             model_nodes: [0.0; 5 * NODES],
             model_cells: [CellConstants::ZERO; BLOCKS],
             model_hoops: [HoopConstants::ZERO; BLOCKS],
+            scalars: Scalars::BLANK,
             state_nodes: [0.0; 8 * NODES],
             state_cells: [CellHistory::REST; BLOCKS],
             state_viscous: [Deviator::ZERO; 2 * TERMS * BLOCKS],
@@ -49,6 +51,7 @@ impl Memory {
                 hoops: &mut self.model_hoops,
             },
             StateMemory {
+                scalars: &mut self.scalars,
                 nodes: &mut self.state_nodes,
                 cells: &mut self.state_cells,
                 viscous: &mut self.state_viscous,

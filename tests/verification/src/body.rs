@@ -7,7 +7,7 @@ use softanvil_kernel::element::{
 use softanvil_kernel::lanes::{Deviator, LANES, ZERO};
 use softanvil_kernel::mesh::triangles;
 use softanvil_kernel::vector::Scalar;
-use softanvil_kernel::{Constants, Model, ModelMemory, Scenario, Size, State, StateMemory, StepInput, step};
+use softanvil_kernel::{Constants, Model, ModelMemory, Scalars, Scenario, Size, State, StateMemory, StepInput, step};
 
 /// A number pair per node (u, v), at index `u + v (n_u + 1)`.
 pub type Field = Vec<[f64; 2]>;
@@ -121,7 +121,8 @@ impl Body {
         let stride = self.constants.grid.stride();
         let model = Model::view(&self.constants, &self.nodes, &self.cells[set], &self.hoops);
         let (nodes, cells, viscous) = &mut self.state;
-        let mut state = State::new(&model, StateMemory { nodes, cells, viscous }).expect("memory of the right size");
+        let memory = StateMemory { scalars: &mut Scalars::BLANK, nodes, cells, viscous };
+        let mut state = State::new(&model, memory).expect("memory of the right size");
         let [x, y] = state.displacement_mut();
         for v in 0..=n_v {
             for u in 0..=n_u {

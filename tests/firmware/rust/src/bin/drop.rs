@@ -15,7 +15,7 @@ use softanvil_kernel::element::{CellConstants, CellHistory, HoopConstants};
 use softanvil_kernel::lanes::Deviator;
 use softanvil_kernel::real::Real;
 use softanvil_kernel::snapshot::{snapshot_size, state_digest};
-use softanvil_kernel::{Constants, Model, ModelMemory, Size, State, StateMemory, StepInput, step};
+use softanvil_kernel::{Constants, Model, ModelMemory, Scalars, Size, State, StateMemory, StepInput, step};
 
 /// The study's mesh: nodes with padding, nodes of the surface, blocks of cells, viscous terms. `Size::of` tells what a
 /// scenario needs; too little is an error that names the numbers.
@@ -43,6 +43,7 @@ fn main() -> ! {
         hoops: array!(0, HoopConstants, HoopConstants::ZERO),
     };
     let state_memory = StateMemory {
+        scalars: singleton!(: Scalars = Scalars::BLANK).unwrap(),
         nodes: array!(6 * NODES + 2 * SURFACE, Real, 0.0),
         cells: array!(BLOCKS, CellHistory, CellHistory::REST),
         viscous: array!(2 * TERMS * BLOCKS, Deviator, Deviator::ZERO),
