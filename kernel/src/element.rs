@@ -248,6 +248,18 @@ struct Density<V> {
 }
 
 impl<V: Vector> Density<V> {
+    /// Of elasticity and overstress.
+    #[inline(always)]
+    fn new(stored: V, overstress: &Overstress<V>, elastic: &Deviator<V>, strain_increment: &Deviator<V>) -> Self {
+        Self {
+            elastic: stored,
+            viscous_increment: overstress.double_mean(elastic).half_contract(strain_increment),
+            viscous_power: overstress.power,
+            slider: None,
+            tear_increment: None,
+        }
+    }
+
     /// Adds the energies of triangles of the reference volumes `volume`.
     #[inline(always)]
     fn add_to<S: Instructions<Vector = V>>(
@@ -299,11 +311,14 @@ pub fn internal_force<S: Instructions>(
 ) -> Corners<S::Vector> {
     let kinematics = cell_kinematics(set, chunk, block, displacement);
     let pressure = patch_pressure(set, chunk, block, &kinematics, energy);
-    let (first, second) = viscous.split_at_mut_checked(block.laws.n_term()).unwrap_or_default();
-    let [a, b] = &mut history.triangle;
+    let [(a, first), (b, second)] = deviatoric_stress(set, chunk, block, &kinematics, history, viscous);
+    for (triangle, density) in block.constants.triangle.iter().zip([first, second]) {
+        let volume = set.load(&triangle.reference_volume, chunk);
+        density.add_to(set, chunk, volume, block.laws.n_term() > 0, energy);
+    }
     let edges = [
-        edge_forces(set, chunk, block, 0, &kinematics[0], pressure, a, first, energy),
-        edge_forces(set, chunk, block, 1, &kinematics[1], pressure, b, second, energy),
+        edge_forces(set, chunk, block, 0, &kinematics[0], pressure, &a),
+        edge_forces(set, chunk, block, 1, &kinematics[1], pressure, &b),
     ];
     let rising = set.load(&block.constants.rising, chunk);
     let mut force = corner_forces(set, rising, &[edges[0].0, edges[1].0]);
@@ -418,18 +433,61 @@ fn patch_pressure<S: Instructions>(
     block.laws.volumetric.stress(mean)
 }
 
-/// Deviatoric Kirchhoff stress of one triangle of each cell in the unrotated frame, Pa; advances its history.
+/// Deviatoric Kirchhoff stress in the unrotated frame, Pa, and energies of the two triangles of each cell; advances their
+/// history.
+///
+/// Both triangles go through each law before the next: one has long chains of operations that wait for each other, two
+/// fill the waiting times.
 #[inline(always)]
 fn deviatoric_stress<S: Instructions>(
     set: S,
     chunk: usize,
     block: &Block,
-    kinematics: &Kinematics<S::Vector>,
-    history: &mut TriangleHistory,
+    kinematics: &[Kinematics<S::Vector>; 2],
+    history: &mut CellHistory,
     viscous: &mut [Deviator],
-) -> (Deviator<S::Vector>, Density<S::Vector>) {
+) -> [(Deviator<S::Vector>, Density<S::Vector>); 2] {
     let (laws, rings) = (block.laws, block.hoop.is_some());
-    let [mean, difference, shear, hoop] = &mut history.stretch_prev;
+    let [a, b] = &mut history.triangle;
+    let strain_increment = [
+        advance_stretch(set, chunk, &kinematics[0], &mut a.stretch_prev, rings),
+        advance_stretch(set, chunk, &kinematics[1], &mut b.stretch_prev, rings),
+    ];
+    let [first, second] = laws.elastic.stress(set, kinematics, rings);
+    let elastic = [first.0, second.0];
+    let overstress = viscous_stress(set, chunk, laws, &elastic, &strain_increment, [a, b], viscous);
+    let mut stress = [overstress[0].total, overstress[1].total];
+    let mut density = [
+        Density::new(first.1, &overstress[0], &elastic[0], &strain_increment[0]),
+        Density::new(second.1, &overstress[1], &elastic[1], &strain_increment[1]),
+    ];
+    if laws.slider.active() {
+        for (t, triangle) in [&mut *a, &mut *b].into_iter().enumerate() {
+            let before = set.load_deviator(&triangle.slider_stress, chunk);
+            let spring = laws.slider.update(set, &strain_increment[t], &before);
+            set.store_deviator(&spring.stress, &mut triangle.slider_stress, chunk);
+            density[t].slider = Some([spring.stored, spring.dissipation]);
+            stress[t] = stress[t] + spring.stress;
+        }
+    }
+    if laws.tear.active() {
+        for (t, triangle) in [a, b].into_iter().enumerate() {
+            stress[t] = tear(set, chunk, &laws.tear, &kinematics[t], triangle, &stress[t], &mut density[t]);
+        }
+    }
+    let [first, second] = density;
+    [(stress[0], first), (stress[1], second)]
+}
+
+/// Strain increment of one triangle of each cell since the stretch `before`, which becomes the current one.
+#[inline(always)]
+fn advance_stretch<S: Instructions>(
+    set: S,
+    chunk: usize,
+    kinematics: &Kinematics<S::Vector>,
+    [mean, difference, shear, hoop]: &mut [Lane; 4],
+    rings: bool,
+) -> Deviator<S::Vector> {
     let before = [set.load(mean, chunk), set.load(difference, chunk), set.load(shear, chunk), set.load(hoop, chunk)];
     set.store(kinematics.mean, mean, chunk);
     set.store(kinematics.difference, difference, chunk);
@@ -437,34 +495,36 @@ fn deviatoric_stress<S: Instructions>(
     if rings {
         set.store(kinematics.hoop, hoop, chunk);
     }
-    let strain_increment = kinematics.strain_increment(set, &before, rings);
-    let (elastic, stored) = laws.elastic.stress(set, kinematics, rings);
-    let mut overstress = Overstress::beside(set, elastic);
-    let (quasi_linear, additive) = viscous.split_at_mut_checked(laws.prony.n_term()).unwrap_or_default();
-    if !quasi_linear.is_empty() {
-        let increment = elastic - set.load_deviator(&history.elastic_prev, chunk);
-        laws.prony.update(set, chunk, &increment, quasi_linear, &mut overstress);
+    kinematics.strain_increment(set, &before, rings)
+}
+
+/// Long-term stress and viscous overstress of the two triangles of each cell; advances their history.
+#[inline(always)]
+fn viscous_stress<S: Instructions>(
+    set: S,
+    chunk: usize,
+    laws: &Laws,
+    elastic: &[Deviator<S::Vector>; 2],
+    strain_increment: &[Deviator<S::Vector>; 2],
+    [a, b]: [&mut TriangleHistory; 2],
+    viscous: &mut [Deviator],
+) -> [Overstress<S::Vector>; 2] {
+    let n_quasi_linear = laws.prony.n_term();
+    let (first, second) = viscous.split_at_mut_checked(laws.n_term()).unwrap_or_default();
+    let (quasi_linear, additive) = first.split_at_mut_checked(n_quasi_linear).unwrap_or_default();
+    let (quasi_linear_2, additive_2) = second.split_at_mut_checked(n_quasi_linear).unwrap_or_default();
+    let mut overstress = [Overstress::beside(set, elastic[0]), Overstress::beside(set, elastic[1])];
+    if n_quasi_linear > 0 {
+        let increment = [
+            elastic[0] - set.load_deviator(&a.elastic_prev, chunk),
+            elastic[1] - set.load_deviator(&b.elastic_prev, chunk),
+        ];
+        laws.prony.update(set, chunk, &increment, [quasi_linear, quasi_linear_2], &mut overstress);
     }
-    laws.maxwell.update(set, chunk, &strain_increment, additive, &mut overstress);
-    set.store_deviator(&elastic, &mut history.elastic_prev, chunk);
-    let mut density = Density {
-        elastic: stored,
-        viscous_increment: overstress.double_mean(&elastic).half_contract(&strain_increment),
-        viscous_power: overstress.power,
-        slider: None,
-        tear_increment: None,
-    };
-    let mut total = overstress.total;
-    if laws.slider.active() {
-        let spring = laws.slider.update(set, &strain_increment, &set.load_deviator(&history.slider_stress, chunk));
-        set.store_deviator(&spring.stress, &mut history.slider_stress, chunk);
-        density.slider = Some([spring.stored, spring.dissipation]);
-        total = total + spring.stress;
-    }
-    if laws.tear.active() {
-        total = tear(set, chunk, &laws.tear, kinematics, history, &total, &mut density);
-    }
-    (total, density)
+    laws.maxwell.update(set, chunk, strain_increment, [additive, additive_2], &mut overstress);
+    set.store_deviator(&elastic[0], &mut a.elastic_prev, chunk);
+    set.store_deviator(&elastic[1], &mut b.elastic_prev, chunk);
+    overstress
 }
 
 /// Takes from one triangle of each cell the stress and the energies that it has lost by tearing.
@@ -499,7 +559,6 @@ fn tear<S: Instructions>(
 
 /// V P dN/dX of triangle `t` of each cell for its two edges, N, and in rings the hoop stress times V.
 #[inline(always)]
-#[expect(clippy::too_many_arguments, reason = "what one triangle has, and what it shares with its cell")]
 fn edge_forces<S: Instructions>(
     set: S,
     chunk: usize,
@@ -507,14 +566,10 @@ fn edge_forces<S: Instructions>(
     t: usize,
     k: &Kinematics<S::Vector>,
     pressure: S::Vector,
-    history: &mut TriangleHistory,
-    viscous: &mut [Deviator],
-    energy: &mut ElementEnergy,
+    stress: &Deviator<S::Vector>,
 ) -> (Edges<S::Vector>, S::Vector) {
     let constants = &block.constants.triangle[t];
-    let (stress, density) = deviatoric_stress(set, chunk, block, k, history, viscous);
     let volume = set.load(&constants.reference_volume, chunk);
-    density.add_to(set, chunk, volume, block.laws.n_term() > 0, energy);
     let spherical = pressure * k.jacobian;
     let mean = stress.mean.times(SQRT_THIRD);
     let section = mean + spherical;

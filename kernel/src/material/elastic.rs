@@ -43,19 +43,20 @@ impl Elastic {
         }
     }
 
-    /// Kirchhoff stress in the unrotated frame, Pa, and W, J/m3, of neighbouring triangles; without `rings`, U33 = 1.
+    /// Kirchhoff stress in the unrotated frame, Pa, and W, J/m3, of the two triangles of neighbouring cells; without
+    /// `rings`, U33 = 1.
     #[inline(always)]
     pub fn stress<S: Instructions>(
         &self,
         set: S,
-        kinematics: &Kinematics<S::Vector>,
+        [first, second]: &[Kinematics<S::Vector>; 2],
         rings: bool,
-    ) -> (Deviator<S::Vector>, S::Vector) {
+    ) -> [(Deviator<S::Vector>, S::Vector); 2] {
         match self {
-            Self::NeoHookean(law) => law.stress(kinematics),
-            Self::MooneyRivlin(law) => law.stress(kinematics, rings),
-            Self::Yeoh(law) => law.stress(kinematics),
-            Self::Ogden(law) => law.stress(set, kinematics),
+            Self::NeoHookean(law) => [law.stress(first), law.stress(second)],
+            Self::MooneyRivlin(law) => [law.stress(first, rings), law.stress(second, rings)],
+            Self::Yeoh(law) => [law.stress(first), law.stress(second)],
+            Self::Ogden(law) => [law.stress(set, first), law.stress(set, second)],
         }
     }
 

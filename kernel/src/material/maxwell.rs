@@ -45,15 +45,16 @@ impl Maxwell {
         self.shear_modulus
     }
 
-    /// Advances the `history` of a block (one entry per active term) by the deviatoric strain increment.
+    /// Advances the `history` of the two triangles of each cell of a block (one entry per active term) by the deviatoric
+    /// strain increment.
     #[inline(always)]
     pub fn update<S: Instructions>(
         &self,
         set: S,
         chunk: usize,
-        strain_increment: &Deviator<S::Vector>,
-        history: &mut [Deviator],
-        overstress: &mut Overstress<S::Vector>,
+        strain_increment: &[Deviator<S::Vector>; 2],
+        history: [&mut [Deviator]; 2],
+        overstress: &mut [Overstress<S::Vector>; 2],
     ) {
         self.branches.update(set, chunk, strain_increment, history, overstress);
     }

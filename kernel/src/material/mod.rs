@@ -66,7 +66,7 @@ impl Laws {
             volumetric: Volumetric::new(material),
             prony: Prony::new(material, dt),
             maxwell: Maxwell::new(material, dt),
-            slider: Slider { stiffness: material.slider_stiffness, yield_stress: material.slider_yield_stress },
+            slider: Slider::new(material.slider_stiffness, material.slider_yield_stress),
             tear: Tear::new(material),
         }
     }
@@ -82,6 +82,6 @@ impl Laws {
     pub fn shear_tangent(&self, stretch: &IsochoricStretch) -> Real {
         self.elastic.shear_tangent(stretch) * (1.0 + self.prony.overstress())
             + self.maxwell.shear_modulus()
-            + self.slider.stiffness
+            + self.slider.stiffness()
     }
 }

@@ -49,15 +49,16 @@ impl Prony {
         self.overstress
     }
 
-    /// Advances the `history` of a block (one entry per active term) by the increment of the elastic stress.
+    /// Advances the `history` of the two triangles of each cell of a block (one entry per active term) by the increment of
+    /// the elastic stress.
     #[inline(always)]
     pub fn update<S: Instructions>(
         &self,
         set: S,
         chunk: usize,
-        increment: &Deviator<S::Vector>,
-        history: &mut [Deviator],
-        overstress: &mut Overstress<S::Vector>,
+        increment: &[Deviator<S::Vector>; 2],
+        history: [&mut [Deviator]; 2],
+        overstress: &mut [Overstress<S::Vector>; 2],
     ) {
         self.branches.update(set, chunk, increment, history, overstress);
     }

@@ -73,25 +73,28 @@ impl Branches {
         self.n_term
     }
 
-    /// Advances the `history` of a block (one entry per branch) by the `increment` of what drives it, and adds it up.
+    /// Advances the histories of the two triangles of each cell of a block (one entry per branch) by the increments of
+    /// what drives them, and adds them up.
     #[inline(always)]
     pub fn update<S: Instructions>(
         &self,
         set: S,
         chunk: usize,
-        increment: &Deviator<S::Vector>,
-        history: &mut [Deviator],
-        overstress: &mut Overstress<S::Vector>,
+        increment: &[Deviator<S::Vector>; 2],
+        [first, second]: [&mut [Deviator]; 2],
+        overstress: &mut [Overstress<S::Vector>; 2],
     ) {
         let constants = self.decay.iter().zip(&self.gain).zip(&self.fluidity);
-        for (history, ((decay, gain), fluidity)) in history.iter_mut().zip(constants) {
-            let before = set.load_deviator(history, chunk);
-            let stress = before.scaled(set.splat(*decay)) + increment.scaled(set.splat(*gain));
-            set.store_deviator(&stress, history, chunk);
-            overstress.before = overstress.before + before;
-            overstress.total = overstress.total + stress;
-            // Half of H : H.
-            overstress.power = overstress.power + stress.half_contract(&stress).times(*fluidity);
+        for ((first, second), ((decay, gain), fluidity)) in first.iter_mut().zip(second).zip(constants) {
+            for (t, history) in [first, second].into_iter().enumerate() {
+                let (sum, before) = (&mut overstress[t], set.load_deviator(history, chunk));
+                let stress = before.scaled(set.splat(*decay)) + increment[t].scaled(set.splat(*gain));
+                set.store_deviator(&stress, history, chunk);
+                sum.before = sum.before + before;
+                sum.total = sum.total + stress;
+                // Half of H : H.
+                sum.power = sum.power + stress.half_contract(&stress).times(*fluidity);
+            }
         }
     }
 }

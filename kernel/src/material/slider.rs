@@ -17,9 +17,13 @@ use crate::vector::{Instructions, Vector};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slider {
     /// Shear modulus G of the spring, Pa.
-    pub stiffness: Real,
-    /// Von Mises stress SIGF at which the slider slips, Pa.
-    pub yield_stress: Real,
+    stiffness: Real,
+    /// 1 / 2G, 1/Pa.
+    compliance: Real,
+    /// Root of half of tau : tau at which the slider slips, SIGF / sqrt 3, Pa.
+    radius: Real,
+    /// Its square, Pa2.
+    limit: Real,
 }
 
 /// Springs and sliders of neighbouring triangles after a step.
@@ -33,6 +37,22 @@ pub struct SliderStep<V> {
 }
 
 impl Slider {
+    /// A spring of shear modulus `stiffness`, Pa, 0 for none, and a slider that slips at the von Mises stress
+    /// `yield_stress`, Pa.
+    pub fn new(stiffness: Real, yield_stress: Real) -> Self {
+        Self {
+            stiffness,
+            compliance: if stiffness > 0.0 { 0.5 / stiffness } else { 0.0 },
+            radius: yield_stress * SQRT_THIRD,
+            limit: yield_stress * yield_stress * (1.0 / 3.0),
+        }
+    }
+
+    /// Shear modulus G of the spring, Pa.
+    pub fn stiffness(&self) -> Real {
+        self.stiffness
+    }
+
     /// Whether the material has one.
     #[inline(always)]
     pub fn active(&self) -> bool {
@@ -48,20 +68,17 @@ impl Slider {
         before: &Deviator<S::Vector>,
     ) -> SliderStep<S::Vector> {
         let one = set.splat(1.0);
-        let double_stiffness = 2.0 * self.stiffness;
-        let trial = *before + strain_increment.scaled(set.splat(double_stiffness));
+        let trial = *before + strain_increment.scaled(set.splat(2.0 * self.stiffness));
         // The von Mises stress is the root of 3/2 trial : trial.
         let squared = trial.half_contract(&trial);
-        let returned = math::inverse_sqrt(squared).times(self.yield_stress * SQRT_THIRD);
-        let limit = set.splat(self.yield_stress * self.yield_stress * (1.0 / 3.0));
-        let scale = squared.if_greater(limit, returned, one);
+        let returned = math::inverse_sqrt(squared).times(self.radius);
+        let scale = squared.if_greater(set.splat(self.limit), returned, one);
         let scaled = scale * squared;
-        let compliance = 1.0 / double_stiffness;
         SliderStep {
             stress: trial.scaled(scale),
             // The slip increment is (trial - after) / 2G = (1 - scale) / 2G trial, and after = scale trial.
-            dissipation: ((one - scale) * (before.half_contract(&trial) + scaled)).times(compliance),
-            stored: (scale * scaled).times(compliance),
+            dissipation: ((one - scale) * (before.half_contract(&trial) + scaled)).times(self.compliance),
+            stored: (scale * scaled).times(self.compliance),
         }
     }
 }
