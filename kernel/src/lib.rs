@@ -10,8 +10,8 @@
 //!    face ([`face`]), motion ([`impactor`], [`prescribed`]), the books ([`energy`], [`measurement`], [`cfc`]).
 //! 4. [`output`] and [`field`] are the tables of what can be read ([`stress`], [`surface`]); [`snapshot`] saves and
 //!    restores a state, [`digest`] fingerprints it.
-//! 5. [`lanes`], [`stretch`] and [`math`] are the ground: data in lanes, and mathematics with a fixed sequence of
-//!    operations; [`real`] says in which precision.
+//! 5. [`lanes`], [`stretch`], [`math`] and [`power`] are the ground: data in lanes, and mathematics with a fixed sequence
+//!    of operations; [`real`] says in which precision.
 //!
 //! No function allocates or panics, and none reads anything but its arguments.
 
@@ -50,6 +50,7 @@ pub mod mesh;
 pub mod model;
 pub mod output;
 pub mod parameter;
+pub mod power;
 pub mod prescribed;
 pub mod preset;
 pub mod real;

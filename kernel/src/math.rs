@@ -6,7 +6,7 @@
 use crate::real::{self, Real};
 use crate::vector::Vector;
 
-pub use crate::real::{asinh, ceil, cos, exp, expm1, ln, ln_1p, round, sin, sinh, sqrt};
+pub use crate::real::{ceil, cos, exp, ln, round, sin, sqrt};
 
 /// Absolute value.
 #[inline(always)]

@@ -8,7 +8,7 @@ pub use chosen::*;
 #[cfg(not(feature = "single"))]
 mod chosen {
     pub use core::f64::consts;
-    pub use libm::{asinh, ceil, cos, exp, expm1, log as ln, log1p as ln_1p, round, sin, sinh, sqrt};
+    pub use libm::{ceil, cos, exp, log as ln, round, sin, sqrt};
 
     /// A floating-point number.
     pub type Real = f64;
@@ -23,6 +23,40 @@ mod chosen {
     pub const INVERSE_CBRT_MAGIC: Bits = 0x553e_e000_0000_0000;
     /// Newton steps from either guess to the last bit.
     pub const NEWTON_STEPS: usize = 4;
+    /// Bits of the fraction of a number, below those of its exponent.
+    pub const FRACTION_BITS: u32 = 52;
+    /// Largest exponent of a power of two that [`crate::power`] forms: room is left to multiply it.
+    pub const LARGEST_EXPONENT: Real = 1000.0;
+    /// 2 atanh(t) / (t ln 2) for |t| < 0.2004 in powers of t^2, relative error 7e-17.
+    pub const LOG2: [Real; 8] = [
+        2.0 * consts::LOG2_E,
+        0.961_796_693_925_979_6,
+        0.577_078_016_345_927_7,
+        0.412_198_586_952_651_94,
+        0.320_598_326_032_484_67,
+        0.262_348_623_361_121_8,
+        0.220_493_500_732_877_32,
+        0.218_147_544_563_494_58,
+    ];
+    /// sinh(f ln 2) / f for |f| <= 1/2 in powers of f^2, relative error 4e-17.
+    pub const SINH: [Real; 6] = [
+        consts::LN_2,
+        0.055_504_108_664_821_58,
+        0.001_333_355_814_642_321_3,
+        1.525_273_382_079_580_3e-5,
+        1.017_806_726_744_942_7e-7,
+        4.454_103_410_587_04e-10,
+    ];
+    /// (cosh(f ln 2) - 1) / f^2, likewise, relative error 3e-16.
+    pub const COSH: [Real; 5] = [
+        0.240_226_506_959_100_75,
+        0.009_618_129_107_618_665,
+        0.000_154_035_304_247_765_29,
+        1.321_545_166_322_143_4e-6,
+        7.070_977_866_508_138e-9,
+    ];
+    /// A square next to nothing: far below any strain's that matters, far above the smallest number.
+    pub const TINY_SQUARE: Real = 1e-280;
     /// Significant digits in messages, of which the scaling spoils none.
     pub const SHOWN_DIGITS: i32 = 12;
     /// Powers of ten whose exponents add up to any that a number has.
@@ -52,10 +86,7 @@ mod chosen {
 #[cfg(feature = "single")]
 mod chosen {
     pub use core::f32::consts;
-    pub use libm::{
-        asinhf as asinh, ceilf as ceil, cosf as cos, expf as exp, expm1f as expm1, log1pf as ln_1p, logf as ln,
-        roundf as round, sinf as sin, sinhf as sinh, sqrtf as sqrt,
-    };
+    pub use libm::{ceilf as ceil, cosf as cos, expf as exp, logf as ln, roundf as round, sinf as sin, sqrtf as sqrt};
 
     /// A floating-point number.
     pub type Real = f32;
@@ -70,6 +101,20 @@ mod chosen {
     pub const INVERSE_CBRT_MAGIC: Bits = 0x54a2_4000;
     /// Newton steps from either guess to the last bit.
     pub const NEWTON_STEPS: usize = 3;
+    /// Bits of the fraction of a number, below those of its exponent.
+    pub const FRACTION_BITS: u32 = 23;
+    /// Largest exponent of a power of two that [`crate::power`] forms: room is left to multiply it.
+    pub const LARGEST_EXPONENT: Real = 120.0;
+    /// 2 atanh(t) / (t ln 2) for |t| < 0.2004 in powers of t^2, relative error 3e-8.
+    pub const LOG2: [Real; 4] =
+        [2.0 * consts::LOG2_E, 0.961_797_356_605_529_8, 0.576_772_987_842_559_8, 0.432_245_165_109_634_4];
+    /// sinh(f ln 2) / f for |f| <= 1/2 in powers of f^2, relative error 4e-9.
+    pub const SINH: [Real; 4] =
+        [consts::LN_2, 0.055_504_109_710_454_94, 0.001_333_352_178_335_189_8, 1.529_094_879_515_469e-5];
+    /// (cosh(f ln 2) - 1) / f^2, likewise, relative error 5e-9.
+    pub const COSH: [Real; 3] = [0.240_226_507_186_889_65, 0.009_618_083_015_084_267, 0.000_154_531_633_597_798_65];
+    /// A square next to nothing: far below any strain's that matters, far above the smallest number.
+    pub const TINY_SQUARE: Real = 1e-30;
     /// Significant digits in messages, of which the scaling spoils none.
     pub const SHOWN_DIGITS: i32 = 6;
     /// Powers of ten whose exponents add up to any that a number has.

@@ -6,10 +6,25 @@
 use core::ops::{Add, Div, Mul, Sub};
 
 use crate::lanes::{Deviator, LANES, Lane, ZERO};
-use crate::real::{self, Real};
+use crate::real::{self, Bits, FRACTION_BITS, Real};
 
 #[cfg(all(feature = "dispatch", target_arch = "x86_64", not(miri), not(feature = "single")))]
 pub(crate) mod x86;
+
+/// The bits of 1.
+pub(crate) const ONE: Bits = (1.0 as Real).to_bits();
+
+/// Half the distance of the bits of a number and of its double.
+pub(crate) const HALF_OCTAVE: Bits = 1 << (FRACTION_BITS - 1);
+
+/// From here on, neighbouring numbers are one apart, and the low bits count them.
+pub(crate) const INTEGERS: Real = ((1 as Bits) << FRACTION_BITS) as Real;
+
+/// The exponent of 1 as it stands in the bits, above [`INTEGERS`].
+pub(crate) const BIASED_INTEGERS: Real = INTEGERS + (ONE >> FRACTION_BITS) as Real;
+
+/// What rounds a smaller number to an integer when it is added: the integer stands in the low bits of the sum.
+pub const ROUNDING: Real = 1.5 * INTEGERS;
 
 /// Numbers of neighbouring cells.
 pub trait Vector: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> {
@@ -27,6 +42,13 @@ pub trait Vector: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = 
 
     /// [`real::INVERSE_CBRT_MAGIC`] less a third of the bits.
     fn guess_inverse_cbrt(self) -> Self;
+
+    /// An integer k near the binary logarithm of this over `other`, and 2^k. It is the difference of the bits, which are
+    /// that logarithm to a line between powers of two, rounded to whole exponents; 0 for numbers next to each other.
+    fn binary_exponent(self, other: Self) -> [Self; 2];
+
+    /// 2^k and 2^-k for this = [`ROUNDING`] + k with an integer k of at most [`real::LARGEST_EXPONENT`].
+    fn powers_of_two(self) -> [Self; 2];
 }
 
 /// Instructions for vectors of some width.
@@ -125,6 +147,20 @@ impl Vector for Real {
     #[inline(always)]
     fn guess_inverse_cbrt(self) -> Self {
         Self::from_bits(real::INVERSE_CBRT_MAGIC.wrapping_sub(real::third(self.to_bits())))
+    }
+
+    #[inline(always)]
+    fn binary_exponent(self, other: Self) -> [Self; 2] {
+        let bits = self.to_bits().wrapping_sub(other.to_bits()).wrapping_add(ONE + HALF_OCTAVE);
+        let exponent = bits >> FRACTION_BITS;
+        let integer = Self::from_bits(exponent | INTEGERS.to_bits());
+        [integer - BIASED_INTEGERS, Self::from_bits(exponent << FRACTION_BITS)]
+    }
+
+    #[inline(always)]
+    fn powers_of_two(self) -> [Self; 2] {
+        let exponent = self.to_bits() << FRACTION_BITS;
+        [Self::from_bits(ONE.wrapping_add(exponent)), Self::from_bits(ONE.wrapping_sub(exponent))]
     }
 }
 

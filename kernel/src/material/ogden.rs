@@ -7,23 +7,25 @@
 //! entered here as 2 mu_k / alpha_k. A term with mu = 0 is off, and one with alpha = 0 contributes nothing.
 //!
 //! The principal Kirchhoff stresses are tau_i = sum mu_k l_i^alpha_k less their mean. With g = sqrt(l1 l2) in the section,
-//! l3 = g^-2, and sinh x = r / g with r the radius of Mohr's circle of U-bar, the stretches are l1 = g e^x, l2 = g e^-x.
-//! The stress is then, with y = alpha ln g,
+//! l3 = g^-2, and tanh x = r / m with m the mean and r the radius of Mohr's circle of U, the stretches are l1 = g e^x,
+//! l2 = g e^-x. The stress is then, with y = alpha ln g,
 //!
 //! mean of the section - stress out of it = mu (e^y cosh(alpha x) - e^(-2y)),
-//! half difference in the section / r     = mu e^y sinh(alpha x) / sinh x / g,
+//! half difference in the section / r     = mu e^y sinh(alpha x) / r,
 //!
-//! where no difference of nearly equal powers is taken: sinh(alpha x) / sinh x is a quotient of two numbers that both
-//! carry their full relative accuracy, and tends to alpha where the stretches coincide. The first line and W are
-//! written with e^y - 1 and sinh(alpha x / 2), which keeps them accurate for small strains as well.
+//! where no difference of nearly equal powers is taken: sinh(alpha x) / r is a quotient of two numbers that both carry
+//! their full relative accuracy, and tends to alpha / m where the stretches coincide. All is written with e^y - 1,
+//! e^-y - 1, e^(alpha x) - 1 and e^(-alpha x) - 1, which [`crate::power`] gives accurately however small the strain is: cosh(alpha x) - 1 is -1/2 of the product of the last two, and the part of W without x is
+//! (e^-y - 1)(e^-y - 1 - 2 (e^y - 1)).
 
 use crate::element::Kinematics;
 use crate::lanes::{Deviator, SQRT_THIRD};
 use crate::math;
-use crate::real::Real;
+use crate::power;
+use crate::real::{LARGEST_EXPONENT, Real, TINY_SQUARE};
 use crate::scenario::Material;
 use crate::stretch::IsochoricStretch;
-use crate::vector::Instructions;
+use crate::vector::{Instructions, Scalar, Vector};
 
 /// Most terms of an Ogden law.
 pub const MAX_OGDEN_TERMS: usize = 3;
@@ -35,62 +37,25 @@ pub struct Ogden {
     pub mu: [Real; MAX_OGDEN_TERMS],
     /// Exponents.
     pub alpha: [Real; MAX_OGDEN_TERMS],
-}
-
-/// An isochoric stretch as the law sees it.
-struct Mohr {
-    /// ln g.
-    log: Real,
-    /// r / g = sinh x.
-    sinh: Real,
-    /// x.
-    x: Real,
-    /// Deviatoric in-plane part of U-bar over g: (u11 - u22) / 2 and u12.
-    direction: [Real; 2],
-}
-
-impl Mohr {
-    /// From mean, half difference and shear of U-bar in the section.
-    fn new(mean: Real, difference: Real, shear: Real) -> Self {
-        let g = math::sqrt((mean - difference) * (mean + difference) - shear * shear);
-        let direction = [difference / g, shear / g];
-        let sinh = math::sqrt(direction[0] * direction[0] + direction[1] * direction[1]);
-        Self { log: math::ln(g), sinh, x: math::asinh(sinh), direction }
-    }
-}
-
-/// What one term adds, per mu.
-struct Term {
-    /// Mean of the section less the stress out of it.
-    step: Real,
-    /// Half difference in the section over r / g.
-    slope: Real,
-    /// alpha W / mu.
-    energy: Real,
-}
-
-impl Term {
-    fn new(alpha: Real, mohr: &Mohr) -> Self {
-        // E = e^y - 1 and S = sinh(alpha x / 2): cosh(alpha x) = 1 + 2 S^2, sinh(alpha x) = 2 S sqrt(1 + S^2).
-        let e = math::expm1(alpha * mohr.log);
-        let s = math::sinh(0.5 * (alpha * mohr.x));
-        let power = 1.0 + e;
-        let spread = 2.0 * (s * s) * power;
-        let inverse_square = 1.0 / (power * power);
-        let quotient = if mohr.sinh > 0.0 { 2.0 * s * math::sqrt(1.0 + s * s) / mohr.sinh } else { alpha };
-        Self {
-            step: e * (3.0 + e * (3.0 + e)) * inverse_square + spread,
-            slope: power * quotient,
-            energy: e * e * (3.0 + 2.0 * e) * inverse_square + 2.0 * spread,
-        }
-    }
+    /// mu / alpha, Pa; 0 where a term is off.
+    energy_factor: [Real; MAX_OGDEN_TERMS],
+    /// Binary logarithms of stretches are taken to be this at most, so that no power leaves the domain of
+    /// [`power::exp2_of_both_signs`]. The stress there is beyond all that a step can follow.
+    largest_log: Real,
 }
 
 impl Ogden {
     /// The long-term law of `material`.
     pub fn new(material: &Material) -> Self {
         let scale = material.long_term_scale();
-        Self { mu: material.ogden_mu.map(|mu| scale * mu), alpha: material.ogden_alpha }
+        let alpha = material.ogden_alpha;
+        let steepest = alpha.into_iter().fold(1.0, |steepest, alpha| math::larger(steepest, math::abs(0.5 * alpha)));
+        let mu = material.ogden_mu.map(|mu| scale * mu);
+        let mut energy_factor = [0.0; MAX_OGDEN_TERMS];
+        for k in 0..MAX_OGDEN_TERMS {
+            energy_factor[k] = if alpha[k] == 0.0 { 0.0 } else { mu[k] / alpha[k] };
+        }
+        Self { mu, alpha, energy_factor, largest_log: LARGEST_EXPONENT / steepest }
     }
 
     /// The terms that are on: (mu, alpha).
@@ -101,8 +66,8 @@ impl Ogden {
 
     /// W, J/m3 of reference volume.
     pub fn strain_energy_density(&self, stretch: &IsochoricStretch) -> Real {
-        let mohr = Mohr::new(0.5 * (stretch.u11 + stretch.u22), 0.5 * (stretch.u11 - stretch.u22), stretch.u12);
-        self.terms().fold(0.0, |sum, (mu, alpha)| sum + mu / alpha * Term::new(alpha, &mohr).energy)
+        let [mean, difference] = [0.5 * (stretch.u11 + stretch.u22), 0.5 * (stretch.u11 - stretch.u22)];
+        self.response(Scalar, [mean, difference, stretch.u12], stretch.u33).1
     }
 
     /// Kirchhoff stress in the unrotated frame, Pa, and W, J/m3, of neighbouring triangles.
@@ -112,23 +77,55 @@ impl Ogden {
         set: S,
         kinematics: &Kinematics<S::Vector>,
     ) -> (Deviator<S::Vector>, S::Vector) {
-        let Kinematics { mean, difference, shear, inverse_cbrt_j, .. } = *kinematics;
-        let stretch = [mean, difference, shear].map(|component| inverse_cbrt_j * component);
-        let [mean, difference, shear, energy] = set.map(stretch, |stretch| self.stress_of_one(stretch));
-        (Deviator { mean, difference, shear }, energy)
+        let Kinematics { mean, difference, shear, hoop, inverse_cbrt_j, .. } = *kinematics;
+        self.response(set, [mean, difference, shear], inverse_cbrt_j * hoop)
     }
 
-    /// Components of the [`Deviator`] of stress, Pa, and W, J/m3, from mean, half difference and shear of U-bar.
-    fn stress_of_one(&self, [mean, difference, shear]: [Real; 3]) -> [Real; 4] {
-        let mohr = Mohr::new(mean, difference, shear);
-        let (mut step, mut slope, mut energy) = (0.0, 0.0, 0.0);
-        for (mu, alpha) in self.terms() {
-            let term = Term::new(alpha, &mohr);
-            step += mu * term.step;
-            slope += mu * term.slope;
-            energy += mu / alpha * term.energy;
+    /// Kirchhoff stress, Pa, and W, J/m3, from mean, half difference and shear of U in the section, whatever its volume, and
+    /// the isochoric stretch out of it.
+    #[inline(always)]
+    fn response<S: Instructions>(
+        &self,
+        set: S,
+        [mean, difference, shear]: [S::Vector; 3],
+        out: S::Vector,
+    ) -> (Deviator<S::Vector>, S::Vector) {
+        let zero = set.splat(0.0);
+        let square = difference * difference + shear * shear;
+        // Never zero, so that the quotient by the radius has its limit. Nothing else may see what is added.
+        let positive = square.plus(TINY_SQUARE);
+        let inverse_radius = math::inverse_sqrt(positive);
+        let radius = positive * inverse_radius;
+        // Binary logarithms of l1 / l2 = e^(2x) and of l3 = e^(-2y / alpha).
+        let log_in = self.limited(set, power::log2_of_quotient(set, mean + radius, mean - radius, radius + radius));
+        let log_out = self.limited(set, power::log2(set, out));
+        let (mut step, mut slope, mut energy) = (zero, zero, zero);
+        for k in 0..MAX_OGDEN_TERMS {
+            let (mu, alpha) = (self.mu[k], self.alpha[k]);
+            if mu == 0.0 || alpha == 0.0 {
+                continue;
+            }
+            // e^-y and e^y, e^(alpha x) and e^(-alpha x).
+            let [inverse, power] = power::exp2_of_both_signs(log_out.times(0.5 * alpha));
+            let [longer, shorter] = power::exp2_of_both_signs(log_in.times(0.5 * alpha));
+            let (inverse, direct, power) = (inverse.less_one, power.less_one, power.whole);
+            let (longer, shorter) = (longer.less_one, shorter.less_one);
+            // -2 e^y (cosh(alpha x) - 1).
+            let spread = set.splat(TINY_SQUARE).if_greater(square, zero, power * (longer * shorter));
+            step = step + (direct - inverse * inverse.plus(2.0) - spread.times(0.5)).times(mu);
+            slope = slope + (power * (longer - shorter)).times(0.5 * mu);
+            energy = energy + (inverse * (inverse - (direct + direct)) - spread).times(self.energy_factor[k]);
         }
-        [SQRT_THIRD * step, slope * mohr.direction[0], slope * mohr.direction[1], energy]
+        let slope = slope * inverse_radius;
+        (Deviator { mean: step.times(SQRT_THIRD), difference: slope * difference, shear: slope * shear }, energy)
+    }
+
+    /// A logarithm between minus and plus the largest one. A NaN stays one.
+    #[inline(always)]
+    fn limited<S: Instructions>(&self, set: S, log: S::Vector) -> S::Vector {
+        let [most, least] = [set.splat(self.largest_log), set.splat(-self.largest_log)];
+        let log = log.if_greater(most, most, log);
+        least.if_greater(log, least, log)
     }
 
     /// Shear modulus at rest, Pa.

@@ -5,7 +5,8 @@
 //!   grows without bound as J goes to 0 and so keeps J positive.
 
 use crate::math;
-use crate::real::Real;
+use crate::power;
+use crate::real::{Real, consts::LN_2};
 use crate::scenario::{Material, VolumetricLaw};
 use crate::vector::{Instructions, Vector};
 
@@ -45,7 +46,7 @@ impl Volumetric {
             VolumetricLaw::Quadratic => square.times(0.5 * self.bulk_modulus),
             VolumetricLaw::Simo => {
                 // J^2 - 1 - 2 ln J with d = J - 1.
-                let [first_order] = set.map([dilatation], |[d]| [d - math::ln_1p(d)]);
+                let first_order = dilatation - power::log2(set, jacobian).times(LN_2);
                 (square + first_order.times(2.0)).times(0.25 * self.bulk_modulus)
             }
         }

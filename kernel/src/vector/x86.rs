@@ -1,6 +1,6 @@
 //! The vectors of x86-64. A token of the crate `pulp` proves that the processor has the instructions.
 
-use core::arch::x86_64::{__m128d, __m256d, __m512d, _CMP_GT_OQ};
+use core::arch::x86_64::{__m128d, __m128i, __m256d, __m256i, __m512d, __m512i, _CMP_GT_OQ};
 use core::ops::{Add, Div, Mul, Sub};
 
 use pulp::bytemuck::cast;
@@ -10,7 +10,7 @@ pub(crate) use pulp::x86::{V3, V4};
 use crate::instruction_set::Work;
 use crate::lanes::{LANES, Lane};
 use crate::real::{INVERSE_CBRT_MAGIC, INVERSE_SQRT_MAGIC, THIRD_OF_UPPER_HALF};
-use crate::vector::{Instructions, Vector};
+use crate::vector::{BIASED_INTEGERS, HALF_OCTAVE, INTEGERS, Instructions, ONE, Vector};
 
 /// One of the four operations as an operator.
 macro_rules! operator {
@@ -52,12 +52,113 @@ operator!(Eight, Sub, sub, |set, a, b| set.avx512f._mm512_sub_pd(a, b));
 operator!(Eight, Mul, mul, |set, a, b| set.avx512f._mm512_mul_pd(a, b));
 operator!(Eight, Div, div, |set, a, b| set.avx512f._mm512_div_pd(a, b));
 
+/// The bits of a vector as integers of 64 bits.
+macro_rules! integers {
+    (
+        $integers:ident, $token:ty, $register:ty, |$set:ident, $a:ident, $b:ident|
+        $sum:expr, $difference:expr, $or:expr, $product:expr,
+        $half:expr, $upper_half:expr, $exponent:expr, $to_exponent:expr
+    ) => {
+        #[derive(Clone, Copy)]
+        struct $integers($token, $register);
+
+        integers!($integers, sum, |$set, $a, $b| $sum);
+        integers!($integers, difference, |$set, $a, $b| $difference);
+        integers!($integers, or, |$set, $a, $b| $or);
+        integers!($integers, product_of_lower_halves, |$set, $a, $b| $product);
+        integers!($integers, half, |$set, $a| $half);
+        integers!($integers, upper_half, |$set, $a| $upper_half);
+        integers!($integers, exponent, |$set, $a| $exponent);
+        integers!($integers, to_exponent, |$set, $a| $to_exponent);
+    };
+    ($integers:ident, $method:ident, |$set:ident, $a:ident, $b:ident| $result:expr) => {
+        impl $integers {
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                let ($set, $a, $b) = (self.0, self.1, other.1);
+                Self($set, $result)
+            }
+        }
+    };
+    ($integers:ident, $method:ident, |$set:ident, $a:ident| $result:expr) => {
+        impl $integers {
+            #[inline(always)]
+            fn $method(self) -> Self {
+                let ($set, $a) = (self.0, self.1);
+                Self($set, $result)
+            }
+        }
+    };
+}
+
+integers!(
+    TwoIntegers,
+    Sse2,
+    __m128i,
+    |set, a, b| set._mm_add_epi64(a, b),
+    set._mm_sub_epi64(a, b),
+    set._mm_or_si128(a, b),
+    set._mm_mul_epu32(a, b),
+    set._mm_srli_epi64::<1>(a),
+    set._mm_srli_epi64::<32>(a),
+    set._mm_srli_epi64::<52>(a),
+    set._mm_slli_epi64::<52>(a)
+);
+
+integers!(
+    FourIntegers,
+    V3,
+    __m256i,
+    |set, a, b| set.avx2._mm256_add_epi64(a, b),
+    set.avx2._mm256_sub_epi64(a, b),
+    set.avx2._mm256_or_si256(a, b),
+    set.avx2._mm256_mul_epu32(a, b),
+    set.avx2._mm256_srli_epi64::<1>(a),
+    set.avx2._mm256_srli_epi64::<32>(a),
+    set.avx2._mm256_srli_epi64::<52>(a),
+    set.avx2._mm256_slli_epi64::<52>(a)
+);
+
+integers!(
+    EightIntegers,
+    V4,
+    __m512i,
+    |set, a, b| set.avx512f._mm512_add_epi64(a, b),
+    set.avx512f._mm512_sub_epi64(a, b),
+    set.avx512f._mm512_or_si512(a, b),
+    set.avx512f._mm512_mul_epu32(a, b),
+    set.avx512f._mm512_srli_epi64::<1>(a),
+    set.avx512f._mm512_srli_epi64::<32>(a),
+    set.avx512f._mm512_srli_epi64::<52>(a),
+    set.avx512f._mm512_slli_epi64::<52>(a)
+);
+
 /// [`Vector`] and [`Instructions`] of a register of `$width` numbers.
 macro_rules! vector {
     (
-        $vector:ident, $token:ty, $width:literal,
-        |$set:ident, $a:ident, $b:ident, $c:ident, $d:ident| $select:expr, $half:expr, $third:expr, $difference:expr
+        $vector:ident, $integers:ident, $token:ty, $width:literal,
+        |$set:ident, $a:ident, $b:ident, $c:ident, $d:ident| $select:expr
     ) => {
+        impl $vector {
+            #[inline(always)]
+            fn to_bits(self) -> $integers {
+                $integers(self.0, cast(self.1))
+            }
+
+            /// The same integer everywhere.
+            #[inline(always)]
+            fn integers(self, integer: u64) -> $integers {
+                $integers(self.0, cast([integer; $width]))
+            }
+        }
+
+        impl $integers {
+            #[inline(always)]
+            fn numbers(self) -> $vector {
+                $vector(self.0, cast(self.1))
+            }
+        }
+
         impl Vector for $vector {
             #[inline(always)]
             fn plus(self, number: f64) -> Self {
@@ -77,16 +178,27 @@ macro_rules! vector {
 
             #[inline(always)]
             fn guess_inverse_sqrt(self) -> Self {
-                let ($set, $a) = (self.0, cast(self.1));
-                let ($a, $b) = (cast([INVERSE_SQRT_MAGIC; $width]), $half);
-                Self($set, cast($difference))
+                self.integers(INVERSE_SQRT_MAGIC).difference(self.to_bits().half()).numbers()
             }
 
             #[inline(always)]
             fn guess_inverse_cbrt(self) -> Self {
-                let ($set, $a, $b) = (self.0, cast(self.1), cast([THIRD_OF_UPPER_HALF; $width]));
-                let ($a, $b) = (cast([INVERSE_CBRT_MAGIC; $width]), $third);
-                Self($set, cast($difference))
+                let third = self.to_bits().upper_half().product_of_lower_halves(self.integers(THIRD_OF_UPPER_HALF));
+                self.integers(INVERSE_CBRT_MAGIC).difference(third).numbers()
+            }
+
+            #[inline(always)]
+            fn binary_exponent(self, other: Self) -> [Self; 2] {
+                let difference = self.to_bits().difference(other.to_bits());
+                let exponent = difference.sum(self.integers(ONE + HALF_OCTAVE)).exponent();
+                let integer = exponent.or(self.integers(INTEGERS.to_bits())).numbers();
+                [integer.plus(-BIASED_INTEGERS), exponent.to_exponent().numbers()]
+            }
+
+            #[inline(always)]
+            fn powers_of_two(self) -> [Self; 2] {
+                let (one, exponent) = (self.integers(ONE), self.to_bits().to_exponent());
+                [one.sum(exponent).numbers(), one.difference(exponent).numbers()]
             }
         }
 
@@ -116,38 +228,22 @@ macro_rules! vector {
     };
 }
 
-vector!(
-    Two,
-    Sse2,
-    2,
-    |set, a, b, c, d| {
-        let mask = set._mm_cmpgt_pd(a, b);
-        set._mm_or_pd(set._mm_and_pd(mask, c), set._mm_andnot_pd(mask, d))
-    },
-    set._mm_srli_epi64::<1>(a),
-    set._mm_mul_epu32(set._mm_srli_epi64::<32>(a), b),
-    set._mm_sub_epi64(a, b)
-);
+vector!(Two, TwoIntegers, Sse2, 2, |set, a, b, c, d| {
+    let mask = set._mm_cmpgt_pd(a, b);
+    set._mm_or_pd(set._mm_and_pd(mask, c), set._mm_andnot_pd(mask, d))
+});
 
-vector!(
-    Four,
-    V3,
-    4,
-    |set, a, b, c, d| set.avx._mm256_blendv_pd(d, c, set.avx._mm256_cmp_pd::<_CMP_GT_OQ>(a, b)),
-    set.avx2._mm256_srli_epi64::<1>(a),
-    set.avx2._mm256_mul_epu32(set.avx2._mm256_srli_epi64::<32>(a), b),
-    set.avx2._mm256_sub_epi64(a, b)
-);
+vector!(Four, FourIntegers, V3, 4, |set, a, b, c, d| set.avx._mm256_blendv_pd(
+    d,
+    c,
+    set.avx._mm256_cmp_pd::<_CMP_GT_OQ>(a, b)
+));
 
-vector!(
-    Eight,
-    V4,
-    8,
-    |set, a, b, c, d| set.avx512f._mm512_mask_blend_pd(set.avx512f._mm512_cmp_pd_mask::<_CMP_GT_OQ>(a, b), d, c),
-    set.avx512f._mm512_srli_epi64::<1>(a),
-    set.avx512f._mm512_mul_epu32(set.avx512f._mm512_srli_epi64::<32>(a), b),
-    set.avx512f._mm512_sub_epi64(a, b)
-);
+vector!(Eight, EightIntegers, V4, 8, |set, a, b, c, d| set.avx512f._mm512_mask_blend_pd(
+    set.avx512f._mm512_cmp_pd_mask::<_CMP_GT_OQ>(a, b),
+    d,
+    c
+));
 
 /// [`Work`] in the form that the crate asks for.
 pub(crate) struct Call<S, W>(pub S, pub W);

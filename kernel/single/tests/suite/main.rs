@@ -1,8 +1,11 @@
-//! What differs in single precision: the roots and numbers as text. The physics is held by the traces of
+//! What differs in single precision: the roots, logarithms, powers and numbers as text. The physics is held by the traces of
 //! `tests/golden/single` and by the comparison with double precision in `tests/verification`.
 
 use softanvil_kernel_f32::cfc::Coefficients;
 use softanvil_kernel_f32::decimal::Decimal;
+use softanvil_kernel_f32::power::{exp2_of_both_signs, log2, log2_of_quotient};
+use softanvil_kernel_f32::real::LARGEST_EXPONENT;
+use softanvil_kernel_f32::vector::Scalar;
 use softanvil_kernel_f32::{SAMPLING_INTERVAL, math};
 
 /// Numbers from 2^-octaves to 2^octaves, every region of the mantissa, without a random source.
@@ -23,6 +26,35 @@ fn inverse_cbrt_stays_within_its_stated_error() {
     for x in samples(8.0) {
         let error = (f64::from(math::inverse_cbrt(x)) * f64::from(x).cbrt() - 1.0).abs();
         assert!(error < 2e-7, "inverse_cbrt({x}) is off by {error}");
+    }
+}
+
+#[test]
+fn logarithms_stay_within_their_stated_error() {
+    for a in samples(100.0).filter(|a| *a != 1.0) {
+        let error = (f64::from(log2(Scalar, a)) / f64::from(a).log2() - 1.0).abs();
+        assert!(error < 3e-7, "log2({a}) is off by {error}");
+    }
+    for difference in samples(80.0).filter(|difference| *difference < 3.0) {
+        let a = 1.5 + difference;
+        // The sum rounds, which matters where the difference is not what is used.
+        let difference = if difference < 1e-2 { difference } else { a - 1.5 };
+        let expected = (f64::from(difference) / 1.5).ln_1p() / std::f64::consts::LN_2;
+        let error = (f64::from(log2_of_quotient(Scalar, a, 1.5, difference)) / expected - 1.0).abs();
+        assert!(error < 3e-7, "log2({a} / 1.5) is off by {error}");
+    }
+}
+
+#[test]
+fn powers_stay_within_their_stated_error() {
+    for x in samples(100.0).filter(|x| *x < LARGEST_EXPONENT) {
+        for (found, x) in exp2_of_both_signs(x).into_iter().zip([x, -x]) {
+            let exponent = f64::from(x) * std::f64::consts::LN_2;
+            for (found, expected) in [(found.whole, exponent.exp()), (found.less_one, exponent.exp_m1())] {
+                let error = (f64::from(found) / expected - 1.0).abs();
+                assert!(error < 3e-7, "2^{x} is off by {error}");
+            }
+        }
     }
 }
 

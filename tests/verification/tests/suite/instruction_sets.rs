@@ -1,8 +1,9 @@
 //! Every instruction set of this processor gives the same bits, in one process.
 
-use softanvil_kernel::scenario::{Formulation, Layers};
+use softanvil_kernel::scenario::{Formulation, Layers, Material, VolumetricLaw};
 use softanvil_kernel::snapshot::state_digest;
 use softanvil_kernel::{InstructionSet, Scenario, Simulation, StepInput, preset, step_with};
+use softanvil_verification::scenes::ogden;
 
 /// Digest of the whole state after a drop.
 fn digest(scenario: &Scenario, set: InstructionSet) -> u64 {
@@ -24,7 +25,12 @@ fn give_the_same_bits() {
     rings.geometry.formulation = Formulation::Axisymmetric;
     rings.geometry.layers = Layers::Two;
     rings.time.duration = 6e-3;
-    for scenario in [preset::study(), rings] {
+    let mut powers = rings;
+    powers.silicone =
+        Material { volumetric_law: VolumetricLaw::Simo, ..ogden(2e6, [0.3e6, 2e3, -0.02e6], [1.3, 5.0, -2.0]) };
+    powers.geometry.layers = Layers::One;
+    powers.time.duration = 4e-3;
+    for scenario in [preset::study(), rings, powers] {
         let baseline = digest(&scenario, InstructionSet::Baseline);
         for set in InstructionSet::ALL.into_iter().filter(|set| set.available()) {
             assert_eq!(digest(&scenario, set), baseline, "{set:?}");

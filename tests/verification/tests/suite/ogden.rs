@@ -82,3 +82,44 @@ fn energy_of_small_strains_keeps_its_accuracy() {
         assert!(relative_error(energy, linear) < 10.0 * strain * strain + COINCIDENCE, "{strain}: {energy} {linear}");
     }
 }
+
+/// Stress and energy grow with the stretch while rounding leaves the smaller one in the section, and stay as large, or are no
+/// numbers, for stretches that no step survives.
+#[test]
+fn extreme_stretches_are_not_taken_for_small_ones() {
+    for alpha in [-30.0, -1.3, 0.01, 5.0, 30.0] {
+        let law = ogden([0.1e6_f64.copysign(alpha), 0.0, 0.0], [alpha, 0.0, 0.0]);
+        let families: [fn(f64) -> Kinematics<f64>; 3] = [
+            |size| stretch(size, 0.0, 1.0),
+            |size| stretch(0.0, size, size),
+            |size| stretch(0.0, 0.6 * size, 1.0 / size),
+        ];
+        for family in families {
+            let mut before = 0.0;
+            for k in 1..500 {
+                let (stress, energy) = law.stress(Scalar, &family(2.0_f64.powi(k)), true);
+                let magnitude = components(&stress).iter().fold(energy, |sum, part| sum + part.abs());
+                assert!(
+                    magnitude.is_nan() || magnitude >= 0.999 * before,
+                    "alpha {alpha}, 2^{k}: {magnitude} after {before}"
+                );
+                before = if k < 14 { magnitude } else { before };
+            }
+        }
+    }
+}
+
+/// What is not a number stays so, for the check of the next Jacobian.
+#[test]
+fn a_stretch_that_is_not_a_number_has_no_stress() {
+    let law = ogden([0.63e6, 0.0012e6, -0.01e6], [1.3, 5.0, -2.0]);
+    for broken in [
+        Kinematics { mean: f64::NAN, ..stretch(0.1, 0.1, 1.1) },
+        Kinematics { shear: f64::NAN, ..stretch(0.1, 0.1, 1.1) },
+        Kinematics { difference: f64::INFINITY, ..stretch(0.1, 0.1, 1.1) },
+        Kinematics { inverse_cbrt_j: f64::NAN, ..stretch(0.1, 0.1, 1.1) },
+    ] {
+        let stress = law.stress(Scalar, &broken, true).0;
+        assert!(components(&stress).iter().all(|part| part.is_nan()), "{broken:?}: {stress:?}");
+    }
+}
