@@ -93,8 +93,10 @@ def ratios(f):
 
 
 def summary(f):
-    rows = [[f"efficiency of {f('scaling', 'threads'):.0f} threads, memory apart / side by side",
-             f"{f('scaling', 'efficiency, own memory'):.2f} / {f('scaling', 'efficiency, memory side by side'):.2f}"]]
+    kinds = ("registers alone", "own memory", "memory side by side")
+    efficiencies = " / ".join(f"{f('scaling', 'efficiency, ' + kind):.2f}" for kind in kinds)
+    rows = [[f"efficiency of {f('scaling', 'threads'):.0f} threads: registers alone / memory apart / side by side",
+             efficiencies]]
     rows += [[name.replace(':', ' of a call:'), f"{f('calls', name):.0f} ns"] for name in f.names("calls", "overhead")]
     for row in f.instructions():
         rows.append([f"instructions per triangle and step, {SETS[row['instruction set']]}; dearest step / cheapest",
