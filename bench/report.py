@@ -95,7 +95,7 @@ def ratios(f):
 def summary(f):
     kinds = ("registers alone", "own memory", "memory side by side")
     efficiencies = " / ".join(f"{f('scaling', 'efficiency, ' + kind):.2f}" for kind in kinds)
-    rows = [[f"efficiency of {f('scaling', 'threads'):.0f} threads: registers alone / memory apart / side by side",
+    rows = [[f"efficiency of {f('scaling', 'threads'):.0f} threads: registers alone / memory on own pages / side by side",
              efficiencies]]
     rows += [[name.replace(':', ' of a call:'), f"{f('calls', name):.0f} ns"] for name in f.names("calls", "overhead")]
     for row in f.instructions():

@@ -1,27 +1,30 @@
 //! Many drops at once, and many small models one after another: `cargo bench -p softanvil-bench --bench scaling`.
 //!
 //! Every thread makes drops of a state of its own of one shared model. The states lie side by side in one piece of memory,
-//! or each in its own: were lines of the cache shared in the first case, it would be slower. What the cores allow at best
-//! is told by a loop on registers alone. One thread and all of them take turns. The threads begin each slice of a drop
-//! together, a slice is as long as its slowest thread, and the fastest of all rounds counts: other programs fall out.
+//! or each on pages of its own. Their sizes are whole cache lines, so that none is shared, but what a core fetches ahead of
+//! need may be another's. What the cores allow at best is told by a loop on registers alone. One thread and all of them take turns. The
+//! threads begin each slice of a drop together, a slice is as long as its slowest thread, and the fastest of all rounds
+//! counts: other programs fall out.
 
 use std::hint::{black_box, spin_loop};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 use std::time::{Duration, Instant};
 
+use softanvil_bench::pages::Pages;
+use softanvil_bench::registers::arithmetic;
 use softanvil_bench::{results, scene};
 use softanvil_kernel::element::{CellConstants, CellHistory, HoopConstants};
 use softanvil_kernel::lanes::Deviator;
 use softanvil_kernel::{
-    Model, ModelMemory, SAMPLING_INTERVAL, Scenario, Size, State, StateMemory, StepInput, preset, step,
+    InstructionSet, Model, ModelMemory, SAMPLING_INTERVAL, Scenario, Size, State, StateMemory, StepInput, preset, step,
 };
 
 /// Rounds of each kind; in each, every thread makes one drop.
 const ROUNDS: usize = 100;
 
-/// Sums and products on registers in a slice: about as long as a slice of a drop.
-const OPERATIONS: usize = 8000;
+/// Sums and products per chain in a slice: about as long as a slice of a drop.
+const LENGTH: usize = 8000;
 
 /// Samples' worth of steps that each small model makes in a round.
 const SMALL_STEPS: usize = 64;
@@ -38,13 +41,16 @@ fn threads(figures: &mut Vec<(String, f64)>) {
     with_model(&preset::study(), |model| {
         let mut memory = Memory::new(&model.constants.size, n);
         let mut own: Vec<Memory> = (0..n).map(|_| Memory::new(&model.constants.size, 1)).collect();
+        let on_registers = || {
+            black_box(arithmetic(InstructionSet::best(), LENGTH));
+        };
         let [mut one, mut apart, mut together, mut alone, mut registers] = [const { Fastest(Vec::new()) }; 5];
         for _ in 0..ROUNDS {
             one.round(drops(model, own[..1].iter_mut().flat_map(Memory::states).collect()));
             apart.round(drops(model, own.iter_mut().flat_map(Memory::states).collect()));
             together.round(drops(model, memory.states()));
-            alone.round(vec![arithmetic]);
-            registers.round(vec![arithmetic; n]);
+            alone.round(vec![on_registers]);
+            registers.round(vec![on_registers; n]);
         }
         figures.push(("threads".into(), n as f64));
         figures.push(("efficiency, registers alone".into(), alone.total() / registers.total()));
@@ -104,19 +110,6 @@ fn drops<'m>(model: &'m Model, memories: Vec<StateMemory<'m>>) -> Vec<impl FnMut
     memories.into_iter().map(worker).collect()
 }
 
-/// Sums and products on registers.
-fn arithmetic() {
-    let (factor, summand) = (black_box(1.000_000_1), black_box(1e-9));
-    let (mut products, mut sums) = ([1.0; 8], [1.0; 8]);
-    for _ in 0..OPERATIONS {
-        for chain in 0..8 {
-            products[chain] *= factor;
-            sums[chain] += summand;
-        }
-    }
-    black_box((products, sums));
-}
-
 /// Models of few triangles that step in turns, as in a sweep over them.
 fn small_models(figures: &mut Vec<(String, f64)>) {
     let scenario = scene::sized(scene::ELEMENT_SIZES[0]);
@@ -146,35 +139,36 @@ fn small_models(figures: &mut Vec<(String, f64)>) {
 
 fn with_model(scenario: &Scenario, work: impl FnOnce(&Model)) {
     let size = Size::of(scenario).expect("a legal scenario");
-    let mut nodes = vec![0.0; size.model_nodes];
-    let mut cells = vec![CellConstants::ZERO; size.model_cells];
-    let mut hoops = vec![HoopConstants::ZERO; size.model_hoops];
-    let memory = ModelMemory { constants: &mut None, nodes: &mut nodes, cells: &mut cells, hoops: &mut hoops };
+    let mut nodes = Pages::new(0.0, size.model_nodes);
+    let mut cells = Pages::new(CellConstants::ZERO, size.model_cells);
+    let mut hoops = Pages::new(HoopConstants::ZERO, size.model_hoops);
+    let (nodes, cells, hoops) = (nodes.items(), cells.items(), hoops.items());
+    let memory = ModelMemory { constants: &mut None, nodes, cells, hoops };
     work(&Model::new(scenario, memory).expect("a legal scenario"));
 }
 
 /// Memory of states, side by side.
 struct Memory {
     size: Size,
-    nodes: Vec<f64>,
-    cells: Vec<CellHistory>,
-    viscous: Vec<Deviator>,
+    nodes: Pages<f64>,
+    cells: Pages<CellHistory>,
+    viscous: Pages<Deviator>,
 }
 
 impl Memory {
     fn new(size: &Size, n: usize) -> Self {
         Self {
             size: *size,
-            nodes: vec![0.0; n * size.state_nodes],
-            cells: vec![CellHistory::REST; n * size.state_cells],
-            viscous: vec![Deviator::ZERO; n * size.state_viscous],
+            nodes: Pages::new(0.0, n * size.state_nodes),
+            cells: Pages::new(CellHistory::REST, n * size.state_cells),
+            viscous: Pages::new(Deviator::ZERO, n * size.state_viscous),
         }
     }
 
     fn states(&mut self) -> Vec<StateMemory<'_>> {
-        let nodes = self.nodes.chunks_exact_mut(self.size.state_nodes);
-        let cells = self.cells.chunks_exact_mut(self.size.state_cells);
-        let viscous = self.viscous.chunks_exact_mut(self.size.state_viscous.max(1));
+        let nodes = self.nodes.items().chunks_exact_mut(self.size.state_nodes);
+        let cells = self.cells.items().chunks_exact_mut(self.size.state_cells);
+        let viscous = self.viscous.items().chunks_exact_mut(self.size.state_viscous.max(1));
         nodes.zip(cells).zip(viscous).map(|((nodes, cells), viscous)| StateMemory { nodes, cells, viscous }).collect()
     }
 }
