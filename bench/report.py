@@ -25,11 +25,19 @@ class Figures:
         self.target = Path(target)
         self.files = {}
 
+    def path(self, file):
+        return self.target / "softanvil-bench" / f"{file}.csv"
+
     def __call__(self, file, figure, default=None):
         if file not in self.files:
-            with (self.target / "softanvil-bench" / f"{file}.csv").open() as lines:
+            with self.path(file).open() as lines:
                 self.files[file] = {row["figure"]: float(row["value"]) for row in csv.DictReader(lines)}
         return self.files[file].get(figure, default)
+
+    def drop(self, instruction_set=None):
+        """File of the drops on a processor that has no wider instruction set; none if they were not made."""
+        made = [f"drop-{name}" for name in SETS if instruction_set in (name, None) and self.path(f"drop-{name}").is_file()]
+        return made[-1] if made else None
 
     def names(self, file, start):
         self(file, "")
@@ -67,23 +75,28 @@ def machine(_):
 
 
 def ratios(f):
-    simulated, triangles, steps = (f("drop", name) for name in ("simulated time s", "triangles", "steps"))
-    hosts = [(f"kernel {name}", f"kernel, {label}") for name, label in SETS.items()]
-    hosts += [("C ABI", "C ABI, 50 us a call")]
+    simulated, triangles, steps = (f(f.drop(), name) for name in ("simulated time s", "triangles", "steps"))
+    hosts = [("C ABI", "C ABI, 50 us a call")]
     hosts += [(f"FMU {version}", f"FMU {version}, 50 us a step, four outputs read") for version in ("2.0", "3.0")]
     rows = []
-    for name, label in hosts:
-        wall = f("drop", name)
-        if wall is not None:
-            update = 1e9 * wall / triangles / steps
-            rows.append([label, f"{1e3 * wall:.1f}", f"{wall / simulated:.2f}", f"{update:.1f}"])
+    for name, label in SETS.items():
+        # Without an own run only the kernel can be told which instruction set to take.
+        file = f.drop(name)
+        walls = [("kernel", f(file or f.drop(), f"kernel {name}"))]
+        walls += [(about, f(file, host)) for host, about in hosts] if file else []
+        for about, wall in walls:
+            if wall is not None:
+                update = 1e9 * wall / triangles / steps
+                rows.append([f"{label}: {about}", f"{1e3 * wall:.1f}", f"{wall / simulated:.2f}", f"{update:.1f}"])
     head = ["the study's drop", "wall time ms", "real-time factor (wall / simulated)", "ns per triangle and step"]
     return table(head, rows)
 
 
 def summary(f):
-    rows = [[f"efficiency of {f('scaling', 'threads'):.0f} threads, memory apart / side by side",
-             f"{f('scaling', 'efficiency, own memory'):.2f} / {f('scaling', 'efficiency, memory side by side'):.2f}"]]
+    kinds = ("registers alone", "own memory", "memory side by side")
+    efficiencies = " / ".join(f"{f('scaling', 'efficiency, ' + kind):.2f}" for kind in kinds)
+    rows = [[f"efficiency of {f('scaling', 'threads'):.0f} threads: registers alone / memory on own pages / side by side",
+             efficiencies]]
     rows += [[name.replace(':', ' of a call:'), f"{f('calls', name):.0f} ns"] for name in f.names("calls", "overhead")]
     for row in f.instructions():
         rows.append([f"instructions per triangle and step, {SETS[row['instruction set']]}; dearest step / cheapest",
@@ -112,7 +125,7 @@ def stages(f):
 def roofline(f):
     """Lower bounds of the time per triangle and step, from operations, and from bytes that come from the second cache."""
     operations = f("anatomy", "floating-point operations")
-    streamed = sum(f("drop", name) * passes for name, passes in STREAMED.items())
+    streamed = sum(f(f.drop(), name) * passes for name, passes in STREAMED.items())
     measured = {name: time / n for name, time, n in f.samples("instruction set")}
     rows = []
     for name, label in SETS.items():
@@ -138,7 +151,7 @@ STREAMED = {"bytes a triangle, constants": 1, "bytes a triangle, history": 2, "b
 
 def memory(f):
     return table(["memory of the study's drop", "bytes"],
-                 [[name, f"{f('drop', name):.0f}"] for name in f.names("drop", "bytes a ")])
+                 [[name, f"{f(f.drop(), name):.0f}"] for name in f.names(f.drop(), "bytes a ")])
 
 
 def peers(_):

@@ -5,7 +5,7 @@
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 cd "$here/.."
-for command in valgrind objdump addr2line python3; do
+for command in valgrind objdump addr2line python3 cc; do
     command -v "$command" >/dev/null || { echo "$command is missing" >&2; exit 1; }
 done
 target=${CARGO_TARGET_DIR:-$PWD/target}
@@ -14,10 +14,17 @@ results=$target/softanvil-bench
 rm -rf "$results" "$target/criterion"
 mkdir -p "$results"
 
-fmu=$(mktemp -d)
-trap 'rm -rf "$fmu"' EXIT
-cargo run -q --release -p softanvil -- fmu --target "$(uname -m)-unknown-linux-gnu" --out "$fmu"
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cargo run -q --release -p softanvil -- fmu --target "$(uname -m)-unknown-linux-gnu" --out "$work"
 cargo bench -q -p softanvil-bench
+if [ "$(uname -m)" = x86_64 ]; then
+    cc -O1 -Wall -Wextra -shared -fPIC "$here/processor.c" -o "$work/processor.so"
+    for widest in Avx2 Baseline; do
+        SOFTANVIL_WIDEST=$widest LD_PRELOAD=$work/processor.so cargo bench -q -p softanvil-bench --bench drop ||
+            echo "skipped: C ABI and FMU with the instruction set $widest" >&2
+    done
+fi
 cargo build -q --profile bench -p softanvil-bench --bin softanvil-bench
 SOFTANVIL_INSTRUCTIONS=$results/instructions.csv "$here/instructions.sh" "$target/release"
 python3 "$here/anatomy.py" "$target/release/softanvil-bench" "$results/anatomy.csv"

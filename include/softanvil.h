@@ -863,7 +863,8 @@ typedef struct SoftanvilInput {
  *
  * @param scenario The scenario.
  * @param size Bytes.
- * @param alignment Bytes that the address must be a multiple of; any malloc gives at least as much.
+ * @param alignment Bytes that the address must be a multiple of; any malloc gives at least as much. On a cache line
+ *        (64 bytes) steps are some per cents faster; simulations of different threads run best on pages of their own.
  * @param error Details of a failure, or NULL.
  * @return NULL_POINTER, MISALIGNED, UNINITIALISED, or a status of the scenario (200 to 299).
  */

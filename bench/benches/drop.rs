@@ -1,7 +1,8 @@
 //! Wall time of the study's drop through kernel, C ABI and FMU: `cargo bench -p softanvil-bench --bench drop`.
 //!
 //! Every call makes the steps of 50 us; the master of an FMU reads four outputs after each. All hosts take turns, and of each
-//! of the calls of a drop the fastest in all drops counts. All must give the same trace.
+//! of the calls of a drop the fastest in all drops counts. All must give the same trace. C ABI and FMU take the widest
+//! instruction set that they find, whose name the results have: `processor.c` hides others.
 
 use softanvil_bench::host::{CAbi, Fmu2, Fmu3, Host, Kernel, library_path, whole_drop};
 use softanvil_bench::results;
@@ -45,7 +46,7 @@ fn main() {
     ];
     figures.extend(memory(simulation.constants()));
     figures.extend(hosts.into_iter().zip(fastest).map(|((name, _), calls)| (name, calls.iter().sum())));
-    results::write("drop", &figures);
+    results::write(&format!("drop-{:?}", InstructionSet::best()), &figures);
 }
 
 /// Bytes per triangle and per node, those of padding included, from the sizes that the caller of the kernel sees.

@@ -7,12 +7,9 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use pulp::NullaryFnOnce;
+use softanvil_bench::registers::{self, run};
 use softanvil_bench::results;
 use softanvil_kernel::InstructionSet;
-
-/// Independent chains each of additions and of multiplications: more than latency times throughput asks for, and few
-/// enough for sixteen registers.
-const CHAINS: usize = 6;
 
 /// Operations per chain in a slice.
 const LENGTH: usize = 20_000;
@@ -22,31 +19,6 @@ const SLICES: usize = 2000;
 
 /// Bytes of the three arrays of the triad together.
 const SIZES: [(&str, usize); 3] = [("L1", 24 << 10), ("L2", 768 << 10), ("L3", 24 << 20)];
-
-/// Sums and products in vectors of `W` numbers.
-struct Arithmetic<const W: usize>;
-
-impl<const W: usize> NullaryFnOnce for Arithmetic<W> {
-    type Output = f64;
-
-    #[inline(always)]
-    fn call(self) -> f64 {
-        let (factor, summand) = ([black_box(1.000_000_1); W], [black_box(1e-9); W]);
-        let (mut products, mut sums) = ([[1.0; W]; CHAINS], [[1.0; W]; CHAINS]);
-        let start = Instant::now();
-        for _ in 0..LENGTH {
-            for chain in 0..CHAINS {
-                for l in 0..W {
-                    products[chain][l] *= factor[l];
-                    sums[chain][l] += summand[l];
-                }
-            }
-        }
-        black_box((&products, &sums));
-        let operations = 2 * CHAINS * LENGTH * W;
-        operations as f64 / start.elapsed().as_secs_f64()
-    }
-}
 
 /// The triad, over and over.
 struct Triad<'a> {
@@ -74,24 +46,11 @@ impl NullaryFnOnce for Triad<'_> {
     }
 }
 
-fn run<W: NullaryFnOnce>(set: InstructionSet, work: W) -> W::Output {
-    #[cfg(target_arch = "x86_64")]
-    match set {
-        InstructionSet::Avx2 => return pulp::x86::V3::try_new().expect("AVX2").vectorize(work),
-        InstructionSet::Avx512 => return pulp::x86::V4::try_new().expect("AVX-512").vectorize(work),
-        InstructionSet::Baseline => {}
-    }
-    #[cfg(not(target_arch = "x86_64"))]
-    let _ = set;
-    work.call()
-}
-
+/// Operations per second.
 fn arithmetic(set: InstructionSet) -> f64 {
-    match set {
-        InstructionSet::Baseline => run(set, Arithmetic::<2>),
-        InstructionSet::Avx2 => run(set, Arithmetic::<4>),
-        InstructionSet::Avx512 => run(set, Arithmetic::<8>),
-    }
+    let start = Instant::now();
+    let operations = registers::arithmetic(set, LENGTH);
+    operations as f64 / start.elapsed().as_secs_f64()
 }
 
 fn main() {

@@ -21,7 +21,7 @@ trap 'rm -rf "$results"' EXIT
 # MuJoCo writes its log where it runs.
 cd "$results"
 python3 "$here/softanvil_peer.py" "$results/peers.csv" "$target/release/libsoftanvil.so"
-for peer in mujoco kratos calculix; do
+for peer in akantu mujoco kratos calculix; do
     "$venv/bin/python" "$here/${peer}_peer.py" "$results/peers.csv" >log 2>&1 || { cat log >&2; exit 1; }
     tail -n 1 log
 done

@@ -14,23 +14,17 @@ use softanvil::status::SoftanvilStatus;
 use softanvil_kernel::{Scenario, Simulation};
 
 use super::Host;
+use crate::pages::Pages;
 
 type Step =
     unsafe extern "C" fn(*mut SoftanvilSimulation, u64, *const SoftanvilInput, *mut SoftanvilError) -> SoftanvilStatus;
 
 /// A simulation behind the C ABI.
 pub struct CAbi {
-    /// Whole cache lines, as an aligned allocation has them.
-    _memory: Vec<CacheLine>,
+    _memory: Pages<u8>,
     simulation: *mut SoftanvilSimulation,
     step: Step,
     steps_of_drop: u64,
-}
-
-#[derive(Clone, Copy, Default)]
-#[repr(align(64))]
-struct CacheLine {
-    _bytes: [[u64; 4]; 2],
 }
 
 impl CAbi {
@@ -49,8 +43,8 @@ impl CAbi {
             let name = c"mesh.element_size".as_ptr();
             expect(softanvil_scenario_set_by_name(given.as_mut_ptr(), name, scenario.mesh.element_size, null_mut()));
             expect(softanvil_memory_size(given.as_ptr(), &mut size, &mut alignment, null_mut()));
-            let mut memory = vec![CacheLine::default(); size.div_ceil(size_of::<CacheLine>())];
-            let address = memory.as_mut_ptr().cast::<c_void>();
+            let mut memory = Pages::new(0, size);
+            let address = memory.items().as_mut_ptr().cast::<c_void>();
             expect(softanvil_init(address, size, given.as_ptr(), &mut simulation, null_mut()));
             memory
         };
