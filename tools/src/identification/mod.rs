@@ -86,8 +86,7 @@ impl Identification {
             Some(law) => position(&fits, law, &failed)?,
             None => ranking::choose(&fits),
         };
-        let caveats =
-            fits.get(chosen).map_or_else(Vec::new, |fit| ranking::caveats(fit, &fits, &data, settings.stability_range));
+        let caveats = fits.get(chosen).map_or_else(Vec::new, |fit| ranking::caveats(fit, &fits, &data, &settings));
         let relaxed = match relaxation {
             Some((source, options)) => Some(Relaxed::new(source, options, fits.get(chosen), request.n_term)?),
             None => None,

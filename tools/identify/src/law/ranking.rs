@@ -1,9 +1,9 @@
 //! Which law: the lowest residual within each family, then across, as in the study; and what to think of before
 //! believing it.
 
-use super::fit::Fit;
+use super::fit::{Fit, Settings};
 use super::ogden::LARGEST_ALPHA;
-use super::{DataSet, Family, Mode};
+use super::{DataSet, Family, Mode, profile};
 
 /// Fits in the order of the study: the best of each family by residual, then the others by residual. Laws that the
 /// kernel refuses, because their shear modulus at rest is not positive, come last.
@@ -41,7 +41,7 @@ const ILL_CONDITIONED: f64 = 1e3;
 const POINTS_PER_PARAMETER: usize = 5;
 
 /// What a user of `chosen` should know, most important first.
-pub fn caveats(chosen: &Fit, all: &[Fit], data: &[DataSet], range: (f64, f64)) -> Vec<String> {
+pub fn caveats(chosen: &Fit, all: &[Fit], data: &[DataSet], settings: &Settings) -> Vec<String> {
     let mut caveats = Vec::new();
     let label = chosen.law.label;
     if chosen.shear_modulus() <= 0.0 {
@@ -51,10 +51,14 @@ pub fn caveats(chosen: &Fit, all: &[Fit], data: &[DataSet], range: (f64, f64)) -
         ));
     }
     if !chosen.is_stable {
-        caveats.push(format!("{label} is unstable {}: --stable demands a stable law", unstable(chosen, range)));
+        caveats.push(format!(
+            "{label} is unstable {}: --stable demands a stable law",
+            unstable(chosen, settings.stability_range)
+        ));
     }
     caveats.extend(coverage(data));
     caveats.extend(determination(chosen));
+    caveats.extend(intervals(chosen, data, settings));
     caveats.extend(alternatives(chosen, all));
     caveats
 }
@@ -122,6 +126,26 @@ fn determination(fit: &Fit) -> Vec<String> {
         }
     }
     caveats
+}
+
+/// Of which parameters the straight-line intervals are wrong.
+fn intervals(fit: &Fit, data: &[DataSet], settings: &Settings) -> Option<String> {
+    // Bounds that hold the fit back make no straight lines either.
+    if settings.demand_stability {
+        return None;
+    }
+    let ends = profile::ends(fit, data, settings.weighting);
+    let wrong: Vec<_> = ends.iter().filter(|end| !end.is_believed()).collect();
+    let worst = wrong.iter().max_by(|a, b| a.distance().total_cmp(&b.distance()))?;
+    let mut names: Vec<&str> = wrong.iter().map(|end| fit.law.parameters[end.parameter]).collect();
+    names.dedup();
+    Some(format!(
+        "the intervals of {} are not to be believed: at an end of that of {} the residual sum rises {} what it should; the curve \
+         is determined better than its parameters",
+        names.join(", "),
+        fit.law.parameters[worst.parameter],
+        if worst.ratio.is_finite() { format!("by {:.2} times", worst.ratio) } else { "beyond".into() }
+    ))
 }
 
 fn alternatives(chosen: &Fit, all: &[Fit]) -> Vec<String> {

@@ -9,7 +9,7 @@ use ndarray::{Array1, Array2};
 
 use super::history::History;
 use crate::law::statistics::Statistics;
-use crate::least_squares::{self, Bounded, Model};
+use crate::least_squares::{self, Bounded, Effort, Model};
 
 /// Load over time, in the order of time.
 #[derive(Clone, Debug, PartialEq)]
@@ -133,7 +133,7 @@ fn minimise(data: &Relaxation, taus: &[f64], range: (f64, f64)) -> (f64, Vec<f64
     for (y, tau) in amplitudes[1..].iter().zip(taus) {
         inner.extend([root(*y), problem.log_tau.parameter(tau.ln())]);
     }
-    let (cost, inner) = least_squares::minimise(&problem, inner);
+    let (cost, inner) = least_squares::minimise(&problem, inner, &Effort::FULL);
     (cost, problem.values(&inner))
 }
 
