@@ -1,9 +1,9 @@
 //! Ogden's law, by Levenberg-Marquardt from several starts.
 //!
-//! The exponents are bounded by the kernel's range through alpha = A t / sqrt(1 + t^2). Starts are all combinations of
-//! exponents of a fixed grid, with the coefficients that are best for them (a linear problem), and the law of one term less
-//! with another one; the best starts are refined on a part of the points, the best of those on all. Nothing is random, so a
-//! fit can be repeated to the bit.
+//! The exponents are bounded by the kernel's range through alpha = A t / sqrt(1 + t^2). Starts are combinations of exponents
+//! of a fixed grid, the best and some of the others, and the law of one term less with another one; they are refined on a
+//! part of the points, the best of those on all. The coefficients follow from the exponents, as a linear problem, except where
+//! stability is demanded. Nothing is random, so a fit can be repeated to the bit.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -22,9 +22,9 @@ const GRID: [f64; 14] = [-20.0, -12.0, -8.0, -5.0, -3.0, -2.0, -1.0, 1.0, 2.0, 3
 /// Exponents of a term that is added to the law of one term less.
 const ADDED: [f64; 2] = [-4.0, 4.0];
 /// Starts that are refined.
-const REFINED: usize = 16;
+const REFINED: usize = 32;
 /// Refined starts that are finished on all points.
-const FINISHED: usize = 3;
+const FINISHED: usize = 5;
 /// Points of which starts are judged, at most.
 const START_POINTS: usize = 150;
 
@@ -142,7 +142,10 @@ fn starts(n_term: usize, targets: &[Target], stable: bool) -> Vec<Vec<f64>> {
         })
         .collect();
     found.sort_by(|a, b| a.0.total_cmp(&b.0));
-    found.into_iter().take(REFINED).map(|(_, values)| values).collect()
+    // The best, which are neighbours of each other, and as many evenly from the others.
+    let others = found.split_off(found.len().min(REFINED / 2));
+    let step = others.len().div_ceil(REFINED / 2).max(1);
+    found.into_iter().chain(others.into_iter().step_by(step)).map(|(_, values)| values).collect()
 }
 
 /// Every choice of `n_term` different indices of [`GRID`], in order.
@@ -160,6 +163,12 @@ fn combinations(n_term: usize) -> Vec<Vec<usize>> {
 
 /// The parameters that Levenberg-Marquardt reaches from `start`, and their sum of squares.
 fn minimise(targets: &[Target], start: &[f64], stable: bool, effort: &Effort) -> (f64, Vec<f64>) {
+    if !stable {
+        let problem = Projected { targets };
+        let exponents = start.iter().skip(1).step_by(2).map(|alpha| EXPONENT.parameter(*alpha)).collect();
+        let (cost, inner) = least_squares::minimise(&problem, exponents, effort);
+        return (cost, problem.values(&inner));
+    }
     let problem = Problem::new(targets, stable);
     let (cost, inner) = least_squares::minimise(&problem, problem.inner(start), effort);
     (cost, problem.values(&inner))
@@ -176,6 +185,60 @@ fn residual(values: &[f64], target: &Target) -> f64 {
 }
 
 const EXPONENT: Bounded = Bounded { middle: 0.0, half: LARGEST_ALPHA };
+
+fn exponent(t: f64) -> f64 {
+    let alpha = EXPONENT.value(t);
+    if alpha.abs() < SMALLEST_ALPHA { SMALLEST_ALPHA.copysign(alpha) } else { alpha }
+}
+
+/// The problem in the exponents' t alone, each with the coefficients that are best for them: the valleys in which a
+/// coefficient and its exponent trade against each other are gone. Golub and Pereyra (1973), with the derivative of Kaufman
+/// (1975), which leaves out the part within the column space.
+struct Projected<'a> {
+    targets: &'a [Target],
+}
+
+impl Projected<'_> {
+    /// Weighted stresses of each term per mu and their derivatives by t, the weighted stresses, and the coefficients.
+    fn solve(&self, inner: &[f64]) -> (DMatrix<f64>, DMatrix<f64>, DVector<f64>, DVector<f64>) {
+        let (n, k) = (self.targets.len(), inner.len());
+        let (mut columns, mut slopes) = (DMatrix::zeros(n, k), DMatrix::zeros(n, k));
+        for (j, t) in inner.iter().enumerate() {
+            let alpha = exponent(*t);
+            for (i, target) in self.targets.iter().enumerate() {
+                let (value, slope) = basis(alpha, target);
+                columns[(i, j)] = target.weight * value;
+                slopes[(i, j)] = target.weight * slope * EXPONENT.slope(*t);
+            }
+        }
+        let stresses = DVector::from_iterator(n, self.targets.iter().map(|target| target.weight * target.stress));
+        let mu = linear::solve(&columns, &stresses);
+        (columns, slopes, stresses, mu)
+    }
+
+    /// mu_1, alpha_1, mu_2, ...
+    fn values(&self, inner: &[f64]) -> Vec<f64> {
+        let (.., mu) = self.solve(inner);
+        mu.iter().zip(inner).flat_map(|(mu, t)| [*mu, exponent(*t)]).collect()
+    }
+}
+
+impl Model for Projected<'_> {
+    fn residuals(&self, inner: &[f64]) -> DVector<f64> {
+        let (columns, _, stresses, mu) = self.solve(inner);
+        columns * mu - stresses
+    }
+
+    fn jacobian(&self, inner: &[f64]) -> DMatrix<f64> {
+        let (columns, mut slopes, _, mu) = self.solve(inner);
+        for (j, mu) in mu.iter().enumerate() {
+            slopes.column_mut(j).scale_mut(*mu);
+        }
+        let q = columns.qr().q();
+        let within = &q * (q.transpose() * &slopes);
+        slopes - within
+    }
+}
 
 /// The problem in unbounded parameters: for each term mu / scale (or sqrt(mu alpha / scale) where it must be positive),
 /// and t of the exponent.
@@ -203,8 +266,7 @@ impl<'a> Problem<'a> {
     /// mu_1, alpha_1, mu_2, ...
     fn values(&self, inner: &[f64]) -> Vec<f64> {
         let term = |term: &[f64]| {
-            let (a, alpha) = (term[0], EXPONENT.value(term[1]));
-            let alpha = if alpha.abs() < SMALLEST_ALPHA { SMALLEST_ALPHA.copysign(alpha) } else { alpha };
+            let (a, alpha) = (term[0], exponent(term[1]));
             [if self.stable { a * a * self.scale / alpha } else { a * self.scale }, alpha]
         };
         inner.chunks(2).flat_map(term).collect()

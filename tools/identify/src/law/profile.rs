@@ -82,7 +82,7 @@ mod tests {
 
     #[test]
     fn data_of_one_mode_do_not() {
-        let ends = ends_of(&[Mode::Uniaxial], (1.0, 2.0));
+        let ends = ends_of(&[Mode::Uniaxial], (0.5, 3.0));
         assert!(ends.iter().any(|end| !end.is_believed()), "{ends:?}");
     }
 }
