@@ -3,7 +3,7 @@
 use super::ReadError;
 use super::number::{self, Cell, Decimal};
 use super::text;
-use super::unit::Unit;
+use super::unit::{self, Unit};
 
 /// A table.
 #[derive(Clone, Debug)]
@@ -225,8 +225,8 @@ fn bare(unit: &str) -> &str {
 }
 
 fn is_row_of_units(cells: &[String]) -> bool {
-    let mut filled = cells.iter().filter(|cell| !cell.is_empty()).peekable();
-    filled.peek().is_some() && filled.all(|cell| Unit::parse(bare(cell)).is_some())
+    let filled = || cells.iter().filter(|cell| !cell.is_empty()).map(|cell| bare(cell));
+    filled().any(|unit| Unit::parse(unit).is_some()) && filled().all(unit::is_unit)
 }
 
 #[cfg(test)]
@@ -281,6 +281,7 @@ mod tests {
     fn rows_of_missing_values_above_the_table_are_no_titles() {
         assert_eq!(sheet("a;b\nnan;nan\n0.1;nan\n1;2\n3;4\n").titles, ["a", "b"]);
         assert_eq!(sheet("a;b\n-;MPa\n1;2\n3;4\n").titles, ["a [-]", "b [MPa]"]);
+        assert_eq!(sheet("t,E,T\ns,MPa,°C\n1,2,3\n3,4,5\n").titles, ["t [s]", "E [MPa]", "T [°C]"]);
     }
 
     #[test]

@@ -234,6 +234,8 @@ fn doubts(prony: &Prony, range: (f64, f64)) -> Vec<String> {
             doubts.push(format!("{term} has nothing to do: g = {g:.1e}"));
         } else if tau < 1.05 * range.0 || tau > 0.95 * range.1 {
             doubts.push(format!("{term} lies outside the times of the data"));
+        } else if error_y.is_nan() || error_tau.is_nan() {
+            doubts.push(format!("{term} is not identified: the data cannot tell the terms apart"));
         } else if !(error_y / y < UNCERTAIN && error_tau / tau < UNCERTAIN) {
             doubts.push(format!(
                 "{term} is not identified: standard errors {:.0} % of g and {:.0} % of tau",
