@@ -1,6 +1,6 @@
 """Fits by Softanvil and by Python packages side by side, in one run: peers.py BUILD_FOLDER, which needs
-`pip install -r peers.txt` and `cargo build --release -p softanvil -p softanvil-identify --examples`. Rewrites peers.csv
-and the table of docs/identification.md.
+`pip install -r peers.txt`, `cargo build --release -p softanvil` and `cargo build --release -p softanvil-identify --example
+fit_law`. Rewrites peers.csv and the table of docs/identification.md.
 
 Laws: the three tests of Treloar in data/treloar, residuals of the nominal stress, each point with weight one. Relaxation:
 two Prony terms, made up, with 1 kPa of noise. Two times of each program, both the best of several:

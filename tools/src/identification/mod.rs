@@ -52,7 +52,7 @@ pub struct Request {
     pub stability_range: Option<(f64, f64)>,
     /// How to fit.
     pub settings: Settings,
-    /// Law instead of the first of the ranking.
+    /// Law instead of the stable one of lowest residual.
     pub law: Option<&'static Law>,
     /// Number of Prony terms instead of the chosen one.
     pub n_term: Option<usize>,
