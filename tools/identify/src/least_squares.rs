@@ -11,10 +11,54 @@ pub trait Model {
     fn jacobian(&self, parameters: &[f64]) -> DMatrix<f64>;
 }
 
+/// A model of which one parameter is held.
+pub struct Held<'a, M> {
+    /// The model.
+    pub model: &'a M,
+    /// Index of the parameter.
+    pub parameter: usize,
+    /// Its value.
+    pub value: f64,
+}
+
+impl<M> Held<'_, M> {
+    fn all(&self, others: &[f64]) -> Vec<f64> {
+        let mut all = others.to_vec();
+        all.insert(self.parameter, self.value);
+        all
+    }
+}
+
+impl<M: Model> Model for Held<'_, M> {
+    fn residuals(&self, others: &[f64]) -> DVector<f64> {
+        self.model.residuals(&self.all(others))
+    }
+
+    fn jacobian(&self, others: &[f64]) -> DMatrix<f64> {
+        self.model.jacobian(&self.all(others)).remove_column(self.parameter)
+    }
+}
+
+/// When a minimisation ends.
+pub struct Effort {
+    /// Relative change of the sum of squares and of the parameters.
+    tolerance: f64,
+    /// Evaluations per parameter, and one.
+    patience: usize,
+}
+
+impl Effort {
+    /// To the end.
+    pub const FULL: Self = Self { tolerance: 1e-13, patience: 200 };
+    /// To tell good starts from bad ones.
+    pub const ROUGH: Self = Self { tolerance: 1e-6, patience: 20 };
+}
+
 /// The parameters reached from `start`, and their sum of squares (infinite where it is no number).
-pub fn minimise(model: &impl Model, start: Vec<f64>) -> (f64, Vec<f64>) {
+pub fn minimise(model: &impl Model, start: Vec<f64>, effort: &Effort) -> (f64, Vec<f64>) {
     let problem = Problem { model, parameters: DVector::from_vec(start) };
-    let (problem, _) = LevenbergMarquardt::new().with_tol(1e-13).with_patience(200).minimize(problem);
+    let search = LevenbergMarquardt::new().with_tol(effort.tolerance).with_patience(effort.patience);
+    let (problem, _) = search.minimize(problem);
     let cost = problem.residuals().map_or(f64::INFINITY, |r| r.norm_squared());
     (if cost.is_finite() { cost } else { f64::INFINITY }, problem.parameters.as_slice().to_vec())
 }
@@ -92,7 +136,7 @@ mod tests {
                 })
             }
         }
-        let (cost, found) = minimise(&Exponential, vec![1.0, 0.5]);
+        let (cost, found) = minimise(&Exponential, vec![1.0, 0.5], &Effort::FULL);
         assert!(cost < 1e-20 && (found[0] - 2.0).abs() < 1e-9 && (found[1] + 1.0).abs() < 1e-9, "{found:?}");
         let bounded = Bounded { middle: 1.0, half: 30.0 };
         for t in [-2.0, 0.0, 0.7] {

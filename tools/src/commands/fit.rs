@@ -113,7 +113,7 @@ struct SpecimenOptions {
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Laws")]
 struct LawOptions {
-    /// Law to choose instead of the first stable one of the ranking
+    /// Law to choose instead of the stable one of lowest residual
     #[arg(long, value_name = "NAME", value_parser = law)]
     law: Option<&'static Law>,
     /// Residuals in Pa, or divided by the stress (of at least 1 % of the largest)

@@ -52,7 +52,7 @@ pub struct Request {
     pub stability_range: Option<(f64, f64)>,
     /// How to fit.
     pub settings: Settings,
-    /// Law instead of the first of the ranking.
+    /// Law instead of the stable one of lowest residual.
     pub law: Option<&'static Law>,
     /// Number of Prony terms instead of the chosen one.
     pub n_term: Option<usize>,
@@ -86,8 +86,7 @@ impl Identification {
             Some(law) => position(&fits, law, &failed)?,
             None => ranking::choose(&fits),
         };
-        let caveats =
-            fits.get(chosen).map_or_else(Vec::new, |fit| ranking::caveats(fit, &fits, &data, settings.stability_range));
+        let caveats = fits.get(chosen).map_or_else(Vec::new, |fit| ranking::caveats(fit, &fits, &data, &settings));
         let relaxed = match relaxation {
             Some((source, options)) => Some(Relaxed::new(source, options, fits.get(chosen), request.n_term)?),
             None => None,

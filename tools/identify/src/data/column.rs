@@ -155,7 +155,8 @@ fn kind_of(words: &[String], unit: Option<Unit>) -> Result<Option<Kind>, &'stati
     let joined = words.join(" ");
     let dimension = unit.map(|unit| unit.dimension);
     let of = |wanted: Dimension| dimension == Some(wanted);
-    let rate = has(&["rate", "speed", "velocity", "energy", "work", "poisson", "lateral", "transverse", "temperature"]);
+    let rate = has(&["rate", "speed", "velocity", "energy", "work", "poisson", "lateral", "transverse", "temperature"])
+        || is_dynamic(words);
     if rate || words.is_empty() {
         return Ok(None);
     }
@@ -165,7 +166,9 @@ fn kind_of(words: &[String], unit: Option<Unit>) -> Result<Option<Kind>, &'stati
     if has(&["normali"]) && !of(Dimension::Stress) && !of(Dimension::Force) {
         return Ok(Some(Kind::Normalised));
     }
+    let relaxing = words.len() == 2 && ["e", "g"].contains(&words[0].as_str()) && words[1].starts_with("rel");
     if has(&["modulus", "modul"])
+        || relaxing && (of(Dimension::Stress) || dimension.is_none())
         || matches!(joined.as_str(), "g" | "g t" | "e t" | "gt")
         || is(&["e"]) && of(Dimension::Stress)
     {
@@ -215,6 +218,20 @@ fn kind_of(words: &[String], unit: Option<Unit>) -> Result<Option<Kind>, &'stati
     }
     let named = has_word(words, &["specimen", "sample", "repeat", "replicate", "probe", "run", "test"]);
     Ok((named && dimension.is_none()).then_some(Kind::Specimen))
+}
+
+/// Whether `words` are of a test with oscillations: storage and loss moduli, frequencies.
+fn is_dynamic(words: &[String]) -> bool {
+    words.iter().any(|word| word == "tan" || ["stor", "loss", "freq", "tand"].iter().any(|part| word.starts_with(part)))
+}
+
+/// Whether one of `titles` is that of a test with oscillations.
+pub fn are_dynamic<'a>(titles: impl IntoIterator<Item = &'a str>) -> bool {
+    titles.into_iter().any(|title| {
+        let words = title.to_lowercase();
+        let words: Vec<String> = words.split(|c: char| !c.is_alphanumeric()).map(String::from).collect();
+        is_dynamic(&words)
+    })
 }
 
 fn has_word(words: &[String], names: &[&str]) -> bool {
@@ -281,6 +298,7 @@ mod tests {
             ("Cauchy stress [Pa]", Stress, Some(1.0), Some(Measure::True)),
             ("Sample", Specimen, None, None),
             ("cycle", Cycle, None, None),
+            ("E_relax [MPa]", Modulus, Some(1e6), None),
             ("Normalized modulus [-]", Normalised, Some(1.0), None),
             ("Extension ratio", Stretch, None, None),
             ("L/L0 [-]", Stretch, Some(1.0), None),
@@ -307,7 +325,15 @@ mod tests {
 
     #[test]
     fn other_columns_are_passed_over_and_unclear_ones_refused() {
-        for title in ["Temperature (C)", "strain rate (1/s)", "", "remarks", "Poisson's ratio"] {
+        for title in [
+            "Temperature (C)",
+            "strain rate (1/s)",
+            "",
+            "remarks",
+            "Poisson's ratio",
+            "E_stor [MPa]",
+            "Loss modulus [MPa]",
+        ] {
             assert_eq!(Column::recognise(0, title), Ok(None), "{title}");
         }
         for title in ["Elongation", "Almansi strain", "stress [mm]", "engineering true strain"] {

@@ -317,6 +317,23 @@ mod tests {
     }
 
     #[test]
+    fn true_strains_tell_the_unit_of_engineering_ones() {
+        for (factor, true_factor, word) in
+            [(1.0, 1.0, "ratio"), (100.0, 100.0, "percentage"), (100.0, 1.0, "percentage")]
+        {
+            let unit = if true_factor == factor { "" } else { " [-]" };
+            let rows: String = (1..=12)
+                .map(f64::from)
+                .map(|e| format!("{};{};{}\n", true_factor * e.ln_1p(), factor * e, 0.1 * e))
+                .collect();
+            let text = format!("True strain{unit};Engineering strain;Engineering stress [MPa]\n{rows}");
+            let curve = curve("x.csv", &text, &Options::default()).unwrap();
+            assert!(curve.notes.iter().any(|note| note.contains(word)), "{:?}", curve.notes);
+            assert!((curve.repeats[0].points[11].stretch - 13.0).abs() < 1e-9, "{text}");
+        }
+    }
+
+    #[test]
     fn the_same_curve_in_many_notations() {
         let expected = [(1.1, 2e4), (1.2, 4e4), (1.3, 6e4)];
         for text in [

@@ -1,7 +1,7 @@
 //! The columns of a table in SI units, one set for each specimen in the file.
 
 use super::ReadError;
-use super::column::{Column, Kind};
+use super::column::{self, Column, Kind};
 use super::number::{self, Cell, Decimal};
 use super::sheet::{Row, Sheet};
 
@@ -54,6 +54,9 @@ impl Table {
             }
         }
         if columns.iter().filter(|column| column.kind.dimension().is_some()).count() < 2 {
+            if column::are_dynamic(titles.iter().copied()) {
+                return Err(ReadError::file(DYNAMIC));
+            }
             let reason = unclear.into_iter().next().unwrap_or_else(|| {
                 format!(
                     "no two columns understood among {}: name them with --columns, such as \"{EXAMPLE}\"",
@@ -105,6 +108,10 @@ impl Table {
         })
     }
 }
+
+/// What is said of storage and loss moduli.
+pub const DYNAMIC: &str = "a test with oscillations (storage and loss moduli over frequency) is not read: legal is a relaxation, \
+                           a modulus, stress or force over time";
 
 const EXAMPLE: &str = "strain [%], stress [kPa]";
 

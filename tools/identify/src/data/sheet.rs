@@ -3,7 +3,7 @@
 use super::ReadError;
 use super::number::{self, Cell, Decimal};
 use super::text;
-use super::unit::Unit;
+use super::unit::{self, Unit};
 
 /// A table.
 #[derive(Clone, Debug)]
@@ -196,13 +196,28 @@ impl Head {
             }
             Some((row, Some(titles))) => Self { titles, lines: vec![row.line], start: row.line },
             _ => {
-                // As numpy writes it: the titles are the last comment above the numbers.
-                let comment = comments.iter().rev().find(|(line, _)| *line < table);
-                let titles = comment.and_then(|(_, comment)| cells_of(comment, columns)).unwrap_or_default();
+                // As numpy writes it: the titles are the last comment above the numbers; or one comment for each.
+                let above = || comments.iter().filter(|(line, _)| *line < table);
+                let last = above().next_back().and_then(|(_, comment)| cells_of(comment, columns));
+                let titles =
+                    numbered(above().map(|(_, comment)| comment.as_str()), columns).or(last).unwrap_or_default();
                 Self { titles, lines: Vec::new(), start: table }
             }
         }
     }
+}
+
+/// The titles of all `columns` in comments such as "column 1: Time".
+fn numbered<'a>(comments: impl Iterator<Item = &'a str>, columns: usize) -> Option<Vec<String>> {
+    let mut titles = vec![String::new(); columns];
+    for comment in comments {
+        let Some((place, title)) = comment.trim().split_once(':') else { continue };
+        let index = place.to_lowercase().strip_prefix("column").and_then(|index| index.trim().parse::<usize>().ok());
+        if let Some(slot) = index.and_then(|index| titles.get_mut(index.wrapping_sub(1))) {
+            *slot = title.trim().into();
+        }
+    }
+    titles.iter().all(|title| !title.is_empty()).then_some(titles)
 }
 
 /// `line` as a row of `columns` cells, by whichever separator makes that many of it; empty cells at the end do not count.
@@ -225,8 +240,8 @@ fn bare(unit: &str) -> &str {
 }
 
 fn is_row_of_units(cells: &[String]) -> bool {
-    let mut filled = cells.iter().filter(|cell| !cell.is_empty()).peekable();
-    filled.peek().is_some() && filled.all(|cell| Unit::parse(bare(cell)).is_some())
+    let filled = || cells.iter().filter(|cell| !cell.is_empty()).map(|cell| bare(cell));
+    filled().any(|unit| Unit::parse(unit).is_some()) && filled().all(unit::is_unit)
 }
 
 #[cfg(test)]
@@ -281,6 +296,13 @@ mod tests {
     fn rows_of_missing_values_above_the_table_are_no_titles() {
         assert_eq!(sheet("a;b\nnan;nan\n0.1;nan\n1;2\n3;4\n").titles, ["a", "b"]);
         assert_eq!(sheet("a;b\n-;MPa\n1;2\n3;4\n").titles, ["a [-]", "b [MPa]"]);
+        assert_eq!(sheet("t,E,T\ns,MPa,°C\n1,2,3\n3,4,5\n").titles, ["t [s]", "E [MPa]", "T [°C]"]);
+    }
+
+    #[test]
+    fn a_comment_for_each_column_is_its_title() {
+        let text = "% made by a program\n% column 1: Time [s]\n% column 2: True Strain\n%\n1 2\n3 4\n";
+        assert_eq!(sheet(text).titles, ["Time [s]", "True Strain"]);
     }
 
     #[test]

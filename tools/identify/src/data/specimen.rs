@@ -50,6 +50,13 @@ impl Specimen {
             return Ok(si);
         }
         let title = &deformation.title;
+        if let Some(factor) = told_by_true_strains(table, series, deformation)? {
+            let note = format!("{title} has no unit, read as {}: the true strains say so", words(factor));
+            if !notes.contains(&note) {
+                notes.push(note);
+            }
+            return Ok(factor);
+        }
         let mut largest: f64 = 0.0;
         for row in &series.rows {
             let value = table.value(deformation, row)?.unwrap_or_default();
@@ -70,6 +77,35 @@ impl Specimen {
         }
         Ok(1.0)
     }
+}
+
+/// A ratio and a percentage.
+const FACTORS: [f64; 2] = [1.0, 0.01];
+/// Part of the true strains by which ln(1 + e) may miss them: the digits that a file leaves off.
+const ROUNDED: f64 = 0.02;
+
+fn words(factor: f64) -> &'static str {
+    if factor == 1.0 { "a ratio" } else { "a percentage" }
+}
+
+/// The factor of engineering strains without a unit that makes them those of a column of true strains; none if there is no
+/// such column, or both factors do, or neither.
+fn told_by_true_strains(table: &Table, series: &Series, strain: &Column) -> Result<Option<f64>, ReadError> {
+    let is_true = |column: &&Column| column.measure == Some(Measure::True);
+    let engineering = strain.kind == Kind::Strain && strain.measure.is_none_or(|m| m == Measure::Engineering);
+    let Some(other) = table.of(Kind::Strain).find(is_true).filter(|_| engineering) else { return Ok(None) };
+    let mut rows = Vec::new();
+    for row in &series.rows {
+        rows.extend(table.value(strain, row)?.zip(table.value(other, row)?));
+    }
+    let size: f64 = rows.iter().map(|row| row.1.abs()).sum();
+    let fits = |factor: &f64| {
+        let (factor, other) = (*factor, other.si.unwrap_or(*factor));
+        let error: f64 = rows.iter().map(|row| ((factor * row.0).ln_1p() - other * row.1).abs()).sum();
+        error < ROUNDED * other * size
+    };
+    let mut fitting = FACTORS.into_iter().filter(fits);
+    Ok(fitting.next().filter(|_| fitting.next().is_none()))
 }
 
 fn needs(column: &Column, option: &str) -> ReadError {

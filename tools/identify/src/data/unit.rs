@@ -66,6 +66,15 @@ const UNITS: &[(Dimension, f64, &[&str])] = &[
     (Dimension::Time, 3600.0, &["h", "hr", "hour", "hours"]),
 ];
 
+/// Units of columns that no fit needs, in lower case.
+const OTHERS: &[&str] =
+    &["hz", "rad/s", "1/s", "s-1", "°c", "°f", "degc", "c", "k", "v", "deg", "°", "j", "mm/min", "mm/s"];
+
+/// Whether `text` spells a unit, if only one of a column that no fit needs.
+pub fn is_unit(text: &str) -> bool {
+    Unit::parse(text).is_some() || OTHERS.contains(&text.trim().to_lowercase().as_str())
+}
+
 impl Unit {
     /// The unit that `text` spells, in any case and with powers in any notation.
     ///

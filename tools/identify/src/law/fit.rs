@@ -121,7 +121,7 @@ pub fn predict(law: &Law, values: &[f64], data: &[DataSet]) -> Vec<f64> {
 }
 
 /// Weight of each residual, 1/Pa or 1.
-fn weights(data: &[DataSet], weighting: Weighting) -> Vec<f64> {
+pub(super) fn weights(data: &[DataSet], weighting: Weighting) -> Vec<f64> {
     let of_set = |set: &DataSet| {
         let largest = set.points.iter().fold(0.0, |largest, point| f64::max(largest, point.1.abs()));
         let floor = SMALLEST_RELATIVE * largest;

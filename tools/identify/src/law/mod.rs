@@ -1,12 +1,13 @@
 //! The hyperelastic laws, and what they answer in the three tests.
 //!
 //! The stress of a law is the kernel's ([`stress`]), so a law stands once. [`linear`] and [`ogden`] fit them,
-//! [`statistics`] says how well, [`stability`] over which stretches they are stable; [`fit`] does all of it for every
+//! [`statistics`] says how well, [`profile`] whether its errors can be believed, [`stability`] over which stretches they are stable; [`fit`] does all of it for every
 //! law, and [`ranking`] compares.
 
 pub mod fit;
 pub mod linear;
 pub mod ogden;
+pub mod profile;
 pub mod ranking;
 pub mod stability;
 pub mod statistics;

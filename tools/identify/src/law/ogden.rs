@@ -1,16 +1,16 @@
 //! Ogden's law, by Levenberg-Marquardt from several starts.
 //!
-//! The exponents are bounded by the kernel's range through alpha = A t / sqrt(1 + t^2). Starts are all combinations of
-//! exponents of a fixed grid, with the coefficients that are best for them (a linear problem), and the law of one term less
-//! with another one; the best starts are refined on a part of the points, the best of those on all. Nothing is random, so a
-//! fit can be repeated to the bit.
+//! The exponents are bounded by the kernel's range through alpha = A t / sqrt(1 + t^2). Starts are combinations of exponents
+//! of a fixed grid, the best and some of the others, and the law of one term less with another one; they are refined on a
+//! part of the points, the best of those on all. The coefficients follow from the exponents, as a linear problem, except where
+//! stability is demanded. Nothing is random, so a fit can be repeated to the bit.
 
 use nalgebra::{DMatrix, DVector};
 
 use super::linear;
 use super::stress::stretches;
 use super::{DataSet, Mode};
-use crate::least_squares::{self, Bounded, Model};
+use crate::least_squares::{self, Bounded, Effort, Held, Model};
 
 /// Largest exponent, as in the kernel's table of parameters.
 pub const LARGEST_ALPHA: f64 = 30.0;
@@ -22,31 +22,35 @@ const GRID: [f64; 14] = [-20.0, -12.0, -8.0, -5.0, -3.0, -2.0, -1.0, 1.0, 2.0, 3
 /// Exponents of a term that is added to the law of one term less.
 const ADDED: [f64; 2] = [-4.0, 4.0];
 /// Starts that are refined.
-const REFINED: usize = 16;
+const REFINED: usize = 32;
 /// Refined starts that are finished on all points.
-const FINISHED: usize = 3;
+const FINISHED: usize = 5;
 /// Points of which starts are judged, at most.
 const START_POINTS: usize = 150;
 
 /// A point with its weight.
 #[derive(Clone, Copy)]
 struct Target {
-    /// Stretches of the loaded and of the free direction.
+    /// Stretch of the loaded direction.
+    stretch: f64,
+    /// Logarithms of the stretches of the loaded and of the free direction.
     loaded: f64,
     free: f64,
     stress: f64,
     weight: f64,
 }
 
-/// Powers that a term of exponent alpha adds to the nominal stress, per mu.
-fn basis(alpha: f64, target: &Target) -> f64 {
-    (target.loaded.powf(alpha) - target.free.powf(alpha)) / target.loaded
+impl Target {
+    fn new(mode: Mode, stretch: f64, stress: f64, weight: f64) -> Self {
+        let [loaded, free, _] = stretches(mode, stretch);
+        Self { stretch, loaded: loaded.ln(), free: free.ln(), stress, weight }
+    }
 }
 
-/// Derivative of [`basis`] by alpha.
-fn basis_slope(alpha: f64, target: &Target) -> f64 {
-    let part = |l: f64| l.powf(alpha) * l.ln();
-    (part(target.loaded) - part(target.free)) / target.loaded
+/// Nominal stress of a term of exponent alpha per mu, and its derivative by alpha.
+fn basis(alpha: f64, target: &Target) -> (f64, f64) {
+    let (loaded, free) = ((alpha * target.loaded).exp(), (alpha * target.free).exp());
+    ((loaded - free) / target.stretch, (loaded * target.loaded - free * target.free) / target.stretch)
 }
 
 /// Parameters mu_1, alpha_1, mu_2, ... of the law with `n_term` terms nearest to `data`, exponents in falling order.
@@ -59,10 +63,11 @@ pub fn fit(n_term: usize, data: &[DataSet], weights: &[f64], stable: bool) -> Ve
     let larger = ADDED.iter().filter(|_| n_term > 1).map(|alpha| [smaller.as_slice(), &[0.0, *alpha]].concat());
     let mut starts = starts(n_term, &few, stable);
     starts.extend(larger.clone());
-    let mut refined: Vec<(f64, Vec<f64>)> = starts.iter().map(|start| minimise(&few, start, stable)).collect();
+    let mut refined: Vec<(f64, Vec<f64>)> =
+        starts.iter().map(|start| minimise(&few, start, stable, &Effort::ROUGH)).collect();
     refined.sort_by(|a, b| a.0.total_cmp(&b.0));
     refined.dedup_by(|a, b| (a.0 - b.0).abs() <= 1e-6 * b.0);
-    let finished = refined.iter().take(FINISHED).map(|(_, start)| minimise(&all, start, stable));
+    let finished = refined.iter().take(FINISHED).map(|(_, start)| minimise(&all, start, stable, &Effort::FULL));
     // The smaller law itself with a term of nothing, so that a further term never fits worse.
     let smaller = larger.take(1).map(|values| (cost(&values, &all), values));
     let best = finished.chain(smaller).min_by(|a, b| a.0.total_cmp(&b.0)).map_or_else(Vec::new, |(_, values)| values);
@@ -75,18 +80,39 @@ pub fn fit(n_term: usize, data: &[DataSet], weights: &[f64], stable: bool) -> Ve
 pub fn jacobian(values: &[f64], data: &[DataSet]) -> DMatrix<f64> {
     let count = data.iter().map(|set| set.points.len()).sum();
     let targets = targets(data, &vec![1.0; count]);
-    DMatrix::from_fn(count, values.len(), |i, j| {
-        let (mu, alpha) = (values[j - j % 2], values[j - j % 2 + 1]);
-        if j % 2 == 0 { basis(alpha, &targets[i]) } else { mu * basis_slope(alpha, &targets[i]) }
-    })
+    let mut jacobian = DMatrix::zeros(count, values.len());
+    for (i, target) in targets.iter().enumerate() {
+        for (k, term) in values.chunks(2).enumerate() {
+            let (value, slope) = basis(term[1], target);
+            jacobian[(i, 2 * k)] = value;
+            jacobian[(i, 2 * k + 1)] = term[0] * slope;
+        }
+    }
+    jacobian
+}
+
+/// Least sum of squares with `parameter` held at its value in `start`, from there and from `optimum`.
+pub fn minimum_at(parameter: usize, start: &[f64], optimum: &[f64], data: &[DataSet], weights: &[f64]) -> f64 {
+    let targets = targets(data, weights);
+    let problem = Problem::new(&targets, false);
+    let held = problem.inner(start)[parameter];
+    let from = |values: &[f64]| {
+        let mut inner = problem.inner(values);
+        inner.remove(parameter);
+        least_squares::minimise(&Held { model: &problem, parameter, value: held }, inner, &Effort::ROUGH).0
+    };
+    // Beyond its bound an exponent cannot be.
+    if parameter % 2 == 1 && start[parameter].abs() > LARGEST_ALPHA {
+        f64::INFINITY
+    } else {
+        from(start).min(from(optimum))
+    }
 }
 
 fn targets(data: &[DataSet], weights: &[f64]) -> Vec<Target> {
     let points = data.iter().flat_map(|set| set.points.iter().map(|point| (set.mode, *point)));
-    let target = |((mode, (stretch, stress)), weight): ((Mode, (f64, f64)), &f64)| {
-        let [loaded, free, _] = stretches(mode, stretch);
-        Target { loaded, free, stress, weight: *weight }
-    };
+    let target =
+        |((mode, (stretch, stress)), weight): ((Mode, (f64, f64)), &f64)| Target::new(mode, stretch, stress, *weight);
     points.zip(weights).map(target).collect()
 }
 
@@ -100,7 +126,7 @@ fn thinned(targets: &[Target]) -> Vec<Target> {
 fn starts(n_term: usize, targets: &[Target], stable: bool) -> Vec<Vec<f64>> {
     let columns: Vec<DVector<f64>> = GRID
         .iter()
-        .map(|&alpha| DVector::from_iterator(targets.len(), targets.iter().map(|t| t.weight * basis(alpha, t))))
+        .map(|&alpha| DVector::from_iterator(targets.len(), targets.iter().map(|t| t.weight * basis(alpha, t).0)))
         .collect();
     let stresses = DVector::from_iterator(targets.len(), targets.iter().map(|t| t.weight * t.stress));
     let mut found: Vec<(f64, Vec<f64>)> = combinations(n_term)
@@ -116,7 +142,10 @@ fn starts(n_term: usize, targets: &[Target], stable: bool) -> Vec<Vec<f64>> {
         })
         .collect();
     found.sort_by(|a, b| a.0.total_cmp(&b.0));
-    found.into_iter().take(REFINED).map(|(_, values)| values).collect()
+    // The best, which are neighbours of each other, and as many evenly from the others.
+    let others = found.split_off(found.len().min(REFINED / 2));
+    let step = others.len().div_ceil(REFINED / 2).max(1);
+    found.into_iter().chain(others.into_iter().step_by(step)).map(|(_, values)| values).collect()
 }
 
 /// Every choice of `n_term` different indices of [`GRID`], in order.
@@ -133,10 +162,15 @@ fn combinations(n_term: usize) -> Vec<Vec<usize>> {
 }
 
 /// The parameters that Levenberg-Marquardt reaches from `start`, and their sum of squares.
-fn minimise(targets: &[Target], start: &[f64], stable: bool) -> (f64, Vec<f64>) {
-    let scale = targets.iter().fold(0.0, |largest, t| f64::max(largest, t.stress.abs()));
-    let problem = Problem { targets, scale, stable };
-    let (cost, inner) = least_squares::minimise(&problem, problem.inner(start));
+fn minimise(targets: &[Target], start: &[f64], stable: bool, effort: &Effort) -> (f64, Vec<f64>) {
+    if !stable {
+        let problem = Projected { targets };
+        let exponents = start.iter().skip(1).step_by(2).map(|alpha| EXPONENT.parameter(*alpha)).collect();
+        let (cost, inner) = least_squares::minimise(&problem, exponents, effort);
+        return (cost, problem.values(&inner));
+    }
+    let problem = Problem::new(targets, stable);
+    let (cost, inner) = least_squares::minimise(&problem, problem.inner(start), effort);
     (cost, problem.values(&inner))
 }
 
@@ -146,11 +180,65 @@ fn cost(values: &[f64], targets: &[Target]) -> f64 {
 }
 
 fn residual(values: &[f64], target: &Target) -> f64 {
-    let stress: f64 = values.chunks(2).map(|term| term[0] * basis(term[1], target)).sum();
+    let stress: f64 = values.chunks(2).map(|term| term[0] * basis(term[1], target).0).sum();
     target.weight * (stress - target.stress)
 }
 
 const EXPONENT: Bounded = Bounded { middle: 0.0, half: LARGEST_ALPHA };
+
+fn exponent(t: f64) -> f64 {
+    let alpha = EXPONENT.value(t);
+    if alpha.abs() < SMALLEST_ALPHA { SMALLEST_ALPHA.copysign(alpha) } else { alpha }
+}
+
+/// The problem in the exponents' t alone, each with the coefficients that are best for them: the valleys in which a
+/// coefficient and its exponent trade against each other are gone. Golub and Pereyra (1973), with the derivative of Kaufman
+/// (1975), which leaves out the part within the column space.
+struct Projected<'a> {
+    targets: &'a [Target],
+}
+
+impl Projected<'_> {
+    /// Weighted stresses of each term per mu and their derivatives by t, the weighted stresses, and the coefficients.
+    fn solve(&self, inner: &[f64]) -> (DMatrix<f64>, DMatrix<f64>, DVector<f64>, DVector<f64>) {
+        let (n, k) = (self.targets.len(), inner.len());
+        let (mut columns, mut slopes) = (DMatrix::zeros(n, k), DMatrix::zeros(n, k));
+        for (j, t) in inner.iter().enumerate() {
+            let alpha = exponent(*t);
+            for (i, target) in self.targets.iter().enumerate() {
+                let (value, slope) = basis(alpha, target);
+                columns[(i, j)] = target.weight * value;
+                slopes[(i, j)] = target.weight * slope * EXPONENT.slope(*t);
+            }
+        }
+        let stresses = DVector::from_iterator(n, self.targets.iter().map(|target| target.weight * target.stress));
+        let mu = linear::solve(&columns, &stresses);
+        (columns, slopes, stresses, mu)
+    }
+
+    /// mu_1, alpha_1, mu_2, ...
+    fn values(&self, inner: &[f64]) -> Vec<f64> {
+        let (.., mu) = self.solve(inner);
+        mu.iter().zip(inner).flat_map(|(mu, t)| [*mu, exponent(*t)]).collect()
+    }
+}
+
+impl Model for Projected<'_> {
+    fn residuals(&self, inner: &[f64]) -> DVector<f64> {
+        let (columns, _, stresses, mu) = self.solve(inner);
+        columns * mu - stresses
+    }
+
+    fn jacobian(&self, inner: &[f64]) -> DMatrix<f64> {
+        let (columns, mut slopes, _, mu) = self.solve(inner);
+        for (j, mu) in mu.iter().enumerate() {
+            slopes.column_mut(j).scale_mut(*mu);
+        }
+        let q = columns.qr().q();
+        let within = &q * (q.transpose() * &slopes);
+        slopes - within
+    }
+}
 
 /// The problem in unbounded parameters: for each term mu / scale (or sqrt(mu alpha / scale) where it must be positive),
 /// and t of the exponent.
@@ -160,7 +248,12 @@ struct Problem<'a> {
     stable: bool,
 }
 
-impl Problem<'_> {
+impl<'a> Problem<'a> {
+    fn new(targets: &'a [Target], stable: bool) -> Self {
+        let scale = targets.iter().fold(0.0, |largest, t| f64::max(largest, t.stress.abs()));
+        Self { targets, scale, stable }
+    }
+
     fn inner(&self, values: &[f64]) -> Vec<f64> {
         let term = |term: &[f64]| {
             // A coefficient of exactly zero would never move.
@@ -173,8 +266,7 @@ impl Problem<'_> {
     /// mu_1, alpha_1, mu_2, ...
     fn values(&self, inner: &[f64]) -> Vec<f64> {
         let term = |term: &[f64]| {
-            let (a, alpha) = (term[0], EXPONENT.value(term[1]));
-            let alpha = if alpha.abs() < SMALLEST_ALPHA { SMALLEST_ALPHA.copysign(alpha) } else { alpha };
+            let (a, alpha) = (term[0], exponent(term[1]));
             [if self.stable { a * a * self.scale / alpha } else { a * self.scale }, alpha]
         };
         inner.chunks(2).flat_map(term).collect()
@@ -189,18 +281,19 @@ impl Model for Problem<'_> {
 
     fn jacobian(&self, inner: &[f64]) -> DMatrix<f64> {
         let values = self.values(inner);
-        DMatrix::from_fn(self.targets.len(), inner.len(), |i, j| {
-            let target = &self.targets[i];
-            let (k, t) = (j - j % 2, inner[j - j % 2 + 1]);
-            let (mu, alpha) = (values[k], values[k + 1]);
-            if j % 2 == 0 {
+        let mut jacobian = DMatrix::zeros(self.targets.len(), inner.len());
+        for (i, target) in self.targets.iter().enumerate() {
+            for k in (0..inner.len()).step_by(2) {
+                let (mu, alpha) = (values[k], values[k + 1]);
+                let (value, slope) = basis(alpha, target);
                 let by_inner = if self.stable { 2.0 * inner[k] * self.scale / alpha } else { self.scale };
-                return target.weight * by_inner * basis(alpha, target);
+                jacobian[(i, k)] = target.weight * by_inner * value;
+                // With mu = a^2 / alpha the coefficient moves with the exponent.
+                let through_mu = if self.stable { -mu / alpha * value } else { 0.0 };
+                jacobian[(i, k + 1)] = target.weight * EXPONENT.slope(inner[k + 1]) * (mu * slope + through_mu);
             }
-            // With mu = a^2 / alpha the coefficient moves with the exponent.
-            let through_mu = if self.stable { -mu / alpha * basis(alpha, target) } else { 0.0 };
-            target.weight * EXPONENT.slope(t) * (mu * basis_slope(alpha, target) + through_mu)
-        })
+        }
+        jacobian
     }
 }
 
@@ -212,9 +305,8 @@ mod tests {
     fn data(values: &[f64]) -> Vec<DataSet> {
         let set = |mode: Mode| {
             let point = |l: f64| {
-                let [loaded, free, _] = stretches(mode, l);
-                let target = Target { loaded, free, stress: 0.0, weight: 1.0 };
-                (l, values.chunks(2).map(|term| term[0] * basis(term[1], &target)).sum::<f64>())
+                let target = Target::new(mode, l, 0.0, 1.0);
+                (l, values.chunks(2).map(|term| term[0] * basis(term[1], &target).0).sum::<f64>())
             };
             DataSet { mode, points: (1..25).map(|k| point(0.8 + 0.1 * f64::from(k))).collect() }
         };

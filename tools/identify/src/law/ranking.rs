@@ -1,9 +1,9 @@
 //! Which law: the lowest residual within each family, then across, as in the study; and what to think of before
 //! believing it.
 
-use super::fit::Fit;
+use super::fit::{Fit, Settings};
 use super::ogden::LARGEST_ALPHA;
-use super::{DataSet, Family, Mode};
+use super::{DataSet, Family, Mode, profile};
 
 /// Fits in the order of the study: the best of each family by residual, then the others by residual. Laws that the
 /// kernel refuses, because their shear modulus at rest is not positive, come last.
@@ -27,10 +27,12 @@ pub fn rank(mut fits: Vec<Fit>) -> Vec<Fit> {
     winners
 }
 
-/// Index of the law to use, unless the user says otherwise: the first of the ranking that is stable over the stretches
-/// asked for, or the first of all if none is.
+/// Index of the law to use, unless the user says otherwise: of lowest residual among those that are stable over the stretches
+/// asked for, in whatever family, or the first of all if none is.
 pub fn choose(ranked: &[Fit]) -> usize {
-    ranked.iter().position(|fit| fit.is_stable && fit.shear_modulus() > 0.0).unwrap_or_default()
+    let stable = ranked.iter().enumerate().filter(|(_, fit)| fit.is_stable && fit.shear_modulus() > 0.0);
+    let sum = |fit: &Fit| fit.statistics.residual_sum;
+    stable.min_by(|a, b| sum(a.1).total_cmp(&sum(b.1))).map_or(0, |(index, _)| index)
 }
 
 /// Correlation of two parameters above which their values mean little apart.
@@ -41,7 +43,7 @@ const ILL_CONDITIONED: f64 = 1e3;
 const POINTS_PER_PARAMETER: usize = 5;
 
 /// What a user of `chosen` should know, most important first.
-pub fn caveats(chosen: &Fit, all: &[Fit], data: &[DataSet], range: (f64, f64)) -> Vec<String> {
+pub fn caveats(chosen: &Fit, all: &[Fit], data: &[DataSet], settings: &Settings) -> Vec<String> {
     let mut caveats = Vec::new();
     let label = chosen.law.label;
     if chosen.shear_modulus() <= 0.0 {
@@ -51,10 +53,14 @@ pub fn caveats(chosen: &Fit, all: &[Fit], data: &[DataSet], range: (f64, f64)) -
         ));
     }
     if !chosen.is_stable {
-        caveats.push(format!("{label} is unstable {}: --stable demands a stable law", unstable(chosen, range)));
+        caveats.push(format!(
+            "{label} is unstable {}: --stable demands a stable law",
+            unstable(chosen, settings.stability_range)
+        ));
     }
     caveats.extend(coverage(data));
     caveats.extend(determination(chosen));
+    caveats.extend(intervals(chosen, data, settings));
     caveats.extend(alternatives(chosen, all));
     caveats
 }
@@ -124,6 +130,26 @@ fn determination(fit: &Fit) -> Vec<String> {
     caveats
 }
 
+/// Of which parameters the straight-line intervals are wrong.
+fn intervals(fit: &Fit, data: &[DataSet], settings: &Settings) -> Option<String> {
+    // Bounds that hold the fit back make no straight lines either.
+    if settings.demand_stability {
+        return None;
+    }
+    let ends = profile::ends(fit, data, settings.weighting);
+    let wrong: Vec<_> = ends.iter().filter(|end| !end.is_believed()).collect();
+    let worst = wrong.iter().max_by(|a, b| a.distance().total_cmp(&b.distance()))?;
+    let mut names: Vec<&str> = wrong.iter().map(|end| fit.law.parameters[end.parameter]).collect();
+    names.dedup();
+    Some(format!(
+        "the intervals of {} are not to be believed: at an end of that of {} the residual sum rises {} what it should; the curve \
+         is determined better than its parameters",
+        names.join(", "),
+        fit.law.parameters[worst.parameter],
+        if worst.ratio.is_finite() { format!("by {:.2} times", worst.ratio) } else { "beyond".into() }
+    ))
+}
+
 fn alternatives(chosen: &Fit, all: &[Fit]) -> Vec<String> {
     let mut caveats = Vec::new();
     let better =
@@ -143,10 +169,32 @@ fn alternatives(chosen: &Fit, all: &[Fit]) -> Vec<String> {
         ));
     }
     if !chosen.is_stable
-        && let Some(stable) = all.iter().find(|fit| fit.is_stable && fit.shear_modulus() > 0.0)
+        && let Some(stable) = all.get(choose(all)).filter(|fit| fit.is_stable && fit.shear_modulus() > 0.0)
     {
         let ratio = (stable.statistics.residual_sum / chosen.statistics.residual_sum).sqrt();
         caveats.push(format!("{} is stable, with {ratio:.2} times the root of the residual sum", stable.law.label));
     }
     caveats
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::law::LAWS;
+    use crate::law::fit::Weighting;
+
+    /// A tension curve that stiffens late: the best of each family but neo-Hooke may be unstable in compression.
+    #[test]
+    fn the_chosen_law_is_the_nearest_of_all_stable_ones() {
+        let stress = |l: f64| 0.1e6 * (l - 1.0) + 0.04e6 * (l - 1.0).powi(2) - 3e3 * (l - 1.0).powi(3);
+        let points = (1..60).map(|k| 1.0 + 0.1 * f64::from(k)).map(|l| (l, stress(l))).collect();
+        let data = [DataSet { mode: Mode::Uniaxial, points }];
+        let settings =
+            Settings { weighting: Weighting::Absolute, stability_range: (0.5, 7.0), demand_stability: false };
+        let ranked = rank(LAWS.iter().filter_map(|law| Fit::new(law, &data, &settings)).collect());
+        let chosen = &ranked[choose(&ranked)];
+        let nearer = |fit: &&Fit| fit.is_stable && fit.statistics.residual_sum < chosen.statistics.residual_sum;
+        assert!(chosen.is_stable && !ranked.iter().any(|fit| nearer(&fit)), "{}", chosen.law.name);
+        assert!(!ranked[0].is_stable, "{}", ranked[0].law.name);
+    }
 }

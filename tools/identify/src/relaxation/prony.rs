@@ -9,7 +9,7 @@ use ndarray::{Array1, Array2};
 
 use super::history::History;
 use crate::law::statistics::Statistics;
-use crate::least_squares::{self, Bounded, Model};
+use crate::least_squares::{self, Bounded, Effort, Model};
 
 /// Load over time, in the order of time.
 #[derive(Clone, Debug, PartialEq)]
@@ -133,7 +133,7 @@ fn minimise(data: &Relaxation, taus: &[f64], range: (f64, f64)) -> (f64, Vec<f64
     for (y, tau) in amplitudes[1..].iter().zip(taus) {
         inner.extend([root(*y), problem.log_tau.parameter(tau.ln())]);
     }
-    let (cost, inner) = least_squares::minimise(&problem, inner);
+    let (cost, inner) = least_squares::minimise(&problem, inner, &Effort::FULL);
     (cost, problem.values(&inner))
 }
 
@@ -234,6 +234,8 @@ fn doubts(prony: &Prony, range: (f64, f64)) -> Vec<String> {
             doubts.push(format!("{term} has nothing to do: g = {g:.1e}"));
         } else if tau < 1.05 * range.0 || tau > 0.95 * range.1 {
             doubts.push(format!("{term} lies outside the times of the data"));
+        } else if error_y.is_nan() || error_tau.is_nan() {
+            doubts.push(format!("{term} is not identified: the data cannot tell the terms apart"));
         } else if !(error_y / y < UNCERTAIN && error_tau / tau < UNCERTAIN) {
             doubts.push(format!(
                 "{term} is not identified: standard errors {:.0} % of g and {:.0} % of tau",

@@ -3,10 +3,10 @@
 use super::history::History;
 use super::prony::Relaxation;
 use crate::data::ReadError;
-use crate::data::column::{Column, Kind, Measure};
+use crate::data::column::{self, Column, Kind, Measure};
 use crate::data::curve::{Direction, hinted};
 use crate::data::number::Decimal;
-use crate::data::series::{Series, Table};
+use crate::data::series::{DYNAMIC, Series, Table};
 use crate::data::sheet;
 use crate::data::specimen::{Specimen, at_rest};
 
@@ -121,8 +121,12 @@ fn one(table: &Table, kind: Kind) -> Result<Option<&Column>, ReadError> {
 }
 
 fn rows(table: &Table, series: &Series, options: &Options, notes: &mut Vec<String>) -> Result<Vec<Row>, ReadError> {
-    let time = one(table, Kind::Time)?
-        .ok_or_else(|| ReadError::file("no column of time: name it with --relaxation-columns, such as \"time [s]\""))?;
+    let time = one(table, Kind::Time)?.ok_or_else(|| {
+        ReadError::file(match column::are_dynamic(table.words.lines()) {
+            true => DYNAMIC,
+            false => "no column of time: name it with --relaxation-columns, such as \"time [s]\"",
+        })
+    })?;
     if time.si.is_none() {
         notes.push(format!("{} has no unit, read in seconds", time.title));
     }
@@ -190,14 +194,23 @@ fn beginning(rows: &[Row], notes: &mut Vec<String>) -> f64 {
     let peak = peak(rows);
     let unloaded = |row: &Row| row.load.abs() < UNLOADED * rows[peak].load.abs();
     match rows[..peak].iter().rposition(unloaded) {
-        Some(last) if unloaded(&rows[0]) && rows[last].time != 0.0 => {
-            let time = rows[last].time;
+        Some(last) if unloaded(&rows[0]) && rows[risen_from(rows, last)].time != 0.0 => {
+            let time = rows[risen_from(rows, last)].time;
             notes.push(format!("loading begins at {time} s, where the load rises; --relaxation-start says otherwise"));
             time
         }
         _ => 0.0,
     }
 }
+
+/// From where the load rises without a break to the row `last`.
+fn risen_from(rows: &[Row], last: usize) -> usize {
+    let falls = |index: &usize| rows[*index].load.abs() >= rows[index + 1].load.abs();
+    (0..last).rev().find(falls).map_or(0, |index| index + 1)
+}
+
+/// Part of the peak that the first row carries at least if the peak is noise of a load that was there at once.
+const AT_ONCE: f64 = 0.5;
 
 /// What the load relaxes from, and the held stretch.
 fn history(
@@ -224,7 +237,9 @@ fn history(
         return Err(ReadError::line(rows[peak].line, reason));
     }
     let ramp = options.ramp_time.unwrap_or_else(|| {
-        if peak == 0 {
+        // A ramp would have brought the first row only so far.
+        let early = rows[0].time <= AT_ONCE * rows[peak].time;
+        if peak == 0 || early && rows[0].load.abs() > AT_ONCE * rows[peak].load.abs() {
             notes.push("no rise of the load in the data: an ideal step; --ramp-time says otherwise".into());
             return 0.0;
         }
@@ -343,6 +358,32 @@ mod tests {
         let found = test(text, &Options::default()).unwrap();
         assert!((found.relaxation.history.elastic(&[0.1])[0] - 1.0).abs() < 1e-9, "{:?}", found.relaxation);
         assert!(found.notes[0].contains("begins at 10.1 s"), "{:?}", found.notes);
+    }
+
+    #[test]
+    fn a_slow_rise_begins_where_it_leaves_nothing() {
+        let rise: String = (0..=50).map(|k| format!("{},{}\n", 0.01 * f64::from(k), 0.4 * f64::from(k))).collect();
+        let found = test(&format!("time [s],force [N]\n{rise}1,15\n2,12\n3,11\n"), &Options::default()).unwrap();
+        assert_eq!(found.relaxation.history, History::ramp(0.0, 0.5, |part| part), "{:?}", found.notes);
+    }
+
+    #[test]
+    fn noise_on_a_load_that_was_there_at_once_is_no_ramp() {
+        let text = "time [s],force [N]\n0,19.9\n0.01,20\n1,15\n2,12\n3,11\n";
+        assert_eq!(test(text, &Options::default()).unwrap().relaxation.history, History::step(0.0));
+    }
+
+    #[test]
+    fn oscillations_are_refused_by_name() {
+        for text in [
+            "f, E_stor, E_loss\nHz, MPa, MPa\n1,2,3\n2,3,4\n",
+            "Frequency [Hz];Storage modulus [MPa];Loss modulus [MPa]\n1;2;3\n2;3;4\n",
+        ] {
+            let error = test(text, &Options::default()).unwrap_err().to_string();
+            assert!(error.contains("oscillations"), "{error}");
+        }
+        let text = "t,E_relax\ns, MPa\n0.1,2\n0.2,1.8\n0.3,1.7\n1,1.5\n2,1.4\n";
+        assert_eq!(test(text, &Options::default()).unwrap().load, Load::Modulus);
     }
 
     #[test]

@@ -1,6 +1,9 @@
 //! Identification against numbers that others published, and against truths that were made up.
 
 mod closed_loop;
+mod documentation;
+mod drucker;
+mod published;
 mod recovery;
 mod tolerance;
 mod treloar;

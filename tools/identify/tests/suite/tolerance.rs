@@ -11,3 +11,6 @@ pub const LINEARISED: usize = 3;
 /// the shortened test and the volume that a Poisson's ratio of 0.4995 lets the specimen lose, both of which the
 /// verification of the virtual specimen measures.
 pub const CLOSED_LOOP: f64 = 0.01;
+
+/// Relative difference of coefficients of one law fitted to two readings of Treloar's drawings.
+pub const DIGITISED: f64 = 0.02;

@@ -6,7 +6,7 @@ use softanvil_identify::data::curve::{self, Options};
 use softanvil_identify::law::fit::{Fit, Settings, Weighting, predict};
 use softanvil_identify::law::{DataSet, LAWS, Law, MODES, Mode};
 
-fn data(modes: &[Mode]) -> Vec<DataSet> {
+pub fn data(modes: &[Mode]) -> Vec<DataSet> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/treloar");
     let set = |mode: &Mode| {
         let name = format!("{}.csv", mode.name());
@@ -17,7 +17,7 @@ fn data(modes: &[Mode]) -> Vec<DataSet> {
     modes.iter().map(set).collect()
 }
 
-fn settings(demand_stability: bool) -> Settings {
+pub fn settings(demand_stability: bool) -> Settings {
     Settings { weighting: Weighting::Absolute, stability_range: (0.3, 7.6), demand_stability }
 }
 
@@ -25,7 +25,7 @@ fn fit(name: &str, data: &[DataSet]) -> Fit {
     Fit::new(Law::find(name).unwrap(), data, &settings(false)).unwrap()
 }
 
-fn residual_sum(law: &Law, values: &[f64], data: &[DataSet]) -> f64 {
+pub fn residual_sum(law: &Law, values: &[f64], data: &[DataSet]) -> f64 {
     let stresses = data.iter().flat_map(|set| set.points.iter().map(|point| point.1));
     predict(law, values, data).iter().zip(stresses).map(|(a, b)| (a - b).powi(2)).sum()
 }
