@@ -238,6 +238,9 @@ impl ElementEnergy {
     };
 }
 
+/// Deviatoric stress of one triangle, Pa, and its energies.
+type Response<V> = (Deviator<V>, Density<V>);
+
 /// Energy densities of one triangle, J/m3 of reference volume, as [`ElementEnergy`]; none where the material has none.
 struct Density<V> {
     elastic: V,
@@ -446,7 +449,7 @@ fn deviatoric_stress<S: Instructions>(
     kinematics: &[Kinematics<S::Vector>; 2],
     history: &mut CellHistory,
     viscous: &mut [Deviator],
-) -> [(Deviator<S::Vector>, Density<S::Vector>); 2] {
+) -> [Response<S::Vector>; 2] {
     let (laws, rings) = (block.laws, block.hoop.is_some());
     let [a, b] = &mut history.triangle;
     let strain_increment = [

@@ -160,7 +160,7 @@ fn read(state: &StateView, f: &mut dyn FnMut(u64)) {
 
 /// Shows every word of the state to `f`, always in the same order, and takes back what `f` makes of it.
 fn visit(state: &mut State, f: &mut dyn FnMut(&mut u64)) {
-    visit_scalars(&mut state.scalars, f);
+    visit_scalars(state.scalars, f);
     let mut number = |value: &mut Real| {
         let mut bits = real::to_word(*value);
         f(&mut bits);

@@ -272,7 +272,7 @@ unsafe fn advance(
     report(error, || {
         let input = input?;
         block::with(block?, |model, state| {
-            let input = SoftanvilInput::or_hold(input, &state.scalars)?;
+            let input = SoftanvilInput::or_hold(input, state.scalars)?;
             let steps = steps(model, state)?;
             (0..steps).try_for_each(|_| step(model, state, &input)).map_err(Failure::from)
         })
