@@ -6,15 +6,13 @@
 //! Nagtegaal, Parks and Rice 1974), which removes volumetric locking and derives from an energy. The first
 //! Piola-Kirchhoff stress is P = R T U^-1 with T = dev + p J I, and the nodal force V P dN/dX.
 
+use crate::kinematics::Kinematics;
 use crate::lanes::{Deviator, LANES, Lane, SQRT_THIRD, ZERO};
 use crate::material::Laws;
-use crate::material::relaxation::Overstress;
-use crate::material::tear::Tear;
-use crate::math;
 use crate::mesh::out_of_plane;
 use crate::real::Real;
+use crate::response::deviatoric_stress;
 use crate::scenario::Scenario;
-use crate::stretch::CauchyGreen;
 use crate::vector::{Instructions, Vector};
 
 /// Constants of the triangles of a block of cells; all zero in padding.
@@ -95,116 +93,9 @@ impl CellHistory {
 
 const ONE: Lane = [1.0; LANES];
 
-/// Deformation of one triangle of some neighbouring cells.
-#[derive(Clone, Copy, Debug)]
-pub struct Kinematics<V> {
-    /// Cosine and sine of the rotation R.
-    pub cos: V,
-    /// See `cos`.
-    pub sin: V,
-    /// Right stretch U: mean in the section, (U11 + U22)/2.
-    pub mean: V,
-    /// Half difference, (U11 - U22)/2.
-    pub difference: V,
-    /// Shear, U12.
-    pub shear: V,
-    /// Hoop stretch U33; 1 in plane strain.
-    pub hoop: V,
-    /// J = det F.
-    pub jacobian: V,
-    /// J^(-1/3).
-    pub inverse_cbrt_j: V,
-}
-
-impl Kinematics<Real> {
-    /// No deformation.
-    pub const REST: Self = Self {
-        cos: 1.0,
-        sin: 0.0,
-        mean: 1.0,
-        difference: 0.0,
-        shear: 0.0,
-        hoop: 1.0,
-        jacobian: 1.0,
-        inverse_cbrt_j: 1.0,
-    };
-}
-
 /// Differences of displacement along two edges of a triangle, shape (2 x 2), m: along the row, then across. Or the forces
 /// that pull at their ends, N.
-type Edges<V> = [[V; 2]; 2];
-
-impl<V: Vector> Kinematics<V> {
-    /// Deformation of triangle `t` from the differences of displacement along its edges and, in rings, its hoop stretch.
-    ///
-    /// With the plane as complex numbers, F z = a z + b z*, where 2 a = (F11 + F22) + i (F21 - F12) and
-    /// 2 b = (F11 - F22) + i (F21 + F12). Then R is a / |a|, U z = |a| z + (R* b) z*, and det F = |a|^2 - |b|^2.
-    #[inline(always)]
-    fn new<S: Instructions<Vector = V>>(
-        set: S,
-        chunk: usize,
-        constants: &TriangleConstants,
-        edges: &Edges<V>,
-        hoop: Option<V>,
-    ) -> Self {
-        let (g, h) =
-            (set.load_pair(&constants.shape_gradient[0], chunk), set.load_pair(&constants.shape_gradient[1], chunk));
-        let [[ax, ay], [bx, by]] = *edges;
-        // F less the unit tensor.
-        let (f11, f12) = (ax * g[0] + bx * h[0], ax * g[1] + bx * h[1]);
-        let (f21, f22) = (ay * g[0] + by * h[0], ay * g[1] + by * h[1]);
-        let (a, b) = ([(f11 + f22).plus(2.0), f21 - f12], [f11 - f22, f21 + f12]);
-        let squares = [a[0] * a[0] + a[1] * a[1], b[0] * b[0] + b[1] * b[1]];
-        let inverse_length = math::inverse_sqrt(squares[0]);
-        let (cos, sin) = (a[0] * inverse_length, a[1] * inverse_length);
-        let section = (squares[0] - squares[1]).times(0.25);
-        let jacobian = match hoop {
-            Some(hoop) => section * hoop,
-            None => section,
-        };
-        Self {
-            cos,
-            sin,
-            mean: (squares[0] * inverse_length).times(0.5),
-            difference: (cos * b[0] + sin * b[1]).times(0.5),
-            shear: (cos * b[1] - sin * b[0]).times(0.5),
-            hoop: hoop.unwrap_or(set.splat(1.0)),
-            jacobian,
-            inverse_cbrt_j: math::inverse_cbrt(jacobian),
-        }
-    }
-
-    /// C-bar = J^(-2/3) U^2.
-    #[inline(always)]
-    pub fn isochoric_cauchy_green(&self) -> CauchyGreen<V> {
-        let scale = self.inverse_cbrt_j * self.inverse_cbrt_j;
-        let double = scale * (self.mean + self.mean);
-        let deviation = self.difference * self.difference + self.shear * self.shear;
-        CauchyGreen {
-            mean: scale * (self.mean * self.mean + deviation),
-            difference: double * self.difference,
-            shear: double * self.shear,
-            out: scale * (self.hoop * self.hoop),
-        }
-    }
-
-    /// dev sym(delta U U^-1) against the stretch before (mean, half difference, shear, hoop), at the mean stretch.
-    #[inline(always)]
-    fn strain_increment<S: Instructions<Vector = V>>(&self, set: S, before: &[V; 4], rings: bool) -> Deviator<V> {
-        let [mean, difference, shear, hoop] = *before;
-        let change = [self.mean - mean, self.difference - difference, self.shear - shear];
-        // Twice the mean stretch, whose inverse is twice its adjugate over its determinant.
-        let sum = [self.mean + mean, self.difference + difference, self.shear + shear];
-        let double_inverse = set.splat(2.0) / (sum[0] * sum[0] - (sum[1] * sum[1] + sum[2] * sum[2]));
-        let section = (change[0] * sum[0] - (change[1] * sum[1] + change[2] * sum[2])) * double_inverse;
-        let trace_free = if rings { section - (self.hoop - hoop).times(2.0) / (self.hoop + hoop) } else { section };
-        Deviator {
-            mean: trace_free.times(SQRT_THIRD),
-            difference: (sum[0] * change[1] - change[0] * sum[1]) * double_inverse,
-            shear: (sum[0] * change[2] - change[0] * sum[2]) * double_inverse,
-        }
-    }
-}
+pub(crate) type Edges<V> = [[V; 2]; 2];
 
 /// Sums over the triangles of each lane: energies of the section, J.
 #[derive(Clone, Copy, Debug)]
@@ -236,62 +127,6 @@ impl ElementEnergy {
         tear_increment: ZERO,
         inverted: ZERO,
     };
-}
-
-/// Deviatoric stress of one triangle, Pa, and its energies.
-type Response<V> = (Deviator<V>, Density<V>);
-
-/// Energy densities of one triangle, J/m3 of reference volume, as [`ElementEnergy`]; none where the material has none.
-struct Density<V> {
-    elastic: V,
-    viscous_increment: V,
-    viscous_power: V,
-    slider: Option<[V; 2]>,
-    tear_increment: Option<V>,
-}
-
-impl<V: Vector> Density<V> {
-    /// Of elasticity and overstress.
-    #[inline(always)]
-    fn new(stored: V, overstress: &Overstress<V>, elastic: &Deviator<V>, strain_increment: &Deviator<V>) -> Self {
-        Self {
-            elastic: stored,
-            viscous_increment: overstress.double_mean(elastic).half_contract(strain_increment),
-            viscous_power: overstress.power,
-            slider: None,
-            tear_increment: None,
-        }
-    }
-
-    /// Adds the energies of triangles of the reference volumes `volume`.
-    #[inline(always)]
-    fn add_to<S: Instructions<Vector = V>>(
-        &self,
-        set: S,
-        chunk: usize,
-        volume: V,
-        viscous: bool,
-        sums: &mut ElementEnergy,
-    ) {
-        add_to_lane(set, chunk, volume * self.elastic, &mut sums.elastic);
-        if viscous {
-            add_to_lane(set, chunk, volume * self.viscous_increment, &mut sums.viscous_increment);
-            add_to_lane(set, chunk, volume * self.viscous_power, &mut sums.viscous_power);
-        }
-        if let Some([stored, increment]) = self.slider {
-            add_to_lane(set, chunk, volume * stored, &mut sums.slider_stored);
-            add_to_lane(set, chunk, volume * increment, &mut sums.slider_increment);
-        }
-        if let Some(increment) = self.tear_increment {
-            add_to_lane(set, chunk, volume * increment, &mut sums.tear_increment);
-        }
-    }
-}
-
-/// Adds to the `chunk`-th vector of a lane.
-#[inline(always)]
-fn add_to_lane<S: Instructions>(set: S, chunk: usize, vector: S::Vector, lane: &mut Lane) {
-    set.store(set.load(lane, chunk) + vector, lane, chunk);
 }
 
 /// Displacements of the four corners of neighbouring cells, shape (4 x 2), m, or the forces on them, N.
@@ -434,130 +269,6 @@ fn patch_pressure<S: Instructions>(
     let volume = set.load(&a.reference_volume, chunk) + set.load(&b.reference_volume, chunk);
     set.store(set.load(&energy.elastic, chunk) + volume * density, &mut energy.elastic, chunk);
     block.laws.volumetric.stress(mean)
-}
-
-/// Deviatoric Kirchhoff stress in the unrotated frame, Pa, and energies of the two triangles of each cell; advances their
-/// history.
-///
-/// Both triangles go through each law before the next: one has long chains of operations that wait for each other, two
-/// fill the waiting times.
-#[inline(always)]
-fn deviatoric_stress<S: Instructions>(
-    set: S,
-    chunk: usize,
-    block: &Block,
-    kinematics: &[Kinematics<S::Vector>; 2],
-    history: &mut CellHistory,
-    viscous: &mut [Deviator],
-) -> [Response<S::Vector>; 2] {
-    let (laws, rings) = (block.laws, block.hoop.is_some());
-    let [a, b] = &mut history.triangle;
-    let strain_increment = [
-        advance_stretch(set, chunk, &kinematics[0], &mut a.stretch_prev, rings),
-        advance_stretch(set, chunk, &kinematics[1], &mut b.stretch_prev, rings),
-    ];
-    let [first, second] = laws.elastic.stress(set, kinematics, rings);
-    let elastic = [first.0, second.0];
-    let overstress = viscous_stress(set, chunk, laws, &elastic, &strain_increment, [a, b], viscous);
-    let mut stress = [overstress[0].total, overstress[1].total];
-    let mut density = [
-        Density::new(first.1, &overstress[0], &elastic[0], &strain_increment[0]),
-        Density::new(second.1, &overstress[1], &elastic[1], &strain_increment[1]),
-    ];
-    if laws.slider.active() {
-        for (t, triangle) in [&mut *a, &mut *b].into_iter().enumerate() {
-            let before = set.load_deviator(&triangle.slider_stress, chunk);
-            let spring = laws.slider.update(set, &strain_increment[t], &before);
-            set.store_deviator(&spring.stress, &mut triangle.slider_stress, chunk);
-            density[t].slider = Some([spring.stored, spring.dissipation]);
-            stress[t] = stress[t] + spring.stress;
-        }
-    }
-    if laws.tear.active() {
-        for (t, triangle) in [a, b].into_iter().enumerate() {
-            stress[t] = tear(set, chunk, &laws.tear, &kinematics[t], triangle, &stress[t], &mut density[t]);
-        }
-    }
-    let [first, second] = density;
-    [(stress[0], first), (stress[1], second)]
-}
-
-/// Strain increment of one triangle of each cell since the stretch `before`, which becomes the current one.
-#[inline(always)]
-fn advance_stretch<S: Instructions>(
-    set: S,
-    chunk: usize,
-    kinematics: &Kinematics<S::Vector>,
-    [mean, difference, shear, hoop]: &mut [Lane; 4],
-    rings: bool,
-) -> Deviator<S::Vector> {
-    let before = [set.load(mean, chunk), set.load(difference, chunk), set.load(shear, chunk), set.load(hoop, chunk)];
-    set.store(kinematics.mean, mean, chunk);
-    set.store(kinematics.difference, difference, chunk);
-    set.store(kinematics.shear, shear, chunk);
-    if rings {
-        set.store(kinematics.hoop, hoop, chunk);
-    }
-    kinematics.strain_increment(set, &before, rings)
-}
-
-/// Long-term stress and viscous overstress of the two triangles of each cell; advances their history.
-#[inline(always)]
-fn viscous_stress<S: Instructions>(
-    set: S,
-    chunk: usize,
-    laws: &Laws,
-    elastic: &[Deviator<S::Vector>; 2],
-    strain_increment: &[Deviator<S::Vector>; 2],
-    [a, b]: [&mut TriangleHistory; 2],
-    viscous: &mut [Deviator],
-) -> [Overstress<S::Vector>; 2] {
-    let n_quasi_linear = laws.prony.n_term();
-    let (first, second) = viscous.split_at_mut_checked(laws.n_term()).unwrap_or_default();
-    let (quasi_linear, additive) = first.split_at_mut_checked(n_quasi_linear).unwrap_or_default();
-    let (quasi_linear_2, additive_2) = second.split_at_mut_checked(n_quasi_linear).unwrap_or_default();
-    let mut overstress = [Overstress::beside(set, elastic[0]), Overstress::beside(set, elastic[1])];
-    if n_quasi_linear > 0 {
-        let increment = [
-            elastic[0] - set.load_deviator(&a.elastic_prev, chunk),
-            elastic[1] - set.load_deviator(&b.elastic_prev, chunk),
-        ];
-        laws.prony.update(set, chunk, &increment, [quasi_linear, quasi_linear_2], &mut overstress);
-    }
-    laws.maxwell.update(set, chunk, strain_increment, [additive, additive_2], &mut overstress);
-    set.store_deviator(&elastic[0], &mut a.elastic_prev, chunk);
-    set.store_deviator(&elastic[1], &mut b.elastic_prev, chunk);
-    overstress
-}
-
-/// Takes from one triangle of each cell the stress and the energies that it has lost by tearing.
-#[inline(always)]
-fn tear<S: Instructions>(
-    set: S,
-    chunk: usize,
-    law: &Tear,
-    kinematics: &Kinematics<S::Vector>,
-    history: &mut TriangleHistory,
-    stress: &Deviator<S::Vector>,
-    density: &mut Density<S::Vector>,
-) -> Deviator<S::Vector> {
-    let [largest, before, after] = law.update(set, kinematics, set.load(&history.largest_stretch, chunk));
-    set.store(largest, &mut history.largest_stretch, chunk);
-    let mean = (before + after).times(0.5);
-    let stored = match density.slider {
-        Some([in_spring, _]) => density.elastic + in_spring,
-        None => density.elastic,
-    };
-    let lost = (before - after) * (set.load(&history.stored_prev, chunk) + stored).times(0.5);
-    set.store(stored, &mut history.stored_prev, chunk);
-    density.tear_increment = Some(lost);
-    density.elastic = after * density.elastic;
-    density.viscous_increment = mean * density.viscous_increment;
-    density.viscous_power = after * density.viscous_power;
-    if let Some([in_spring, increment]) = density.slider {
-        density.slider = Some([after * in_spring, mean * increment]);
-    }
-    stress.scaled(after)
 }
 
 /// V P dN/dX of triangle `t` of each cell for its two edges, N, and in rings the hoop stress times V.

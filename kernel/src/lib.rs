@@ -42,6 +42,7 @@ pub mod face;
 pub mod field;
 pub mod impactor;
 pub mod instruction_set;
+pub mod kinematics;
 pub mod lanes;
 pub mod material;
 pub mod math;
@@ -54,6 +55,7 @@ pub mod power;
 pub mod prescribed;
 pub mod preset;
 pub mod real;
+pub(crate) mod response;
 pub mod scenario;
 #[cfg(feature = "alloc")]
 pub mod simulation;

@@ -2,12 +2,13 @@
 //!
 //! The central difference scheme is stable for dt <= 2 / omega with the highest frequency omega of the mesh, which is
 //! bounded by that of its parts (Irons and Treharne 1971). The parts here are the cells, with a quarter of their mass at
-//! each corner: their two triangles share a pressure, and a cell's bound is closer than a triangle's. [`cell_bound`] tells
+//! each corner: their two triangles share a pressure, and a cell's bound is closer than a triangle's. `cell_bound.rs` tells
 //! how it is found.
 
 use crate::cell_bound::{CellStiffness, gram, limit_squared, unstable};
-use crate::element::{Block, CellConstants, Corners, HoopConstants, Kinematics, cell_kinematics};
+use crate::element::{Block, CellConstants, Corners, HoopConstants, cell_kinematics};
 use crate::error::{ModelError, StepError};
+use crate::kinematics::Kinematics;
 use crate::lanes::{LANES, ZERO};
 use crate::material::Laws;
 use crate::math;

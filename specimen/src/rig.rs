@@ -44,11 +44,9 @@ impl Rig {
         let memory = ModelMemory { constants: &mut constants, nodes, cells, hoops };
         let model = Model::new(scenario, memory)?;
         let (nodes, cells, viscous) = (&mut self.state_nodes, &mut self.state_cells, &mut self.viscous);
-        let memory = |scalars| StateMemory { scalars, nodes, cells, viscous };
-        let mut state = match &mut self.scalars {
-            Some(scalars) => State::view(&model, memory(scalars))?,
-            none => State::new(&model, memory(none.insert(Scalars::BLANK)))?,
-        };
+        let begins = self.scalars.is_none();
+        let memory = StateMemory { scalars: self.scalars.get_or_insert(Scalars::BLANK), nodes, cells, viscous };
+        let mut state = if begins { State::new(&model, memory)? } else { State::view(&model, memory)? };
         for _ in 0..(duration / SAMPLING_INTERVAL).ceil() as u64 {
             let before = state.scalars.impactor.deformation();
             for _ in 0..model.constants.steps_per_sample {

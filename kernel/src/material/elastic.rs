@@ -1,6 +1,6 @@
 //! The choice of isochoric hyperelastic law, made once per block of triangles and outside the loop over lanes.
 
-use crate::element::Kinematics;
+use crate::kinematics::Kinematics;
 use crate::lanes::Deviator;
 use crate::material::{MooneyRivlin, NeoHookean, Ogden, Yeoh};
 use crate::math;
@@ -43,21 +43,41 @@ impl Elastic {
         }
     }
 
-    /// Kirchhoff stress in the unrotated frame, Pa, and W, J/m3, of the two triangles of neighbouring cells; without
-    /// `rings`, U33 = 1.
+    /// Kirchhoff stress in the unrotated frame, Pa, and W, J/m3, of `N` neighbouring triangles each; without `rings`,
+    /// U33 = 1.
     #[inline(always)]
-    pub fn stress<S: Instructions>(
+    pub fn stress<S: Instructions, const N: usize>(
         &self,
         set: S,
-        [first, second]: &[Kinematics<S::Vector>; 2],
+        kinematics: &[Kinematics<S::Vector>; N],
         rings: bool,
-    ) -> [(Deviator<S::Vector>, S::Vector); 2] {
+    ) -> [(Deviator<S::Vector>, S::Vector); N] {
+        let zero = set.splat(0.0);
+        let mut response = [(Deviator { mean: zero, difference: zero, shear: zero }, zero); N];
+        // The law is chosen outside the loop, so that the triangles go through it side by side.
         match self {
-            Self::NeoHookean(law) => [law.stress(first), law.stress(second)],
-            Self::MooneyRivlin(law) => [law.stress(first, rings), law.stress(second, rings)],
-            Self::Yeoh(law) => [law.stress(first), law.stress(second)],
-            Self::Ogden(law) => [law.stress(set, first), law.stress(set, second)],
+            Self::NeoHookean(law) => {
+                for i in 0..N {
+                    response[i] = law.stress(&kinematics[i]);
+                }
+            }
+            Self::MooneyRivlin(law) => {
+                for i in 0..N {
+                    response[i] = law.stress(&kinematics[i], rings);
+                }
+            }
+            Self::Yeoh(law) => {
+                for i in 0..N {
+                    response[i] = law.stress(&kinematics[i]);
+                }
+            }
+            Self::Ogden(law) => {
+                for i in 0..N {
+                    response[i] = law.stress(set, &kinematics[i]);
+                }
+            }
         }
+        response
     }
 
     /// Shear modulus at rest, Pa.

@@ -1,7 +1,7 @@
 //! Neo-Hooke, isochoric (Treloar 1943): W = C10 (I1-3), I1 = tr C-bar, so that the Kirchhoff stress in the unrotated
 //! frame is tau = dev(2 C10 C-bar).
 
-use crate::element::Kinematics;
+use crate::kinematics::Kinematics;
 use crate::lanes::{Deviator, SQRT_THIRD};
 use crate::material::plane_shear_tangent;
 use crate::real::Real;

@@ -18,7 +18,7 @@
 //! e^-y - 1, e^(alpha x) - 1 and e^(-alpha x) - 1, which [`crate::power`] gives accurately however small the strain is: cosh(alpha x) - 1 is -1/2 of the product of the last two, and the part of W without x is
 //! (e^-y - 1)(e^-y - 1 - 2 (e^y - 1)).
 
-use crate::element::Kinematics;
+use crate::kinematics::Kinematics;
 use crate::lanes::{Deviator, SQRT_THIRD};
 use crate::math;
 use crate::power;

@@ -10,7 +10,7 @@
 //! whole material, is dissipated, and no history makes it negative. The energy in the springs of the viscous branches is
 //! counted with their work (see [`crate::energy`]), before and after.
 
-use crate::element::Kinematics;
+use crate::kinematics::Kinematics;
 use crate::real::Real;
 use crate::scenario::Material;
 use crate::stretch::largest_in_plane;

@@ -1,7 +1,7 @@
 //! Yeoh with three terms, isochoric (Yeoh 1993): W = sum_k Ck0 (I1-3)^k, k = 1, 2, 3, with I1 = tr C-bar, so that the
 //! Kirchhoff stress in the unrotated frame is tau = dev(2 dW/dI1 C-bar). Zero coefficients give one or two terms.
 
-use crate::element::Kinematics;
+use crate::kinematics::Kinematics;
 use crate::lanes::{Deviator, SQRT_THIRD};
 use crate::material::plane_shear_tangent;
 use crate::real::Real;

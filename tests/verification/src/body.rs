@@ -121,7 +121,8 @@ impl Body {
         let stride = self.constants.grid.stride();
         let model = Model::view(&self.constants, &self.nodes, &self.cells[set], &self.hoops);
         let (nodes, cells, viscous) = &mut self.state;
-        let memory = StateMemory { scalars: &mut Scalars::BLANK, nodes, cells, viscous };
+        let mut scalars = Scalars::BLANK;
+        let memory = StateMemory { scalars: &mut scalars, nodes, cells, viscous };
         let mut state = State::new(&model, memory).expect("memory of the right size");
         let [x, y] = state.displacement_mut();
         for v in 0..=n_v {

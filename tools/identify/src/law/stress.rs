@@ -3,7 +3,7 @@
 //! The free direction carries no stress, so the loaded one carries P = (tau_loaded - tau_free) / l, in which the
 //! pressure of the incompressible specimen drops out.
 
-use softanvil_kernel::element::Kinematics;
+use softanvil_kernel::kinematics::Kinematics;
 use softanvil_kernel::material::Elastic;
 use softanvil_kernel::vector::Scalar;
 
@@ -21,7 +21,8 @@ pub fn stretches(mode: Mode, l: f64) -> [f64; 3] {
 /// Deviatoric Kirchhoff stress (x, y, z), Pa, at isochoric principal stretches.
 pub fn kirchhoff(elastic: &Elastic, [x, y, z]: [f64; 3]) -> [f64; 3] {
     let kinematics = Kinematics { mean: 0.5 * (x + y), difference: 0.5 * (x - y), hoop: z, ..Kinematics::REST };
-    let [x, y, _] = elastic.stress(Scalar, &kinematics, true).0.section();
+    let [(stress, _)] = elastic.stress(Scalar, &[kinematics], true);
+    let [x, y, _] = stress.section();
     [x, y, -(x + y)]
 }
 

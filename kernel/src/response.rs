@@ -1,0 +1,190 @@
+//! How the material of a cell responds to its deformation: stresses and energies of its two triangles, whose history they
+//! advance.
+
+use crate::element::{Block, CellHistory, ElementEnergy, TriangleHistory};
+use crate::kinematics::Kinematics;
+use crate::lanes::{Deviator, Lane};
+use crate::material::Laws;
+use crate::material::relaxation::Overstress;
+use crate::material::tear::Tear;
+use crate::vector::{Instructions, Vector};
+
+/// Deviatoric stress of one triangle, Pa, and its energies.
+pub(crate) type Response<V> = (Deviator<V>, Density<V>);
+
+/// Energy densities of one triangle, J/m3 of reference volume, as [`ElementEnergy`]; none where the material has none.
+pub(crate) struct Density<V> {
+    elastic: V,
+    viscous_increment: V,
+    viscous_power: V,
+    slider: Option<[V; 2]>,
+    tear_increment: Option<V>,
+}
+
+impl<V: Vector> Density<V> {
+    /// Of elasticity and overstress.
+    #[inline(always)]
+    fn new(stored: V, overstress: &Overstress<V>, elastic: &Deviator<V>, strain_increment: &Deviator<V>) -> Self {
+        Self {
+            elastic: stored,
+            viscous_increment: overstress.double_mean(elastic).half_contract(strain_increment),
+            viscous_power: overstress.power,
+            slider: None,
+            tear_increment: None,
+        }
+    }
+
+    /// Adds the energies of triangles of the reference volumes `volume`.
+    #[inline(always)]
+    pub(crate) fn add_to<S: Instructions<Vector = V>>(
+        &self,
+        set: S,
+        chunk: usize,
+        volume: V,
+        viscous: bool,
+        sums: &mut ElementEnergy,
+    ) {
+        add_to_lane(set, chunk, volume * self.elastic, &mut sums.elastic);
+        if viscous {
+            add_to_lane(set, chunk, volume * self.viscous_increment, &mut sums.viscous_increment);
+            add_to_lane(set, chunk, volume * self.viscous_power, &mut sums.viscous_power);
+        }
+        if let Some([stored, increment]) = self.slider {
+            add_to_lane(set, chunk, volume * stored, &mut sums.slider_stored);
+            add_to_lane(set, chunk, volume * increment, &mut sums.slider_increment);
+        }
+        if let Some(increment) = self.tear_increment {
+            add_to_lane(set, chunk, volume * increment, &mut sums.tear_increment);
+        }
+    }
+}
+
+/// Adds to the `chunk`-th vector of a lane.
+#[inline(always)]
+fn add_to_lane<S: Instructions>(set: S, chunk: usize, vector: S::Vector, lane: &mut Lane) {
+    set.store(set.load(lane, chunk) + vector, lane, chunk);
+}
+
+/// Deviatoric Kirchhoff stress in the unrotated frame, Pa, and energies of the two triangles of each cell; advances their
+/// history.
+///
+/// Both triangles go through each law before the next: one has long chains of operations that wait for each other, two
+/// fill the waiting times.
+#[inline(always)]
+pub(crate) fn deviatoric_stress<S: Instructions>(
+    set: S,
+    chunk: usize,
+    block: &Block,
+    kinematics: &[Kinematics<S::Vector>; 2],
+    history: &mut CellHistory,
+    viscous: &mut [Deviator],
+) -> [Response<S::Vector>; 2] {
+    let (laws, rings) = (block.laws, block.hoop.is_some());
+    let [a, b] = &mut history.triangle;
+    let strain_increment = [
+        advance_stretch(set, chunk, &kinematics[0], &mut a.stretch_prev, rings),
+        advance_stretch(set, chunk, &kinematics[1], &mut b.stretch_prev, rings),
+    ];
+    let [first, second] = laws.elastic.stress(set, kinematics, rings);
+    let elastic = [first.0, second.0];
+    let overstress = viscous_stress(set, chunk, laws, &elastic, &strain_increment, [a, b], viscous);
+    let mut stress = [overstress[0].total, overstress[1].total];
+    let mut density = [
+        Density::new(first.1, &overstress[0], &elastic[0], &strain_increment[0]),
+        Density::new(second.1, &overstress[1], &elastic[1], &strain_increment[1]),
+    ];
+    if laws.slider.active() {
+        for (t, triangle) in [&mut *a, &mut *b].into_iter().enumerate() {
+            let before = set.load_deviator(&triangle.slider_stress, chunk);
+            let spring = laws.slider.update(set, &strain_increment[t], &before);
+            set.store_deviator(&spring.stress, &mut triangle.slider_stress, chunk);
+            density[t].slider = Some([spring.stored, spring.dissipation]);
+            stress[t] = stress[t] + spring.stress;
+        }
+    }
+    if laws.tear.active() {
+        for (t, triangle) in [a, b].into_iter().enumerate() {
+            stress[t] = tear(set, chunk, &laws.tear, &kinematics[t], triangle, &stress[t], &mut density[t]);
+        }
+    }
+    let [first, second] = density;
+    [(stress[0], first), (stress[1], second)]
+}
+
+/// Strain increment of one triangle of each cell since the stretch `before`, which becomes the current one.
+#[inline(always)]
+fn advance_stretch<S: Instructions>(
+    set: S,
+    chunk: usize,
+    kinematics: &Kinematics<S::Vector>,
+    [mean, difference, shear, hoop]: &mut [Lane; 4],
+    rings: bool,
+) -> Deviator<S::Vector> {
+    let before = [set.load(mean, chunk), set.load(difference, chunk), set.load(shear, chunk), set.load(hoop, chunk)];
+    set.store(kinematics.mean, mean, chunk);
+    set.store(kinematics.difference, difference, chunk);
+    set.store(kinematics.shear, shear, chunk);
+    if rings {
+        set.store(kinematics.hoop, hoop, chunk);
+    }
+    kinematics.strain_increment(set, &before, rings)
+}
+
+/// Long-term stress and viscous overstress of the two triangles of each cell; advances their history.
+#[inline(always)]
+fn viscous_stress<S: Instructions>(
+    set: S,
+    chunk: usize,
+    laws: &Laws,
+    elastic: &[Deviator<S::Vector>; 2],
+    strain_increment: &[Deviator<S::Vector>; 2],
+    [a, b]: [&mut TriangleHistory; 2],
+    viscous: &mut [Deviator],
+) -> [Overstress<S::Vector>; 2] {
+    let n_quasi_linear = laws.prony.n_term();
+    let (first, second) = viscous.split_at_mut_checked(laws.n_term()).unwrap_or_default();
+    let (quasi_linear, additive) = first.split_at_mut_checked(n_quasi_linear).unwrap_or_default();
+    let (quasi_linear_2, additive_2) = second.split_at_mut_checked(n_quasi_linear).unwrap_or_default();
+    let mut overstress = [Overstress::beside(set, elastic[0]), Overstress::beside(set, elastic[1])];
+    if n_quasi_linear > 0 {
+        let increment = [
+            elastic[0] - set.load_deviator(&a.elastic_prev, chunk),
+            elastic[1] - set.load_deviator(&b.elastic_prev, chunk),
+        ];
+        laws.prony.update(set, chunk, &increment, [quasi_linear, quasi_linear_2], &mut overstress);
+    }
+    laws.maxwell.update(set, chunk, strain_increment, [additive, additive_2], &mut overstress);
+    set.store_deviator(&elastic[0], &mut a.elastic_prev, chunk);
+    set.store_deviator(&elastic[1], &mut b.elastic_prev, chunk);
+    overstress
+}
+
+/// Takes from one triangle of each cell the stress and the energies that it has lost by tearing.
+#[inline(always)]
+fn tear<S: Instructions>(
+    set: S,
+    chunk: usize,
+    law: &Tear,
+    kinematics: &Kinematics<S::Vector>,
+    history: &mut TriangleHistory,
+    stress: &Deviator<S::Vector>,
+    density: &mut Density<S::Vector>,
+) -> Deviator<S::Vector> {
+    let [largest, before, after] = law.update(set, kinematics, set.load(&history.largest_stretch, chunk));
+    set.store(largest, &mut history.largest_stretch, chunk);
+    let mean = (before + after).times(0.5);
+    let stored = match density.slider {
+        Some([in_spring, _]) => density.elastic + in_spring,
+        None => density.elastic,
+    };
+    let lost = (before - after) * (set.load(&history.stored_prev, chunk) + stored).times(0.5);
+    set.store(stored, &mut history.stored_prev, chunk);
+    density.tear_increment = Some(lost);
+    density.elastic = after * density.elastic;
+    density.viscous_increment = mean * density.viscous_increment;
+    density.viscous_power = after * density.viscous_power;
+    if let Some([in_spring, increment]) = density.slider {
+        density.slider = Some([after * in_spring, mean * increment]);
+    }
+    stress.scaled(after)
+}
