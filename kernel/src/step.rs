@@ -1,5 +1,7 @@
 //! One explicit step of the whole system, stage by stage.
 
+use core::hint::black_box;
+
 use crate::core_contact;
 use crate::element::{self, Block, CellHistory, Corners, ElementEnergy};
 use crate::energy::StepWork;
@@ -123,6 +125,10 @@ fn block_force<S: Instructions>(
 ) -> Corners<Lane> {
     let mut force = [[ZERO; 2]; 4];
     for chunk in 0..LANES / S::WIDTH {
+        // The compiler would work out the addresses of all lanes ahead, which are more than there are registers, and keep
+        // them in memory; of what it cannot see through it adds up an address where it is needed, at no cost.
+        let (rows, history) = (black_box(rows), black_box(&mut *history));
+        let block = &Block { constants: black_box(block.constants), ..*block };
         let displacement = corners(set, chunk, rows);
         let of_chunk = element::internal_force(set, chunk, block, &displacement, history, viscous, energy);
         for corner in 0..4 {
