@@ -25,8 +25,8 @@ const POINT: u32 = 3 * UNITS;
 const LEGEND_WIDTH: u32 = 230 * UNITS;
 /// See [`LEGEND_WIDTH`].
 const LEGEND_STEP: u32 = 26 * UNITS;
-/// Points shown, at most.
-const MOST_POINTS: usize = 300;
+/// Width of the chosen curve, which stands out.
+const CHOSEN: u32 = 2 * CURVE;
 /// Points of a fitted curve.
 const CURVE_POINTS: usize = 200;
 /// A stress above this many kPa is shown in MPa.
@@ -46,6 +46,7 @@ struct Line {
     label: String,
     colour: RGBColor,
     dashed: bool,
+    chosen: bool,
     points: Vec<(f64, f64)>,
 }
 
@@ -78,12 +79,14 @@ fn of_curves(identification: &Identification, curves: &Curves) -> Picture {
     for (index, fit) in identification.fits.iter().enumerate() {
         let behind = families.iter().filter(|family| **family == fit.law.family).count();
         families.push(fit.law.family);
-        let chosen = if index == identification.chosen { ", chosen" } else { "" };
+        let chosen = index == identification.chosen;
+        let suffix = if chosen { ", chosen" } else { "" };
         let stresses = stress::nominal(&fit.elastic(), curves.data.mode, &stretches);
         fitted.push(Line {
-            label: format!("{}{chosen}", fit.law.label),
+            label: format!("{}{suffix}", fit.law.label),
             colour: shade(colour(fit.law.family as usize), behind),
-            dashed: behind > 0,
+            dashed: behind > 0 && !chosen,
+            chosen,
             points: stretches.iter().copied().zip(stresses).map(shown).collect(),
         });
     }
@@ -129,6 +132,7 @@ fn of_relaxation(relaxed: &Relaxed) -> Picture {
             label: format!("{} term{plural}{suffix}", prony.terms.len()),
             colour: if chosen { colour(0) } else { OTHERS[index % OTHERS.len()] },
             dashed: !chosen,
+            chosen,
             points: times.iter().copied().zip(loads.iter().map(|load| scale * load)).collect(),
         }
     };
@@ -186,8 +190,9 @@ fn draw_on(area: &Area, picture: &Picture) -> Result<(), PlotError> {
         .x_desc(picture.x.1.as_str())
         .y_desc(picture.y.1.as_str())
         .draw()?;
-    picture.fitted.iter().try_for_each(|line| draw_line(&mut chart, line))?;
-    // On top, so that no curve hides them.
+    // The chosen curve above the others, the points above all.
+    picture.fitted.iter().filter(|line| !line.chosen).try_for_each(|line| draw_line(&mut chart, line))?;
+    picture.fitted.iter().filter(|line| line.chosen).try_for_each(|line| draw_line(&mut chart, line))?;
     draw_measured(&mut chart, &picture.measured)?;
     draw_legend(&legend, picture)
 }
@@ -219,10 +224,22 @@ fn text(size: u32) -> TextStyle<'static> {
     TextStyle::from((FONT, size).into_font()).color(&INK)
 }
 
+/// The measured points; of those that would cover each other, the first.
 fn draw_measured(chart: &mut Chart, points: &[(f64, f64)]) -> Result<(), PlotError> {
-    let every = points.len().div_ceil(MOST_POINTS).max(1);
-    let shown = points.iter().step_by(every);
-    chart.draw_series(shown.map(|point| Circle::new(*point, POINT, test_style())))?;
+    let mut last: Option<(i32, i32)> = None;
+    let shown: Vec<_> = points
+        .iter()
+        .copied()
+        .filter(|point| {
+            let at = chart.backend_coord(point);
+            let apart = last.is_none_or(|(x, y)| (at.0 - x).abs().max((at.1 - y).abs()) > 2 * POINT as i32);
+            if apart {
+                last = Some(at);
+            }
+            apart
+        })
+        .collect();
+    chart.draw_series(shown.into_iter().map(|point| Circle::new(point, POINT, test_style())))?;
     Ok(())
 }
 
@@ -232,7 +249,7 @@ fn test_style() -> ShapeStyle {
 
 impl Line {
     fn style(&self) -> ShapeStyle {
-        self.colour.stroke_width(CURVE)
+        self.colour.stroke_width(if self.chosen { CHOSEN } else { CURVE })
     }
 }
 
