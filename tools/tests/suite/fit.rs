@@ -43,17 +43,6 @@ fn a_soft_material_comes_with_a_scenario_that_goes_through() {
 
 /// The table of the documentation is that of the last comparison with other programs.
 #[test]
-fn the_documented_comparison_is_the_recorded_one() {
-    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let document = std::fs::read_to_string(root.join("docs/identification.md")).unwrap();
-    let recorded = std::fs::read_to_string(root.join("tests/identify/peers.csv")).unwrap();
-    for row in recorded.lines().skip(1) {
-        let row = format!("| {} |", row.replace(',', " | "));
-        assert!(document.contains(&row), "{row}");
-    }
-}
-
-#[test]
 fn json_names_the_chosen_law_and_its_errors() {
     let folder = folder();
     let fit = json(folder.path(), &["fit", "--uniaxial", "curve.csv", "--law", "yeoh_2", "--json"]);
