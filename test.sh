@@ -23,6 +23,15 @@ run() {
     printf -- '-- %s: %d s\n' "$name" $((SECONDS - start))
 }
 
+# told FILE ID: waits for a test that was started before, and gives what it printed into FILE.
+told() {
+    local status
+    wait "$2"
+    status=$?
+    cat "$1" && rm "$1"
+    return $status
+}
+
 . tests/need.sh
 
 # drop_hashes CLI: the trace hashes of the three drops.
@@ -120,14 +129,6 @@ else
     skip "report in a browser, series for ParaView" "python3 with venv, or gcc, is missing and cannot be installed"
 fi
 
-# told FILE ID: waits for a test that was started before, and gives what it printed into FILE.
-told() {
-    local status
-    wait "$2"
-    status=$?
-    cat "$1" && rm "$1"
-    return $status
-}
 if [ -n "${debug_rigs:-}" ]; then run "C and C++ rigs, debug library" told "$debug_rigs" "$debug_rigs_id"; fi
 
 printf '\n'

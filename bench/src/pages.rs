@@ -1,5 +1,5 @@
-//! Memory on pages of its own. Besides lines that two cores write, what they fetch ahead of need slows both down, and no core
-//! fetches beyond the end of a page.
+//! Memory on pages of its own. Besides lines that two cores write, what they fetch ahead of need may slow both down, which
+//! ends with a page.
 
 use std::marker::PhantomData;
 
