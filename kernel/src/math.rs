@@ -16,8 +16,8 @@ pub fn abs(x: Real) -> Real {
 
 /// The larger of two numbers by comparison alone (no IEEE `max`, whose signed-zero case differs between targets).
 #[inline(always)]
-pub fn larger(a: Real, b: Real) -> Real {
-    if a > b { a } else { b }
+pub fn larger<V: Vector>(a: V, b: V) -> V {
+    a.if_greater(b, a, b)
 }
 
 /// x^(-1/2) for normal x > 0.

@@ -65,8 +65,8 @@ impl Work for Advance<'_, '_, '_> {
 
 #[inline(always)]
 fn advance<S: Instructions>(set: S, model: &Model, state: &mut State, input: &StepInput) -> Result<(), StepError> {
-    time_step::monitor(set, model, state)?;
     let energy = internal_forces(set, model, state)?;
+    time_step::monitor(set, model, state)?;
     let core = core_contact::react(model, state);
     let prediction = state.scalars.impactor.predict(model, input, state.scalars.step_index);
     let before = state.scalars.impactor.velocity_half;

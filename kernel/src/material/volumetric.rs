@@ -54,12 +54,13 @@ impl Volumetric {
 
     /// An upper bound of the modulus of volume strain at `jacobian`, Pa: J^2 d2U/dJ2, the modulus against spatial
     /// gradients, and not less than that at rest.
-    pub fn tangent(&self, jacobian: Real) -> Real {
+    #[inline(always)]
+    pub fn tangent<S: Instructions>(&self, set: S, jacobian: S::Vector) -> S::Vector {
         let square = jacobian * jacobian;
         let relative = match self.law {
             VolumetricLaw::Quadratic => square,
-            VolumetricLaw::Simo => 0.5 * (square + 1.0),
+            VolumetricLaw::Simo => square.plus(1.0).times(0.5),
         };
-        self.bulk_modulus * math::larger(1.0, relative)
+        math::larger(set.splat(1.0), relative).times(self.bulk_modulus)
     }
 }
