@@ -99,32 +99,14 @@ pub fn sum(lane: &Lane) -> Real {
     lane.iter().fold(0.0, |total, value| total + value)
 }
 
-/// The lane that starts at `index` of `row`; zeros past its end, which the sizes of [`crate::mesh::Grid`] exclude.
+/// The lanes of `row` from `start` on.
 #[inline(always)]
-pub fn lane_at(row: &[Real], index: usize) -> &Lane {
-    row.get(index..).and_then(|tail| tail.first_chunk()).unwrap_or(&ZERO)
+pub fn lanes(row: &[Real], start: usize) -> core::slice::Iter<'_, Lane> {
+    row.get(start..).unwrap_or_default().as_chunks().0.iter()
 }
 
-/// A copy of [`lane_at`].
+/// The lanes of `row` from `start` on, to be changed.
 #[inline(always)]
-pub fn load(row: &[Real], index: usize) -> Lane {
-    *lane_at(row, index)
-}
-
-/// Writes `value` to the lane that starts at `index` of `row`.
-#[inline(always)]
-pub fn store(row: &mut [Real], index: usize, value: &Lane) {
-    if let Some(chunk) = row.get_mut(index..).and_then(|tail| tail.first_chunk_mut::<LANES>()) {
-        *chunk = *value;
-    }
-}
-
-/// Subtracts `value` from the lane that starts at `index` of `row`.
-#[inline(always)]
-pub fn subtract_at(row: &mut [Real], index: usize, value: &Lane) {
-    if let Some(chunk) = row.get_mut(index..).and_then(|tail| tail.first_chunk_mut::<LANES>()) {
-        for l in 0..LANES {
-            chunk[l] -= value[l];
-        }
-    }
+pub fn lanes_mut(row: &mut [Real], start: usize) -> core::slice::IterMut<'_, Lane> {
+    row.get_mut(start..).unwrap_or_default().as_chunks_mut().0.iter_mut()
 }

@@ -70,7 +70,7 @@ fn advance<S: Instructions>(set: S, model: &Model, state: &mut State, input: &St
     let core = core_contact::react(model, state);
     let prediction = state.scalars.impactor.predict(model, input, state.scalars.step_index);
     let before = state.scalars.impactor.velocity_half;
-    let face = face::contact(model, state, &prediction);
+    let face = face::contact(set, model, state, &prediction);
     state.scalars.contact_half_width = surface::contact_half_width(model, &state.as_view());
     let layer_kinetic = move_nodes(set, model, state);
     let work = StepWork {
