@@ -12,7 +12,6 @@
 
 use crate::element::Block;
 use crate::lanes::SQRT_THIRD;
-use crate::math;
 use crate::real::Real;
 use crate::vector::{Instructions, Vector};
 
@@ -91,7 +90,7 @@ pub(crate) fn gram<S: Instructions>(
     }
     let [a, b] = &block.constants.triangle;
     let volume = set.load(&a.reference_volume, chunk) + set.load(&b.reference_volume, chunk);
-    let root = root(set, stiffness.bulk * volume);
+    let root = (stiffness.bulk * volume).square_root();
     for corner in 0..4 {
         for i in 0..2 {
             rows[ROWS - 1][corner][i] = root * rows[ROWS - 1][corner][i];
@@ -107,13 +106,6 @@ pub(crate) fn gram<S: Instructions>(
         }
     }
     gram
-}
-
-/// The square root of numbers that are not negative.
-#[inline(always)]
-fn root<S: Instructions>(set: S, x: S::Vector) -> S::Vector {
-    let smallest = set.splat(Real::MIN_POSITIVE);
-    x * math::inverse_sqrt(x.if_greater(smallest, x, smallest))
 }
 
 #[inline(always)]
@@ -137,7 +129,7 @@ fn add_triangle<S: Instructions>(
 ) {
     let triangle = &block.constants.triangle[t];
     let gradient = corner_gradients(set, chunk, block, stiffness, t);
-    let root = root(set, stiffness.shear[t] * set.load(&triangle.reference_volume, chunk));
+    let root = (stiffness.shear[t] * set.load(&triangle.reference_volume, chunk)).square_root();
     let third = root.times(SQRT_THIRD);
     let weight = set.load(&triangle.patch_weight, chunk);
     let zero = set.splat(0.0);

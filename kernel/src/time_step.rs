@@ -143,7 +143,7 @@ impl Pressed {
 /// Unit vector along the row: normal to the gradient of the edge across, which does not change along the row.
 fn direction_along_row(cell: &CellConstants, l: usize) -> [Real; 2] {
     let [x, y] = cell.triangle[0].shape_gradient[1].map(|lane| lane[l]);
-    let inverse = math::inverse_sqrt(math::larger(x * x + y * y, Real::MIN_POSITIVE));
+    let inverse = 1.0 / math::sqrt(math::larger(x * x + y * y, Real::MIN_POSITIVE));
     [y * inverse, -x * inverse]
 }
 

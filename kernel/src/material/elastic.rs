@@ -72,6 +72,7 @@ impl Elastic {
                 }
             }
             Self::Ogden(law) => {
+                let kinematics = *kinematics;
                 for i in 0..N {
                     response[i] = law.stress(set, &kinematics[i]);
                 }

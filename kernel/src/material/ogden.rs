@@ -93,9 +93,7 @@ impl Ogden {
         let zero = set.splat(0.0);
         let square = difference * difference + shear * shear;
         // Never zero, so that the quotient by the radius has its limit. Nothing else may see what is added.
-        let positive = square.plus(TINY_SQUARE);
-        let inverse_radius = math::inverse_sqrt(positive);
-        let radius = positive * inverse_radius;
+        let radius = square.plus(TINY_SQUARE).square_root();
         // Binary logarithms of l1 / l2 = e^(2x) and of l3 = e^(-2y / alpha).
         let log_in = self.limited(set, power::log2_of_quotient(set, mean + radius, mean - radius, radius + radius));
         let log_out = self.limited(set, power::log2(set, out));
@@ -116,7 +114,7 @@ impl Ogden {
             slope = slope + (power * (longer - shorter)).times(0.5 * mu);
             energy = energy + (inverse * (inverse - (direct + direct)) - spread).times(self.energy_factor[k]);
         }
-        let slope = slope * inverse_radius;
+        let slope = slope / radius;
         (Deviator { mean: step.times(SQRT_THIRD), difference: slope * difference, shear: slope * shear }, energy)
     }
 
