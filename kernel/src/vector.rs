@@ -44,6 +44,9 @@ pub trait Vector: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = 
     /// Square root, rounded as IEEE 754 says.
     fn square_root(self) -> Self;
 
+    /// Each moved on by one place, the first from the end of `before`.
+    fn moved_on(self, before: Self) -> Self;
+
     /// [`real::INVERSE_CBRT_MAGIC`] and a third of the bits from these to those of [`real::CBRT_END`].
     fn guess_inverse_cbrt(self) -> Self;
 
@@ -151,6 +154,11 @@ impl Vector for Real {
     #[inline(always)]
     fn square_root(self) -> Self {
         math::sqrt(self)
+    }
+
+    #[inline(always)]
+    fn moved_on(self, before: Self) -> Self {
+        before
     }
 
     #[inline(always)]

@@ -134,7 +134,7 @@ macro_rules! vector {
     (
         $vector:ident, $integers:ident, $token:ty, $width:literal,
         |$set:ident, $a:ident, $b:ident, $c:ident, $d:ident|
-        $select:expr, $larger:expr, $square_root:expr
+        $select:expr, $larger:expr, $square_root:expr, $moved_on:expr
     ) => {
         impl $vector {
             #[inline(always)]
@@ -183,6 +183,12 @@ macro_rules! vector {
             fn square_root(self) -> Self {
                 let ($set, $a) = (self.0, self.1);
                 Self($set, $square_root)
+            }
+
+            #[inline(always)]
+            fn moved_on(self, before: Self) -> Self {
+                let ($set, $a, $b) = (self.0, self.1, before.1);
+                Self($set, $moved_on)
             }
 
             #[inline(always)]
@@ -244,7 +250,8 @@ vector!(
         set._mm_or_pd(set._mm_and_pd(mask, c), set._mm_andnot_pd(mask, d))
     },
     set._mm_max_pd(a, b),
-    set._mm_sqrt_pd(a)
+    set._mm_sqrt_pd(a),
+    set._mm_shuffle_pd::<0b01>(b, a)
 );
 
 vector!(
@@ -254,7 +261,8 @@ vector!(
     4,
     |set, a, b, c, d| set.avx._mm256_blendv_pd(d, c, set.avx._mm256_cmp_pd::<_CMP_GT_OQ>(a, b)),
     set.avx._mm256_max_pd(a, b),
-    set.avx._mm256_sqrt_pd(a)
+    set.avx._mm256_sqrt_pd(a),
+    set.avx._mm256_shuffle_pd::<0b0101>(set.avx._mm256_permute2f128_pd::<0x21>(b, a), a)
 );
 
 vector!(
@@ -264,7 +272,8 @@ vector!(
     8,
     |set, a, b, c, d| set.avx512f._mm512_mask_blend_pd(set.avx512f._mm512_cmp_pd_mask::<_CMP_GT_OQ>(a, b), d, c),
     set.avx512f._mm512_max_pd(a, b),
-    set.avx512f._mm512_sqrt_pd(a)
+    set.avx512f._mm512_sqrt_pd(a),
+    cast(set.avx512f._mm512_alignr_epi64::<7>(cast(a), cast(b)))
 );
 
 /// [`Work`] in the form that the crate asks for.
