@@ -15,7 +15,6 @@
 
 use crate::complex::Complex;
 use crate::element::{Block, HoopConstants};
-use crate::math;
 use crate::real::Real;
 use crate::vector::{Instructions, Vector};
 
@@ -62,7 +61,7 @@ pub(crate) fn limit_squared<S: Instructions>(set: S, matrix: &CellMatrix<S::Vect
     }
     // The largest eigenvalue lies between the mean of all and their sum.
     let zero = set.splat(0.0);
-    let mut stable = set.splat(1.0) / math::larger(trace, set.splat(Real::MIN_POSITIVE));
+    let mut stable = set.splat(1.0) / trace.larger(set.splat(Real::MIN_POSITIVE));
     let mut beyond = stable.times(ROWS as Real);
     for _ in 0..HALVINGS {
         let middle = (stable + beyond).times(0.5);

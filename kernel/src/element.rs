@@ -4,7 +4,7 @@
 //! R is the rotation by the angle of (F11 + F22, F21 - F12). All deviatoric stresses live in the unrotated frame. The
 //! two triangles of a cell share p = U'(J-bar) with J-bar their volume-weighted mean Jacobian (a mean-dilatation patch,
 //! Nagtegaal, Parks and Rice 1974), which removes volumetric locking and derives from an energy. The first
-//! Piola-Kirchhoff stress is P = R T U^-1 with T = dev + p J I, and the nodal force V P dN/dX.
+//! Piola-Kirchhoff stress is P = R T R^T F^-T with T = dev + p J I, and the nodal force V P dN/dX.
 
 use crate::kinematics::Kinematics;
 use crate::lanes::{Deviator, LANES, Lane, SQRT_THIRD, ZERO};
@@ -34,6 +34,8 @@ pub struct TriangleConstants {
     pub reference_volume: Lane,
     /// Part of the cell's volume.
     pub patch_weight: Lane,
+    /// 1/(2 A0), 1/m2.
+    pub inverse_double_area: Lane,
 }
 
 /// Derivative of the hoop stretch with respect to the radial displacement of each corner, shape (2 x 4), 1/m.
@@ -69,7 +71,12 @@ impl CellConstants {
     /// Padding: no volume.
     pub const ZERO: Self = Self {
         rising: ZERO,
-        triangle: [TriangleConstants { shape_gradient: [[ZERO; 2]; 2], reference_volume: ZERO, patch_weight: ZERO }; 2],
+        triangle: [TriangleConstants {
+            shape_gradient: [[ZERO; 2]; 2],
+            reference_volume: ZERO,
+            patch_weight: ZERO,
+            inverse_double_area: ZERO,
+        }; 2],
     };
 }
 
@@ -147,22 +154,29 @@ pub fn internal_force<S: Instructions>(
     viscous: &mut [Deviator],
     energy: &mut ElementEnergy,
 ) -> Corners<S::Vector> {
-    let kinematics = cell_kinematics(set, chunk, block, displacement);
+    let edges = triangle_edges(set, set.load(&block.constants.rising, chunk), displacement);
+    let kinematics = kinematics(set, chunk, block, displacement, &edges);
     let pressure = patch_pressure(set, chunk, block, &kinematics, energy);
     let [(a, first), (b, second)] = deviatoric_stress(set, chunk, block, &kinematics, history, viscous);
     for (triangle, density) in block.constants.triangle.iter().zip([first, second]) {
         let volume = set.load(&triangle.reference_volume, chunk);
-        density.add_to(set, chunk, volume, block.laws.n_term() > 0, energy);
+        density.add_to(set, chunk, volume, block.laws, energy);
     }
+    let [k, l] = &kinematics;
+    let stress =
+        [spatial_stress(set, chunk, block, 0, k, pressure, &a), spatial_stress(set, chunk, block, 1, l, pressure, &b)];
+    let [of_first, of_second] = &block.constants.triangle;
     let edges = [
-        edge_forces(set, chunk, block, 0, &kinematics[0], pressure, &a),
-        edge_forces(set, chunk, block, 1, &kinematics[1], pressure, &b),
+        edge_forces(set, chunk, of_first, &edges[0], &stress[0]),
+        edge_forces(set, chunk, of_second, &edges[1], &stress[1]),
     ];
-    let rising = set.load(&block.constants.rising, chunk);
-    let mut force = corner_forces(set, rising, &[edges[0].0, edges[1].0]);
+    let mut force = corner_forces(set, set.load(&block.constants.rising, chunk), &edges);
     if let Some(hoop) = block.hoop {
-        for t in 0..2 {
-            add_hoop_force(set, chunk, edges[t].1 / kinematics[t].hoop, &hoop.weight[t], &mut force);
+        for (t, deviator) in [&a, &b].into_iter().enumerate() {
+            let volume = set.load(&block.constants.triangle[t].reference_volume, chunk);
+            let kirchhoff = pressure * kinematics[t].jacobian - deviator.mean.times(2.0 * SQRT_THIRD);
+            let nominal = volume * kirchhoff / kinematics[t].hoop;
+            add_hoop_force(set, chunk, nominal, &hoop.weight[t], &mut force);
         }
     }
     force
@@ -187,7 +201,19 @@ pub(crate) fn cell_kinematics<S: Instructions>(
     block: &Block,
     displacement: &Corners<S::Vector>,
 ) -> [Kinematics<S::Vector>; 2] {
-    let [first, second] = triangle_edges(set, set.load(&block.constants.rising, chunk), displacement);
+    let edges = triangle_edges(set, set.load(&block.constants.rising, chunk), displacement);
+    kinematics(set, chunk, block, displacement, &edges)
+}
+
+/// [`cell_kinematics`] with the differences of displacement along the edges.
+#[inline(always)]
+fn kinematics<S: Instructions>(
+    set: S,
+    chunk: usize,
+    block: &Block,
+    displacement: &Corners<S::Vector>,
+    edges: &[Edges<S::Vector>; 2],
+) -> [Kinematics<S::Vector>; 2] {
     let hoop = match block.hoop {
         Some(HoopConstants { weight: [a, b] }) => {
             [Some(hoop_stretch(set, chunk, a, displacement)), Some(hoop_stretch(set, chunk, b, displacement))]
@@ -195,7 +221,7 @@ pub(crate) fn cell_kinematics<S: Instructions>(
         None => [None; 2],
     };
     let [a, b] = &block.constants.triangle;
-    [Kinematics::new(set, chunk, a, &first, hoop[0]), Kinematics::new(set, chunk, b, &second, hoop[1])]
+    [Kinematics::new(set, chunk, a, &edges[0], hoop[0]), Kinematics::new(set, chunk, b, &edges[1], hoop[1])]
 }
 
 /// Hoop stretch of a triangle, from the radial displacements of its corners.
@@ -271,38 +297,50 @@ fn patch_pressure<S: Instructions>(
     block.laws.volumetric.stress(mean)
 }
 
-/// V P dN/dX of triangle `t` of each cell for its two edges, N, and in rings the hoop stress times V.
+/// Components 11, 22 and 12 of V/J tau in the section of triangle `t` of each cell, J, with tau = R T R^T; in rings with the J
+/// of the section.
 #[inline(always)]
-fn edge_forces<S: Instructions>(
+fn spatial_stress<S: Instructions>(
     set: S,
     chunk: usize,
     block: &Block,
     t: usize,
     k: &Kinematics<S::Vector>,
     pressure: S::Vector,
-    stress: &Deviator<S::Vector>,
-) -> (Edges<S::Vector>, S::Vector) {
-    let constants = &block.constants.triangle[t];
-    let volume = set.load(&constants.reference_volume, chunk);
-    let spherical = pressure * k.jacobian;
-    let mean = stress.mean.times(SQRT_THIRD);
-    let section = mean + spherical;
-    let (t11, t22, t12) = (section + stress.difference, section - stress.difference, stress.shear);
-    // U^-1 of the section is the adjugate over J / U33, and 1/J is the cube of J^(-1/3). The volume joins it here.
+    deviator: &Deviator<S::Vector>,
+) -> [S::Vector; 3] {
+    let volume = set.load(&block.constants.triangle[t].reference_volume, chunk);
+    // 1/J is the cube of J^(-1/3).
     let cube = volume * (k.inverse_cbrt_j * k.inverse_cbrt_j * k.inverse_cbrt_j);
-    let inverse = if block.hoop.is_some() { k.hoop * cube } else { cube };
-    let (stretch, difference) = (k.mean * inverse, k.difference * inverse);
-    let (i11, i22, i12) = (stretch - difference, stretch + difference, k.shear * inverse);
-    let (b11, b12) = (t11 * i11 - t12 * i12, t12 * i22 - t11 * i12);
-    let (b21, b22) = (t12 * i11 - t22 * i12, t22 * i22 - t12 * i12);
-    let (p11, p12) = (k.cos * b11 - k.sin * b21, k.cos * b12 - k.sin * b22);
-    let (p21, p22) = (k.sin * b11 + k.cos * b21, k.sin * b12 + k.cos * b22);
-    let mut force = [[spherical; 2]; 2];
-    for edge in 0..2 {
-        let [x, y] = set.load_pair(&constants.shape_gradient[edge], chunk);
-        force[edge] = [p11 * x + p12 * y, p21 * x + p22 * y];
-    }
-    (force, volume * (spherical - mean.times(2.0)))
+    let scale = if block.hoop.is_some() { k.hoop * cube } else { cube };
+    let section = scale * (deviator.mean.times(SQRT_THIRD) + pressure * k.jacobian);
+    let (difference, shear) = (scale * deviator.difference, scale * deviator.shear);
+    let [cos, sin] = k.double_turn;
+    let (difference, shear) = (cos * difference - sin * shear, cos * shear + sin * difference);
+    [section + difference, section - difference, shear]
+}
+
+/// V P dN/dX of a triangle of each cell for its two edges, N, from V/J tau.
+///
+/// P is tau F^-T, and J F^-T times the gradient of an edge is the other edge as it is now, a quarter turn on, over twice the
+/// area at rest: that gradient, and a part from the displacement.
+#[inline(always)]
+fn edge_forces<S: Instructions>(
+    set: S,
+    chunk: usize,
+    constants: &TriangleConstants,
+    edges: &Edges<S::Vector>,
+    [t11, t22, t12]: &[S::Vector; 3],
+) -> Edges<S::Vector> {
+    let [g, h] = &constants.shape_gradient;
+    let (g, h) = (set.load_pair(g, chunk), set.load_pair(h, chunk));
+    let scale = set.load(&constants.inverse_double_area, chunk);
+    let [[ax, ay], [bx, by]] = *edges;
+    let (along, across) = ([g[0] + scale * by, g[1] - scale * bx], [h[0] - scale * ay, h[1] + scale * ax]);
+    [
+        [*t11 * along[0] + *t12 * along[1], *t12 * along[0] + *t22 * along[1]],
+        [*t11 * across[0] + *t12 * across[1], *t12 * across[0] + *t22 * across[1]],
+    ]
 }
 
 /// Adds the radial forces of the nominal hoop stress times the volume to the corners.
@@ -327,6 +365,8 @@ pub(crate) struct Triangle {
     pub volume: Real,
     /// 1/(3 R) for the triangle's corners, 1/m.
     pub hoop: [Real; 4],
+    /// 1/(2 A0), 1/m2.
+    pub inverse_double_area: Real,
 }
 
 impl Triangle {
@@ -341,6 +381,7 @@ impl Triangle {
             gradient: [[0.0; 2]; 4],
             volume: 0.5 * double_area * out_of_plane(scenario, radius),
             hoop: [0.0; 4],
+            inverse_double_area: 1.0 / double_area,
         };
         for (node, (p, q)) in nodes.into_iter().zip([(b, c), (c, a), (a, b)]) {
             triangle.gradient[node % 4] = [(p[1] - q[1]) / double_area, (q[0] - p[0]) / double_area];
@@ -357,6 +398,7 @@ impl Triangle {
             constants.shape_gradient[1][j][l] = self.gradient[2][j] + self.gradient[3][j];
         }
         constants.reference_volume[l] = self.volume;
+        constants.inverse_double_area[l] = self.inverse_double_area;
         constants.patch_weight[l] = self.volume / patch_volume;
     }
 }

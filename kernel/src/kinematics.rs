@@ -10,10 +10,8 @@ use crate::vector::{Instructions, Vector};
 /// Deformation of one triangle of some neighbouring cells.
 #[derive(Clone, Copy, Debug)]
 pub struct Kinematics<V> {
-    /// Cosine and sine of the rotation R.
-    pub cos: V,
-    /// See `cos`.
-    pub sin: V,
+    /// Cosine and sine of twice the angle of the rotation R.
+    pub double_turn: [V; 2],
     /// Right stretch U: mean in the section, (U11 + U22)/2.
     pub mean: V,
     /// Half difference, (U11 - U22)/2.
@@ -31,8 +29,7 @@ pub struct Kinematics<V> {
 impl Kinematics<Real> {
     /// No deformation.
     pub const REST: Self = Self {
-        cos: 1.0,
-        sin: 0.0,
+        double_turn: [1.0, 0.0],
         mean: 1.0,
         difference: 0.0,
         shear: 0.0,
@@ -62,20 +59,21 @@ impl<V: Vector> Kinematics<V> {
         let (f11, f12) = (ax * g[0] + bx * h[0], ax * g[1] + bx * h[1]);
         let (f21, f22) = (ay * g[0] + by * h[0], ay * g[1] + by * h[1]);
         let (a, b) = ([(f11 + f22).plus(2.0), f21 - f12], [f11 - f22, f21 + f12]);
-        let squares = [a[0] * a[0] + a[1] * a[1], b[0] * b[0] + b[1] * b[1]];
-        let inverse_length = math::inverse_sqrt(squares[0]);
-        let (cos, sin) = (a[0] * inverse_length, a[1] * inverse_length);
+        let of_a = [a[0] * a[0], a[1] * a[1]];
+        let squares = [of_a[0] + of_a[1], b[0] * b[0] + b[1] * b[1]];
+        let length = squares[0].square_root();
+        let inverse = set.splat(1.0) / length;
+        let (half_inverse, inverse_square) = (inverse.times(0.5), inverse * inverse);
         let section = (squares[0] - squares[1]).times(0.25);
         let jacobian = match hoop {
             Some(hoop) => section * hoop,
             None => section,
         };
         Self {
-            cos,
-            sin,
-            mean: (squares[0] * inverse_length).times(0.5),
-            difference: (cos * b[0] + sin * b[1]).times(0.5),
-            shear: (cos * b[1] - sin * b[0]).times(0.5),
+            double_turn: [(of_a[0] - of_a[1]) * inverse_square, (a[0] * a[1]).times(2.0) * inverse_square],
+            mean: length.times(0.5),
+            difference: (a[0] * b[0] + a[1] * b[1]) * half_inverse,
+            shear: (a[0] * b[1] - a[1] * b[0]) * half_inverse,
             hoop: hoop.unwrap_or(set.splat(1.0)),
             jacobian,
             inverse_cbrt_j: math::inverse_cbrt(jacobian),

@@ -17,12 +17,10 @@ mod chosen {
 
     /// Relative difference that rounding may leave between two quotients that should be equal.
     pub const SAME: Real = 1e-9;
-    /// Guess of x^(-1/2): this minus half the bits of x.
-    pub const INVERSE_SQRT_MAGIC: Bits = 0x5fe6_eb50_c7b5_37a9;
-    /// Guess of x^(-1/3): this minus a third of the bits of x; its error is smallest around x = 1.
-    pub const INVERSE_CBRT_MAGIC: Bits = 0x553e_e000_0000_0000;
-    /// Newton steps from either guess to the last bit.
-    pub const NEWTON_STEPS: usize = 4;
+    /// Guess of x^(-1/3): this and a third of the bits from x to [`CBRT_END`]; its error is smallest around x = 1.
+    pub const INVERSE_CBRT_MAGIC: Bits = 0x3fbe_e000_0000_0000;
+    /// No guess from here on.
+    pub const CBRT_END: Real = 512.0;
     /// Bits of the fraction of a number, below those of its exponent.
     pub const FRACTION_BITS: u32 = 52;
     /// Largest exponent of a power of two that [`crate::power`] forms: room is left to multiply it.
@@ -95,12 +93,10 @@ mod chosen {
 
     /// Relative difference that rounding may leave between two quotients that should be equal.
     pub const SAME: Real = 1e-6;
-    /// Guess of x^(-1/2): this minus half the bits of x.
-    pub const INVERSE_SQRT_MAGIC: Bits = 0x5f37_5a86;
-    /// Guess of x^(-1/3): this minus a third of the bits of x; its error is smallest around x = 1.
-    pub const INVERSE_CBRT_MAGIC: Bits = 0x54a2_4000;
-    /// Newton steps from either guess to the last bit.
-    pub const NEWTON_STEPS: usize = 3;
+    /// Guess of x^(-1/3): this and a third of the bits from x to [`CBRT_END`]; its error is smallest around x = 1.
+    pub const INVERSE_CBRT_MAGIC: Bits = 0x3df7_9556;
+    /// No guess from here on.
+    pub const CBRT_END: Real = 512.0;
     /// Bits of the fraction of a number, below those of its exponent.
     pub const FRACTION_BITS: u32 = 23;
     /// Largest exponent of a power of two that [`crate::power`] forms: room is left to multiply it.

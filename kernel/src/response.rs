@@ -6,31 +6,40 @@ use crate::kinematics::Kinematics;
 use crate::lanes::{Deviator, Lane};
 use crate::material::Laws;
 use crate::material::relaxation::Overstress;
-use crate::material::tear::Tear;
+use crate::material::slider::{Slider, SliderStep};
 use crate::vector::{Instructions, Vector};
 
 /// Deviatoric stress of one triangle, Pa, and its energies.
 pub(crate) type Response<V> = (Deviator<V>, Density<V>);
 
-/// Energy densities of one triangle, J/m3 of reference volume, as [`ElementEnergy`]; none where the material has none.
+/// Energy densities of one triangle, J/m3 of reference volume, as [`ElementEnergy`].
 pub(crate) struct Density<V> {
     elastic: V,
     viscous_increment: V,
     viscous_power: V,
-    slider: Option<[V; 2]>,
-    tear_increment: Option<V>,
+    slider_stored: V,
+    slider_increment: V,
+    tear_increment: V,
 }
 
 impl<V: Vector> Density<V> {
-    /// Of elasticity and overstress.
+    /// Of elasticity, overstress and springs.
     #[inline(always)]
-    fn new(stored: V, overstress: &Overstress<V>, elastic: &Deviator<V>, strain_increment: &Deviator<V>) -> Self {
+    fn new<S: Instructions<Vector = V>>(
+        set: S,
+        stored: V,
+        overstress: &Overstress<V>,
+        elastic: &Deviator<V>,
+        strain_increment: &Deviator<V>,
+        springs: &SliderStep<V>,
+    ) -> Self {
         Self {
             elastic: stored,
             viscous_increment: overstress.double_mean(elastic).half_contract(strain_increment),
             viscous_power: overstress.power,
-            slider: None,
-            tear_increment: None,
+            slider_stored: springs.stored,
+            slider_increment: springs.dissipation,
+            tear_increment: set.splat(0.0),
         }
     }
 
@@ -41,20 +50,20 @@ impl<V: Vector> Density<V> {
         set: S,
         chunk: usize,
         volume: V,
-        viscous: bool,
+        laws: &Laws,
         sums: &mut ElementEnergy,
     ) {
         add_to_lane(set, chunk, volume * self.elastic, &mut sums.elastic);
-        if viscous {
+        if laws.n_term() > 0 {
             add_to_lane(set, chunk, volume * self.viscous_increment, &mut sums.viscous_increment);
             add_to_lane(set, chunk, volume * self.viscous_power, &mut sums.viscous_power);
         }
-        if let Some([stored, increment]) = self.slider {
-            add_to_lane(set, chunk, volume * stored, &mut sums.slider_stored);
-            add_to_lane(set, chunk, volume * increment, &mut sums.slider_increment);
+        if laws.slider.active() {
+            add_to_lane(set, chunk, volume * self.slider_stored, &mut sums.slider_stored);
+            add_to_lane(set, chunk, volume * self.slider_increment, &mut sums.slider_increment);
         }
-        if let Some(increment) = self.tear_increment {
-            add_to_lane(set, chunk, volume * increment, &mut sums.tear_increment);
+        if laws.tear.active() {
+            add_to_lane(set, chunk, volume * self.tear_increment, &mut sums.tear_increment);
         }
     }
 }
@@ -85,27 +94,23 @@ pub(crate) fn deviatoric_stress<S: Instructions>(
         advance_stretch(set, chunk, &kinematics[0], &mut a.stretch_prev, rings),
         advance_stretch(set, chunk, &kinematics[1], &mut b.stretch_prev, rings),
     ];
+    let springs = spring_stress(set, chunk, &laws.slider, &strain_increment, [&mut *a, &mut *b]);
     let [first, second] = laws.elastic.stress(set, kinematics, rings);
     let elastic = [first.0, second.0];
     let overstress = viscous_stress(set, chunk, laws, &elastic, &strain_increment, [a, b], viscous);
     let mut stress = [overstress[0].total, overstress[1].total];
-    let mut density = [
-        Density::new(first.1, &overstress[0], &elastic[0], &strain_increment[0]),
-        Density::new(second.1, &overstress[1], &elastic[1], &strain_increment[1]),
-    ];
     if laws.slider.active() {
-        for (t, triangle) in [&mut *a, &mut *b].into_iter().enumerate() {
-            let before = set.load_deviator(&triangle.slider_stress, chunk);
-            let spring = laws.slider.update(set, &strain_increment[t], &before);
-            set.store_deviator(&spring.stress, &mut triangle.slider_stress, chunk);
-            density[t].slider = Some([spring.stored, spring.dissipation]);
-            stress[t] = stress[t] + spring.stress;
-        }
+        stress = [stress[0] + springs[0].stress, stress[1] + springs[1].stress];
     }
+    let mut density = [
+        Density::new(set, first.1, &overstress[0], &elastic[0], &strain_increment[0], &springs[0]),
+        Density::new(set, second.1, &overstress[1], &elastic[1], &strain_increment[1], &springs[1]),
+    ];
     if laws.tear.active() {
-        for (t, triangle) in [a, b].into_iter().enumerate() {
-            stress[t] = tear(set, chunk, &laws.tear, &kinematics[t], triangle, &stress[t], &mut density[t]);
-        }
+        stress = [
+            tear(set, chunk, laws, &kinematics[0], a, &stress[0], &mut density[0]),
+            tear(set, chunk, laws, &kinematics[1], b, &stress[1], &mut density[1]),
+        ];
     }
     let [first, second] = density;
     [(stress[0], first), (stress[1], second)]
@@ -128,6 +133,27 @@ fn advance_stretch<S: Instructions>(
         set.store(kinematics.hoop, hoop, chunk);
     }
     kinematics.strain_increment(set, &before, rings)
+}
+
+/// Springs and sliders of the two triangles of each cell, no stress where the material has none; advances their history.
+#[inline(always)]
+fn spring_stress<S: Instructions>(
+    set: S,
+    chunk: usize,
+    slider: &Slider,
+    strain_increment: &[Deviator<S::Vector>; 2],
+    history: [&mut TriangleHistory; 2],
+) -> [SliderStep<S::Vector>; 2] {
+    if !slider.active() {
+        return [SliderStep::none(set); 2];
+    }
+    let [a, b] = history;
+    let before = [set.load_deviator(&a.slider_stress, chunk), set.load_deviator(&b.slider_stress, chunk)];
+    let springs =
+        [slider.update(set, &strain_increment[0], &before[0]), slider.update(set, &strain_increment[1], &before[1])];
+    set.store_deviator(&springs[0].stress, &mut a.slider_stress, chunk);
+    set.store_deviator(&springs[1].stress, &mut b.slider_stress, chunk);
+    springs
 }
 
 /// Long-term stress and viscous overstress of the two triangles of each cell; advances their history.
@@ -164,27 +190,24 @@ fn viscous_stress<S: Instructions>(
 fn tear<S: Instructions>(
     set: S,
     chunk: usize,
-    law: &Tear,
+    laws: &Laws,
     kinematics: &Kinematics<S::Vector>,
     history: &mut TriangleHistory,
     stress: &Deviator<S::Vector>,
     density: &mut Density<S::Vector>,
 ) -> Deviator<S::Vector> {
-    let [largest, before, after] = law.update(set, kinematics, set.load(&history.largest_stretch, chunk));
+    let [largest, before, after] = laws.tear.update(set, kinematics, set.load(&history.largest_stretch, chunk));
     set.store(largest, &mut history.largest_stretch, chunk);
     let mean = (before + after).times(0.5);
-    let stored = match density.slider {
-        Some([in_spring, _]) => density.elastic + in_spring,
-        None => density.elastic,
-    };
+    let slides = laws.slider.active();
+    let stored = if slides { density.elastic + density.slider_stored } else { density.elastic };
     let lost = (before - after) * (set.load(&history.stored_prev, chunk) + stored).times(0.5);
     set.store(stored, &mut history.stored_prev, chunk);
-    density.tear_increment = Some(lost);
+    density.tear_increment = lost;
     density.elastic = after * density.elastic;
     density.viscous_increment = mean * density.viscous_increment;
     density.viscous_power = after * density.viscous_power;
-    if let Some([in_spring, increment]) = density.slider {
-        density.slider = Some([after * in_spring, mean * increment]);
-    }
+    density.slider_stored = after * density.slider_stored;
+    density.slider_increment = mean * density.slider_increment;
     stress.scaled(after)
 }

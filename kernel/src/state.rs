@@ -10,7 +10,7 @@ use crate::mesh::Grid;
 use crate::model::Model;
 use crate::real::Real;
 use crate::storage::{StateMemory, split_row, take};
-use crate::vector::Instructions;
+use crate::vector::{Instructions, Vector};
 
 /// The numbers of a state that are not arrays.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -224,19 +224,20 @@ pub(crate) fn corners<S: Instructions>(set: S, chunk: usize, rows: &Rows) -> Cor
     corners
 }
 
-/// Subtracts from the numbers of a row of nodes at the left ends of the cells of a block, then at the right ends: first one,
-/// then the other in all of them, whatever the width of the vectors.
+/// Subtracts from the numbers of a row of nodes at the left ends of the cells of a block, then at the right ends, which are
+/// one place on. Without a store between: a processor is late to read what two stores have just written in parts.
 #[inline(always)]
 fn subtract_ends<S: Instructions>(set: S, row: &mut [Real], start: usize, left: &Lane, right: &Lane) {
     let Some(span) = row.get_mut(start..).and_then(|tail| tail.first_chunk_mut::<{ LANES + 1 }>()) else { return };
-    let [lane @ .., _] = span;
+    let [lane @ .., last] = span;
+    let mut before = set.splat(0.0);
     for chunk in 0..LANES / S::WIDTH {
-        set.store(set.load(lane, chunk) - set.load(left, chunk), lane, chunk);
+        let of_right = set.load(right, chunk);
+        let rest = set.load(lane, chunk) - set.load(left, chunk);
+        set.store(rest - of_right.moved_on(before), lane, chunk);
+        before = of_right;
     }
-    let [_, lane @ ..] = span;
-    for chunk in 0..LANES / S::WIDTH {
-        set.store(set.load(lane, chunk) - set.load(right, chunk), lane, chunk);
-    }
+    *last -= right[LANES - 1];
 }
 
 impl StateNodes<'_> {

@@ -102,7 +102,14 @@ fn internal_forces<S: Instructions>(set: S, model: &Model, state: &mut State) ->
     for (index, ((constants, history), viscous)) in blocks {
         let block = Block { laws: model.constants.laws_of(index), constants, hoop: model.hoops.get(index) };
         let viscous = viscous.unwrap_or_default();
-        let force = block_force(set, &block, &state.nodes.rows(nodes), history, viscous, &mut energy);
+        let rows = state.nodes.rows(nodes);
+        // Written twice, so that a copy knows whether there are rings and need not ask all over the element; processors
+        // without vectors have less room for it.
+        let force = if S::WIDTH == 1 || block.hoop.is_some() {
+            block_force(set, &block, &rows, history, viscous, &mut energy)
+        } else {
+            block_force(set, &Block { hoop: None, ..block }, &rows, history, viscous, &mut energy)
+        };
         state.nodes.subtract_force(set, nodes, &force);
         // The next block follows in the row, or begins the next one behind the lane that closes this one.
         place += 1;

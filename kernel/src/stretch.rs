@@ -1,7 +1,7 @@
 //! Right stretches of the section: one shear component in the plane, none out of it.
 
 use crate::math;
-use crate::real::{Real, TINY_SQUARE};
+use crate::real::Real;
 use crate::vector::Vector;
 
 /// An isochoric right stretch U-bar = J^(-1/3) U.
@@ -53,8 +53,8 @@ impl<V: Vector> IsochoricStretch<V> {
     #[inline(always)]
     pub fn principal(&self) -> [V; 3] {
         let difference = (self.u11 - self.u22).times(0.5);
-        let square = difference * difference + self.u12 * self.u12;
-        let largest = (self.u11 + self.u22).times(0.5) + square * math::inverse_sqrt(square.plus(TINY_SQUARE));
+        let radius = (difference * difference + self.u12 * self.u12).square_root();
+        let largest = (self.u11 + self.u22).times(0.5) + radius;
         [largest, (self.u11 * self.u22 - self.u12 * self.u12) / largest, self.u33]
     }
 }

@@ -142,7 +142,7 @@ impl Pressed {
 /// Unit vector along the row: normal to the gradient of the edge across, which does not change along the row.
 fn direction_along_row(cell: &CellConstants, l: usize) -> [Real; 2] {
     let [x, y] = cell.triangle[0].shape_gradient[1].map(|lane| lane[l]);
-    let inverse = math::inverse_sqrt(math::larger(x * x + y * y, Real::MIN_POSITIVE));
+    let inverse = 1.0 / math::sqrt(math::larger(x * x + y * y, Real::MIN_POSITIVE));
     [y * inverse, -x * inverse]
 }
 
@@ -227,7 +227,7 @@ fn current_matrix<S: Instructions>(
         inverse_stretch: [a.inverse_stretch, b.inverse_stretch],
         hoop_scale: [a.hoop_scale, b.hoop_scale],
         shear: [a.shear, b.shear],
-        bulk: math::larger(a.bulk, b.bulk),
+        bulk: a.bulk.larger(b.bulk),
     };
     cell_matrix(set, chunk, block, &stiffness)
 }

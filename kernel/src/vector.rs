@@ -6,6 +6,7 @@
 use core::ops::{Add, Div, Mul, Sub};
 
 use crate::lanes::{Deviator, LANES, Lane, ZERO};
+use crate::math;
 use crate::real::{self, Bits, FRACTION_BITS, Real};
 
 #[cfg(all(feature = "dispatch", target_arch = "x86_64", not(miri), not(feature = "single")))]
@@ -37,10 +38,16 @@ pub trait Vector: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = 
     /// `then` where this is larger than `other`, `otherwise` elsewhere and where either is not a number.
     fn if_greater(self, other: Self, then: Self, otherwise: Self) -> Self;
 
-    /// [`real::INVERSE_SQRT_MAGIC`] less half of the bits.
-    fn guess_inverse_sqrt(self) -> Self;
+    /// The larger number where this and `other` are numbers, `other` elsewhere.
+    fn larger(self, other: Self) -> Self;
 
-    /// [`real::INVERSE_CBRT_MAGIC`] less a third of the bits.
+    /// Square root, rounded as IEEE 754 says.
+    fn square_root(self) -> Self;
+
+    /// Each moved on by one place, the first from the end of `before`.
+    fn moved_on(self, before: Self) -> Self;
+
+    /// [`real::INVERSE_CBRT_MAGIC`] and a third of the bits from these to those of [`real::CBRT_END`].
     fn guess_inverse_cbrt(self) -> Self;
 
     /// An integer k near the binary logarithm of this over `other`, and 2^k. It is the difference of the bits, which are
@@ -146,13 +153,24 @@ impl Vector for Real {
     }
 
     #[inline(always)]
-    fn guess_inverse_sqrt(self) -> Self {
-        Self::from_bits(real::INVERSE_SQRT_MAGIC.wrapping_sub(self.to_bits() >> 1))
+    fn larger(self, other: Self) -> Self {
+        math::larger(self, other)
+    }
+
+    #[inline(always)]
+    fn square_root(self) -> Self {
+        math::sqrt(self)
+    }
+
+    #[inline(always)]
+    fn moved_on(self, before: Self) -> Self {
+        before
     }
 
     #[inline(always)]
     fn guess_inverse_cbrt(self) -> Self {
-        Self::from_bits(real::INVERSE_CBRT_MAGIC.wrapping_sub(real::third(self.to_bits())))
+        let left = real::CBRT_END.to_bits().wrapping_sub(self.to_bits());
+        Self::from_bits(real::INVERSE_CBRT_MAGIC.wrapping_add(real::third(left)))
     }
 
     #[inline(always)]

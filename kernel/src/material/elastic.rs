@@ -3,7 +3,6 @@
 use crate::kinematics::Kinematics;
 use crate::lanes::Deviator;
 use crate::material::{MooneyRivlin, NeoHookean, Ogden, Yeoh};
-use crate::math;
 use crate::real::Real;
 use crate::scenario::{ElasticLaw, Material};
 use crate::stretch::IsochoricStretch;
@@ -72,6 +71,7 @@ impl Elastic {
                 }
             }
             Self::Ogden(law) => {
+                let kinematics = *kinematics;
                 for i in 0..N {
                     response[i] = law.stress(set, &kinematics[i]);
                 }
@@ -114,6 +114,6 @@ pub(crate) fn plane_shear_tangent<S: Instructions>(
     first: S::Vector,
     second: S::Vector,
 ) -> S::Vector {
-    let (i, zero) = (math::larger(i1, i2).plus(-1.0), set.splat(0.0));
-    math::larger(first, zero) * i + math::larger(second, zero) * math::larger((i * i).plus(-4.0), zero)
+    let (i, zero) = (i1.larger(i2).plus(-1.0), set.splat(0.0));
+    first.larger(zero) * i + second.larger(zero) * (i * i).plus(-4.0).larger(zero)
 }

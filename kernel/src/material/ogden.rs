@@ -94,9 +94,7 @@ impl Ogden {
         let zero = set.splat(0.0);
         let square = difference * difference + shear * shear;
         // Never zero, so that the quotient by the radius has its limit. Nothing else may see what is added.
-        let positive = square.plus(TINY_SQUARE);
-        let inverse_radius = math::inverse_sqrt(positive);
-        let radius = positive * inverse_radius;
+        let radius = square.plus(TINY_SQUARE).square_root();
         // Binary logarithms of l1 / l2 = e^(2x) and of l3 = e^(-2y / alpha).
         let log_in = self.limited(set, power::log2_of_quotient(set, mean + radius, mean - radius, radius + radius));
         let log_out = self.limited(set, power::log2(set, out));
@@ -117,7 +115,7 @@ impl Ogden {
             slope = slope + (power * (longer - shorter)).times(0.5 * mu);
             energy = energy + (inverse * (inverse - (direct + direct)) - spread).times(self.energy_factor[k]);
         }
-        let slope = slope * inverse_radius;
+        let slope = slope / radius;
         (Deviator { mean: step.times(SQRT_THIRD), difference: slope * difference, shear: slope * shear }, energy)
     }
 
@@ -146,7 +144,7 @@ impl Ogden {
         let (mut most, mut least, mut tangent, mut soft) = (zero, zero, zero, false);
         for stretch in stretch.principal() {
             let log = self.limited(set, power::log2(set, stretch));
-            (most, least) = (math::larger(most, log), math::larger(least, zero - log));
+            (most, least) = (most.larger(log), least.larger(zero - log));
             let mut along = zero;
             for k in 0..MAX_OGDEN_TERMS {
                 let (mu, alpha) = (self.mu[k], self.alpha[k]);
@@ -156,7 +154,7 @@ impl Ogden {
                     soft = soft || math::abs(alpha) < 2.0;
                 }
             }
-            tangent = math::larger(tangent, along);
+            tangent = tangent.larger(along);
         }
         if soft { tangent * (most + least).times(LN_2).plus(1.0) } else { tangent }
     }

@@ -8,7 +8,7 @@
 //! stress, whatever its speed, and nothing drifts. The rate of Jaumann would oscillate in large simple shear and needs
 //! the rotation integrated.
 
-use crate::lanes::{Deviator, SQRT_THIRD};
+use crate::lanes::Deviator;
 use crate::math;
 use crate::real::Real;
 use crate::vector::{Instructions, Vector};
@@ -20,13 +20,12 @@ pub struct Slider {
     stiffness: Real,
     /// 1 / 2G, 1/Pa.
     compliance: Real,
-    /// Root of half of tau : tau at which the slider slips, SIGF / sqrt 3, Pa.
-    radius: Real,
-    /// Its square, Pa2.
+    /// Half of tau : tau at which the slider slips, SIGF^2 / 3, Pa2; more than nothing.
     limit: Real,
 }
 
 /// Springs and sliders of neighbouring triangles after a step.
+#[derive(Clone, Copy)]
 pub struct SliderStep<V> {
     /// Stress of the springs, Pa.
     pub stress: Deviator<V>,
@@ -36,6 +35,15 @@ pub struct SliderStep<V> {
     pub stored: V,
 }
 
+impl<V: Vector> SliderStep<V> {
+    /// Of a material without springs.
+    #[inline(always)]
+    pub fn none<S: Instructions<Vector = V>>(set: S) -> Self {
+        let zero = set.splat(0.0);
+        Self { stress: Deviator { mean: zero, difference: zero, shear: zero }, dissipation: zero, stored: zero }
+    }
+}
+
 impl Slider {
     /// A spring of shear modulus `stiffness`, Pa, 0 for none, and a slider that slips at the von Mises stress
     /// `yield_stress`, Pa.
@@ -43,8 +51,7 @@ impl Slider {
         Self {
             stiffness,
             compliance: if stiffness > 0.0 { 0.5 / stiffness } else { 0.0 },
-            radius: yield_stress * SQRT_THIRD,
-            limit: yield_stress * yield_stress * (1.0 / 3.0),
+            limit: math::larger(yield_stress * yield_stress * (1.0 / 3.0), Real::MIN_POSITIVE),
         }
     }
 
@@ -71,8 +78,9 @@ impl Slider {
         let trial = *before + strain_increment.scaled(set.splat(2.0 * self.stiffness));
         // The von Mises stress is the root of 3/2 trial : trial.
         let squared = trial.half_contract(&trial);
-        let returned = math::inverse_sqrt(squared).times(self.radius);
-        let scale = squared.if_greater(set.splat(self.limit), returned, one);
+        let limit = set.splat(self.limit);
+        // 1 where it does not slip: a quotient of equal numbers.
+        let scale = (limit / squared.larger(limit)).square_root();
         let scaled = scale * squared;
         SliderStep {
             stress: trial.scaled(scale),

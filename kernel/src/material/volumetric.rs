@@ -4,7 +4,6 @@
 //! * Simo (Simo, Taylor and Pister 1985; Simo and Miehe 1992): U = K/4 (J^2 - 1 - 2 ln J), p = K/2 (J - 1/J), which
 //!   grows without bound as J goes to 0 and so keeps J positive.
 
-use crate::math;
 use crate::power;
 use crate::real::{Real, consts::LN_2};
 use crate::scenario::{Material, VolumetricLaw};
@@ -61,6 +60,6 @@ impl Volumetric {
             VolumetricLaw::Quadratic => square,
             VolumetricLaw::Simo => square.plus(1.0).times(0.5),
         };
-        math::larger(set.splat(1.0), relative).times(self.bulk_modulus)
+        relative.larger(set.splat(1.0)).times(self.bulk_modulus)
     }
 }

@@ -9,7 +9,7 @@ pub(crate) use pulp::x86::{V3, V4};
 
 use crate::instruction_set::Work;
 use crate::lanes::{LANES, Lane};
-use crate::real::{INVERSE_CBRT_MAGIC, INVERSE_SQRT_MAGIC, THIRD_OF_UPPER_HALF};
+use crate::real::{CBRT_END, INVERSE_CBRT_MAGIC, THIRD_OF_UPPER_HALF};
 use crate::vector::{BIASED_INTEGERS, HALF_OCTAVE, INTEGERS, Instructions, ONE, Vector};
 
 /// One of the four operations as an operator.
@@ -57,7 +57,7 @@ macro_rules! integers {
     (
         $integers:ident, $token:ty, $register:ty, |$set:ident, $a:ident, $b:ident|
         $sum:expr, $difference:expr, $or:expr, $product:expr,
-        $half:expr, $upper_half:expr, $exponent:expr, $to_exponent:expr
+        $upper_half:expr, $exponent:expr, $to_exponent:expr
     ) => {
         #[derive(Clone, Copy)]
         struct $integers($token, $register);
@@ -66,7 +66,6 @@ macro_rules! integers {
         integers!($integers, difference, |$set, $a, $b| $difference);
         integers!($integers, or, |$set, $a, $b| $or);
         integers!($integers, product_of_lower_halves, |$set, $a, $b| $product);
-        integers!($integers, half, |$set, $a| $half);
         integers!($integers, upper_half, |$set, $a| $upper_half);
         integers!($integers, exponent, |$set, $a| $exponent);
         integers!($integers, to_exponent, |$set, $a| $to_exponent);
@@ -99,7 +98,6 @@ integers!(
     set._mm_sub_epi64(a, b),
     set._mm_or_si128(a, b),
     set._mm_mul_epu32(a, b),
-    set._mm_srli_epi64::<1>(a),
     set._mm_srli_epi64::<32>(a),
     set._mm_srli_epi64::<52>(a),
     set._mm_slli_epi64::<52>(a)
@@ -113,7 +111,6 @@ integers!(
     set.avx2._mm256_sub_epi64(a, b),
     set.avx2._mm256_or_si256(a, b),
     set.avx2._mm256_mul_epu32(a, b),
-    set.avx2._mm256_srli_epi64::<1>(a),
     set.avx2._mm256_srli_epi64::<32>(a),
     set.avx2._mm256_srli_epi64::<52>(a),
     set.avx2._mm256_slli_epi64::<52>(a)
@@ -127,7 +124,6 @@ integers!(
     set.avx512f._mm512_sub_epi64(a, b),
     set.avx512f._mm512_or_si512(a, b),
     set.avx512f._mm512_mul_epu32(a, b),
-    set.avx512f._mm512_srli_epi64::<1>(a),
     set.avx512f._mm512_srli_epi64::<32>(a),
     set.avx512f._mm512_srli_epi64::<52>(a),
     set.avx512f._mm512_slli_epi64::<52>(a)
@@ -137,7 +133,8 @@ integers!(
 macro_rules! vector {
     (
         $vector:ident, $integers:ident, $token:ty, $width:literal,
-        |$set:ident, $a:ident, $b:ident, $c:ident, $d:ident| $select:expr
+        |$set:ident, $a:ident, $b:ident, $c:ident, $d:ident|
+        $select:expr, $larger:expr, $square_root:expr, $moved_on:expr
     ) => {
         impl $vector {
             #[inline(always)]
@@ -177,14 +174,29 @@ macro_rules! vector {
             }
 
             #[inline(always)]
-            fn guess_inverse_sqrt(self) -> Self {
-                self.integers(INVERSE_SQRT_MAGIC).difference(self.to_bits().half()).numbers()
+            fn larger(self, other: Self) -> Self {
+                let ($set, $a, $b) = (self.0, self.1, other.1);
+                Self($set, $larger)
+            }
+
+            #[inline(always)]
+            fn square_root(self) -> Self {
+                let ($set, $a) = (self.0, self.1);
+                Self($set, $square_root)
+            }
+
+            #[inline(always)]
+            fn moved_on(self, before: Self) -> Self {
+                let ($set, $a, $b) = (self.0, self.1, before.1);
+                Self($set, $moved_on)
             }
 
             #[inline(always)]
             fn guess_inverse_cbrt(self) -> Self {
-                let third = self.to_bits().upper_half().product_of_lower_halves(self.integers(THIRD_OF_UPPER_HALF));
-                self.integers(INVERSE_CBRT_MAGIC).difference(third).numbers()
+                // A sum with the third, for a difference the compiler would multiply by all digits of its opposite.
+                let left = self.integers(CBRT_END.to_bits()).difference(self.to_bits()).upper_half();
+                let third = left.product_of_lower_halves(self.integers(THIRD_OF_UPPER_HALF));
+                self.integers(INVERSE_CBRT_MAGIC).sum(third).numbers()
             }
 
             #[inline(always)]
@@ -228,22 +240,41 @@ macro_rules! vector {
     };
 }
 
-vector!(Two, TwoIntegers, Sse2, 2, |set, a, b, c, d| {
-    let mask = set._mm_cmpgt_pd(a, b);
-    set._mm_or_pd(set._mm_and_pd(mask, c), set._mm_andnot_pd(mask, d))
-});
+vector!(
+    Two,
+    TwoIntegers,
+    Sse2,
+    2,
+    |set, a, b, c, d| {
+        let mask = set._mm_cmpgt_pd(a, b);
+        set._mm_or_pd(set._mm_and_pd(mask, c), set._mm_andnot_pd(mask, d))
+    },
+    set._mm_max_pd(a, b),
+    set._mm_sqrt_pd(a),
+    set._mm_shuffle_pd::<0b01>(b, a)
+);
 
-vector!(Four, FourIntegers, V3, 4, |set, a, b, c, d| set.avx._mm256_blendv_pd(
-    d,
-    c,
-    set.avx._mm256_cmp_pd::<_CMP_GT_OQ>(a, b)
-));
+vector!(
+    Four,
+    FourIntegers,
+    V3,
+    4,
+    |set, a, b, c, d| set.avx._mm256_blendv_pd(d, c, set.avx._mm256_cmp_pd::<_CMP_GT_OQ>(a, b)),
+    set.avx._mm256_max_pd(a, b),
+    set.avx._mm256_sqrt_pd(a),
+    set.avx._mm256_shuffle_pd::<0b0101>(set.avx._mm256_permute2f128_pd::<0x21>(b, a), a)
+);
 
-vector!(Eight, EightIntegers, V4, 8, |set, a, b, c, d| set.avx512f._mm512_mask_blend_pd(
-    set.avx512f._mm512_cmp_pd_mask::<_CMP_GT_OQ>(a, b),
-    d,
-    c
-));
+vector!(
+    Eight,
+    EightIntegers,
+    V4,
+    8,
+    |set, a, b, c, d| set.avx512f._mm512_mask_blend_pd(set.avx512f._mm512_cmp_pd_mask::<_CMP_GT_OQ>(a, b), d, c),
+    set.avx512f._mm512_max_pd(a, b),
+    set.avx512f._mm512_sqrt_pd(a),
+    cast(set.avx512f._mm512_alignr_epi64::<7>(cast(a), cast(b)))
+);
 
 /// [`Work`] in the form that the crate asks for.
 pub(crate) struct Call<S, W>(pub S, pub W);
