@@ -8,10 +8,10 @@
 //! Friction stops a node within the limit of Coulomb's law in the same step: a sticking node has exactly no velocity.
 
 use crate::impactor::Prediction;
-use crate::lanes::{LANES, ZERO, lanes, lanes_mut, sum};
-use crate::model::Model;
+use crate::lanes::{LANES, Lane, ZERO, lanes, lanes_mut, sum};
+use crate::model::{Constants, Model};
 use crate::real::Real;
-use crate::state::State;
+use crate::state::{State, StateNodes};
 use crate::vector::{Instructions, Vector};
 
 /// Passes of the search for the touching nodes. The end position of the face rises with each, from below, by the ratio
@@ -33,133 +33,148 @@ pub(crate) struct Contact {
 /// Adds the contact forces to the forces of the surface nodes and returns what they did.
 #[inline(always)]
 pub(crate) fn contact<S: Instructions>(set: S, model: &Model, state: &mut State, prediction: &Prediction) -> Contact {
-    free_heights(set, model, state);
-    let face = face_position(set, model, state.nodes.contact_normal, prediction);
-    let normal_force = normal_forces(set, model, state, face);
-    let before = state.scalars.impactor.velocity_half;
-    state.scalars.impactor.advance(model, prediction, normal_force);
-    slide(set, model, state, [before, state.scalars.impactor.velocity_half], normal_force)
+    let (constants, impactor) = (&model.constants, &mut state.scalars.impactor);
+    let Some(mut surface) = Surface::of(model, &mut state.nodes) else { return Contact::default() };
+    surface.find_free_heights(set, constants);
+    let face = surface.face_position(set, constants.section_mass(), prediction);
+    let normal_force = surface.hold(set, constants.dt, face);
+    let before = impactor.velocity_half;
+    impactor.advance(model, prediction, normal_force);
+    let [catching, sliding] = surface.slide(set, constants, [before, impactor.velocity_half]);
+    Contact { normal_force, catching, sliding }
 }
 
-/// Leaves in the row of normal forces, until they are known, the height of each surface node above the undeformed anvil's
-/// top at the end of a step without contact, m; far below where it is not under the face.
-#[inline(always)]
-fn free_heights<S: Instructions>(set: S, model: &Model, state: &mut State) {
-    let (constants, fixed, nodes) = (&model.constants, &model.nodes, &mut state.nodes);
-    let impactor = &constants.scenario.impactor;
-    let half_width = set.splat(0.5 * impactor.face_diameter);
-    let (zero, far_below) = (set.splat(0.0), set.splat(FAR_BELOW));
-    let top = constants.grid.top();
-    let place = lanes(fixed.reference_x, top).zip(lanes(nodes.displacement_x, top));
-    let level = lanes(fixed.reference_y, top).zip(lanes(nodes.displacement_y, top));
-    let motion = lanes(fixed.inverse_mass_y, top).zip(lanes(nodes.force_y, top)).zip(lanes(nodes.velocity_y, top));
-    let rows = lanes(fixed.nodal_mass, top).zip(place).zip(level).zip(motion);
-    for (height, (((mass, (x, ux)), (y, uy)), ((inverse_mass, force), velocity))) in
-        lanes_mut(nodes.contact_normal, 0).zip(rows)
-    {
-        for chunk in 0..LANES / S::WIDTH {
-            let change = (set.load(inverse_mass, chunk) * set.load(force, chunk)).times(constants.dt);
-            let velocity = set.load(velocity, chunk) + change;
-            let free =
-                (set.load(y, chunk).plus(-constants.top_height) + set.load(uy, chunk)) + velocity.times(constants.dt);
-            let from_centre = (set.load(x, chunk) + set.load(ux, chunk)).plus(-impactor.offset);
-            let distance = zero.if_greater(from_centre, from_centre.times(-1.0), from_centre);
-            let under = distance.if_greater(half_width, far_below, free);
-            set.store(set.load(mass, chunk).if_greater(zero, under, far_below), height, chunk);
-        }
-    }
+/// The nodes at the surface, in lanes of as many numbers each; x before y.
+struct Surface<'s> {
+    mass: &'s [Lane],
+    inverse_mass: [&'s [Lane]; 2],
+    reference: [&'s [Lane]; 2],
+    displacement: [&'s [Lane]; 2],
+    velocity: [&'s [Lane]; 2],
+    force: [&'s mut [Lane]; 2],
+    /// Normal forces, N. Until they are known, the height of each node above the undeformed anvil's top at the end of a step
+    /// without contact, m; far below where it is not under the face.
+    normal: &'s mut [Lane],
+    tangential: &'s mut [Lane],
 }
 
 /// A height that no face reaches, m.
 const FAR_BELOW: Real = -1e30;
 
-/// Height of the face at the end of the step, m, over surface nodes of `free_height`.
-///
-/// It is the root z of M (z - z_free) = sum m_i max(0, y_i - z), a concave rising function: Newton's method climbs to
-/// it from z_free through a shrinking set of touching nodes.
-#[inline(always)]
-fn face_position<S: Instructions>(set: S, model: &Model, free_height: &[Real], prediction: &Prediction) -> Real {
-    let mut position = prediction.position;
-    if !prediction.free {
-        return position;
+impl<'s> Surface<'s> {
+    /// None if a row is too short, which the sizes of [`crate::mesh::Grid`] exclude.
+    #[inline(always)]
+    fn of(model: &'s Model, nodes: &'s mut StateNodes) -> Option<Self> {
+        let (grid, fixed) = (&model.constants.grid, &model.nodes);
+        let (top, count) = (grid.n_v * grid.stride(), grid.stride() / LANES);
+        Some(Self {
+            mass: lanes(fixed.nodal_mass, top, count)?,
+            inverse_mass: [lanes(fixed.inverse_mass_x, top, count)?, lanes(fixed.inverse_mass_y, top, count)?],
+            reference: [lanes(fixed.reference_x, top, count)?, lanes(fixed.reference_y, top, count)?],
+            displacement: [lanes(nodes.displacement_x, top, count)?, lanes(nodes.displacement_y, top, count)?],
+            velocity: [lanes(nodes.velocity_x, top, count)?, lanes(nodes.velocity_y, top, count)?],
+            force: [lanes_mut(nodes.force_x, top, count)?, lanes_mut(nodes.force_y, top, count)?],
+            normal: lanes_mut(nodes.contact_normal, 0, count)?,
+            tangential: lanes_mut(nodes.contact_tangential, 0, count)?,
+        })
     }
-    let (zero, start) = (set.splat(0.0), set.splat(prediction.position));
-    for _ in 0..PASSES {
-        let (face, mut masses, mut moments) = (set.splat(position), ZERO, ZERO);
-        for (mass, height) in lanes(model.nodes.nodal_mass, model.constants.grid.top()).zip(lanes(free_height, 0)) {
+
+    /// Fills `normal` with heights.
+    #[inline(always)]
+    fn find_free_heights<S: Instructions>(&mut self, set: S, constants: &Constants) {
+        let impactor = &constants.scenario.impactor;
+        let half_width = set.splat(0.5 * impactor.face_diameter);
+        let (zero, far_below) = (set.splat(0.0), set.splat(FAR_BELOW));
+        for i in 0..self.normal.len() {
             for chunk in 0..LANES / S::WIDTH {
-                let (mass, height) = (set.load(mass, chunk), set.load(height, chunk));
-                let touching = height.if_greater(face, mass, zero);
-                let moment = height.if_greater(face, mass * (height - start), zero);
-                set.add(touching, &mut masses, chunk);
-                set.add(moment, &mut moments, chunk);
+                let change = set.load(&self.inverse_mass[1][i], chunk) * set.load(&self.force[1][i], chunk);
+                let velocity = set.load(&self.velocity[1][i], chunk) + change.times(constants.dt);
+                let level = set.load(&self.reference[1][i], chunk).plus(-constants.top_height);
+                let height = level + set.load(&self.displacement[1][i], chunk) + velocity.times(constants.dt);
+                let x = set.load(&self.reference[0][i], chunk) + set.load(&self.displacement[0][i], chunk);
+                let from_centre = x.plus(-impactor.offset);
+                let distance = from_centre.larger(from_centre.times(-1.0));
+                let under_face = distance.if_greater(half_width, far_below, height);
+                let height = set.load(&self.mass[i], chunk).if_greater(zero, under_face, far_below);
+                set.store(height, &mut self.normal[i], chunk);
             }
         }
-        position = prediction.position + sum(&moments) / (model.constants.section_mass() + sum(&masses));
     }
-    position
-}
 
-/// The force that brings each penetrating node back to the face within the step; returns their sum in index order.
-#[inline(always)]
-fn normal_forces<S: Instructions>(set: S, model: &Model, state: &mut State, face: Real) -> Real {
-    let top = model.constants.grid.top();
-    let inverse_dt_squared = 1.0 / (model.constants.dt * model.constants.dt);
-    let (zero, face, mut total) = (set.splat(0.0), set.splat(face), ZERO);
-    let rows = lanes_mut(state.nodes.contact_normal, 0).zip(lanes_mut(state.nodes.force_y, top));
-    for (mass, (normal, force)) in lanes(model.nodes.nodal_mass, top).zip(rows) {
-        for chunk in 0..LANES / S::WIDTH {
-            let height = set.load(normal, chunk);
-            let holding = (set.load(mass, chunk) * (height - face)).times(inverse_dt_squared);
-            let holding = height.if_greater(face, holding, zero);
-            set.store(holding, normal, chunk);
-            set.store(set.load(force, chunk) - holding, force, chunk);
-            set.add(holding, &mut total, chunk);
+    /// Height of the face at the end of the step, m, from the free heights.
+    ///
+    /// It is the root z of M (z - z_free) = sum m_i max(0, y_i - z), a concave rising function: Newton's method climbs to
+    /// it from z_free through a shrinking set of touching nodes.
+    #[inline(always)]
+    fn face_position<S: Instructions>(&self, set: S, impactor_mass: Real, prediction: &Prediction) -> Real {
+        let mut position = prediction.position;
+        if !prediction.free {
+            return position;
         }
+        let (zero, start) = (set.splat(0.0), set.splat(prediction.position));
+        for _ in 0..PASSES {
+            let (face, mut masses, mut moments) = (set.splat(position), ZERO, ZERO);
+            for i in 0..self.normal.len() {
+                for chunk in 0..LANES / S::WIDTH {
+                    let (mass, height) = (set.load(&self.mass[i], chunk), set.load(&self.normal[i], chunk));
+                    set.add(height.if_greater(face, mass, zero), &mut masses, chunk);
+                    set.add(height.if_greater(face, mass * (height - start), zero), &mut moments, chunk);
+                }
+            }
+            position = prediction.position + sum(&moments) / (impactor_mass + sum(&masses));
+        }
+        position
     }
-    sum(&total)
-}
 
-/// Friction of the surface nodes, and the energy that it and the normal forces take in this step, with the velocity of the
-/// `face` before and after.
-#[inline(always)]
-fn slide<S: Instructions>(set: S, model: &Model, state: &mut State, face: [Real; 2], normal_force: Real) -> Contact {
-    let (fixed, nodes, top) = (&model.nodes, &mut state.nodes, model.constants.grid.top());
-    let dt = model.constants.dt;
-    let (inverse_dt, coefficient) = (1.0 / dt, model.constants.scenario.face.friction_coefficient);
-    let (zero, mut catching, mut sliding) = (set.splat(0.0), [ZERO; 2], [ZERO; 2]);
-    let across = lanes(fixed.inverse_mass_y, top).zip(lanes(nodes.force_y, top)).zip(lanes(nodes.velocity_y, top));
-    let along = lanes(fixed.inverse_mass_x, top).zip(lanes_mut(nodes.force_x, top)).zip(lanes(nodes.velocity_x, top));
-    let contact = lanes(nodes.contact_normal, 0).zip(lanes_mut(nodes.contact_tangential, 0));
-    for (((mass, contact), ((inverse_x, force_x), velocity_x)), ((inverse_y, force_y), velocity_y)) in
-        lanes(fixed.nodal_mass, top).zip(contact).zip(along).zip(across)
-    {
-        let (normal, tangential) = contact;
-        for chunk in 0..LANES / S::WIDTH {
-            let (normal, mass) = (set.load(normal, chunk), set.load(mass, chunk));
-            let (velocity_x, inverse_x) = (set.load(velocity_x, chunk), set.load(inverse_x, chunk));
-            let (velocity_y, inverse_y) = (set.load(velocity_y, chunk), set.load(inverse_y, chunk));
-            let internal = set.load(force_x, chunk);
-            // The force that stops the node in this step, where it can move at all.
-            let stick = ((mass * velocity_x).times(inverse_dt) + internal).times(-1.0);
-            let limit = inverse_x.if_greater(zero, normal.times(coefficient), zero);
-            let friction = limited(stick, limit);
-            let force = internal + friction;
-            let after_x = velocity_x + (inverse_x * force).times(dt);
-            let after_y = velocity_y + (inverse_y * set.load(force_y, chunk)).times(dt);
-            set.store(friction, tangential, chunk);
-            set.store(force, force_x, chunk);
-            let against = zero - friction;
-            set.add(normal * velocity_y.plus(-face[0]), &mut catching[0], chunk);
-            set.add(normal * after_y.plus(-face[1]), &mut catching[1], chunk);
-            set.add(against * velocity_x, &mut sliding[0], chunk);
-            set.add(against * after_x, &mut sliding[1], chunk);
+    /// The force that brings each penetrating node back to the face within the step; returns their sum in index order.
+    #[inline(always)]
+    fn hold<S: Instructions>(&mut self, set: S, dt: Real, face: Real) -> Real {
+        let inverse_dt_squared = 1.0 / (dt * dt);
+        let (zero, face, mut total) = (set.splat(0.0), set.splat(face), ZERO);
+        for i in 0..self.normal.len() {
+            for chunk in 0..LANES / S::WIDTH {
+                let height = set.load(&self.normal[i], chunk);
+                let force = (set.load(&self.mass[i], chunk) * (height - face)).times(inverse_dt_squared);
+                let normal = height.if_greater(face, force, zero);
+                set.store(normal, &mut self.normal[i], chunk);
+                set.store(set.load(&self.force[1][i], chunk) - normal, &mut self.force[1][i], chunk);
+                set.add(normal, &mut total, chunk);
+            }
         }
+        sum(&total)
     }
-    Contact {
-        normal_force,
-        catching: [0.5 * dt * sum(&catching[0]), 0.5 * dt * sum(&catching[1])],
-        sliding: [0.5 * dt * sum(&sliding[0]), 0.5 * dt * sum(&sliding[1])],
+
+    /// Friction. Returns the energy that the normal forces take in the half steps before and after, J, then that of
+    /// friction; the face has the velocities `face`, m/s.
+    #[inline(always)]
+    fn slide<S: Instructions>(&mut self, set: S, constants: &Constants, face: [Real; 2]) -> [[Real; 2]; 2] {
+        let (dt, coefficient) = (constants.dt, constants.scenario.face.friction_coefficient);
+        let inverse_dt = 1.0 / dt;
+        let (zero, mut catching, mut sliding) = (set.splat(0.0), [ZERO; 2], [ZERO; 2]);
+        for i in 0..self.normal.len() {
+            for chunk in 0..LANES / S::WIDTH {
+                let (normal, mass) = (set.load(&self.normal[i], chunk), set.load(&self.mass[i], chunk));
+                let (x, y) = (set.load(&self.velocity[0][i], chunk), set.load(&self.velocity[1][i], chunk));
+                let (inverse_mass, force) =
+                    (set.load(&self.inverse_mass[0][i], chunk), set.load(&self.force[0][i], chunk));
+                // The force that stops the node in this step, where it can move at all.
+                let stick = ((mass * x).times(inverse_dt) + force).times(-1.0);
+                let limit = inverse_mass.if_greater(zero, normal.times(coefficient), zero);
+                let friction = limited(stick, limit);
+                let force = force + friction;
+                set.store(friction, &mut self.tangential[i], chunk);
+                set.store(force, &mut self.force[0][i], chunk);
+                let after_x = x + (inverse_mass * force).times(dt);
+                let acceleration = set.load(&self.inverse_mass[1][i], chunk) * set.load(&self.force[1][i], chunk);
+                let after_y = y + acceleration.times(dt);
+                set.add(normal * y.plus(-face[0]), &mut catching[0], chunk);
+                set.add(normal * after_y.plus(-face[1]), &mut catching[1], chunk);
+                set.add(zero - friction * x, &mut sliding[0], chunk);
+                set.add(zero - friction * after_x, &mut sliding[1], chunk);
+            }
+        }
+        let energy = |lanes: [Lane; 2]| lanes.map(|lane| 0.5 * dt * sum(&lane));
+        [energy(catching), energy(sliding)]
     }
 }
 

@@ -95,18 +95,18 @@ pub const SQRT_THIRD: Real = 0.577_350_269_189_625_8;
 
 /// The sum of a lane, in index order.
 #[inline(always)]
-pub fn sum(lane: &Lane) -> Real {
-    lane.iter().fold(0.0, |total, value| total + value)
+pub fn sum([first, rest @ ..]: &Lane) -> Real {
+    rest.iter().fold(*first, |total, value| total + value)
 }
 
-/// The lanes of `row` from `start` on.
+/// The `count` lanes of `row` that begin at `start`; none if there are fewer.
 #[inline(always)]
-pub fn lanes(row: &[Real], start: usize) -> core::slice::Iter<'_, Lane> {
-    row.get(start..).unwrap_or_default().as_chunks().0.iter()
+pub fn lanes(row: &[Real], start: usize, count: usize) -> Option<&[Lane]> {
+    row.get(start..)?.as_chunks().0.get(..count)
 }
 
-/// The lanes of `row` from `start` on, to be changed.
+/// The same, to be changed.
 #[inline(always)]
-pub fn lanes_mut(row: &mut [Real], start: usize) -> core::slice::IterMut<'_, Lane> {
-    row.get_mut(start..).unwrap_or_default().as_chunks_mut().0.iter_mut()
+pub fn lanes_mut(row: &mut [Real], start: usize, count: usize) -> Option<&mut [Lane]> {
+    row.get_mut(start..)?.as_chunks_mut().0.get_mut(..count)
 }

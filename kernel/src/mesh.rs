@@ -94,11 +94,6 @@ impl Grid {
         [lower, lower + self.stride()]
     }
 
-    /// First node of the surface.
-    pub fn top(&self) -> usize {
-        self.n_v * self.stride()
-    }
-
     /// Nodes of the whole mesh, padding included.
     pub fn n_node(&self) -> usize {
         self.stride() * (self.n_v + 1)

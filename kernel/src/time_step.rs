@@ -153,29 +153,28 @@ fn direction_along_row(cell: &CellConstants, l: usize) -> [Real; 2] {
 /// The first cell whose limit is below the step.
 #[inline(always)]
 pub(crate) fn monitor<S: Instructions>(set: S, model: &Model, state: &State) -> Result<(), StepError> {
-    let Share { group, first, count, of } = Share::new(model.cells.len() * LANES, state.scalars.step_index);
+    let share = Share::new(model.cells.len() * LANES, state.scalars.step_index);
     let step_squared = set.splat(model.constants.dt * model.constants.dt);
-    for turn in 0..count {
-        let cell = (first + turn) % of * group;
-        let (block, start) = (cell / LANES, cell % LANES);
+    for turn in 0..share.count {
+        let (block, start) = (share.cell(turn) / LANES, share.cell(turn) % LANES);
         let (Some(constants), Some(history)) = (model.cells.get(block), state.cells.get(block)) else { continue };
         let block_of = Block { laws: model.constants.laws_of(block), constants, hoop: model.hoops.get(block) };
         let mut lost = ZERO;
-        for chunk in start / S::WIDTH..(start + group).div_ceil(S::WIDTH) {
+        for chunk in start / S::WIDTH..(start + share.group).div_ceil(S::WIDTH) {
             let matrix = current_matrix(set, chunk, &block_of, history);
             set.store(unstable(set, &matrix, step_squared), &mut lost, chunk);
         }
-        let lanes = lost.iter().enumerate().skip(start).take(group);
-        if lanes.clone().fold(0.0, |sum, (_, lost)| sum + lost) > 0.0 {
-            return Err(failure(model, state, block, lanes.filter(|(_, lost)| **lost > 0.0).map(|(l, _)| l).next()));
+        let visited = lost.get(start..start + share.group).unwrap_or_default();
+        if let Some(l) = visited.iter().position(|lost| *lost > 0.0) {
+            return Err(failure(model, state, block, start + l));
         }
     }
     Ok(())
 }
 
-/// The cells that a step visits.
+/// The cells that a step visits: groups of neighbours.
 struct Share {
-    /// Neighbours that are visited together, a divisor of [`LANES`].
+    /// Cells of a group, a divisor of [`LANES`].
     group: usize,
     /// The first group.
     first: usize,
@@ -188,17 +187,26 @@ struct Share {
 impl Share {
     /// Of the step `step_index`, for a mesh of so many `cells`, padding included.
     fn new(cells: usize, step_index: u64) -> Self {
-        let each = cells.div_ceil(MONITOR_PERIOD).max(1);
-        let group = if each > LEAST_GROUP { LANES } else { LEAST_GROUP };
-        let (count, of) = (each.div_ceil(group), (cells / group).max(1));
-        let first = step_index % of.div_ceil(count) as u64;
+        let each = cells.div_ceil(MONITOR_PERIOD);
+        let (group, count, of) = if each > LEAST_GROUP {
+            (LANES, each.div_ceil(LANES), cells / LANES)
+        } else {
+            (LEAST_GROUP, 1, cells / LEAST_GROUP)
+        };
+        let first = step_index % of.div_ceil(count).max(1) as u64;
         Self { group, first: first as usize * count, count, of }
+    }
+
+    /// The first cell of the group `turn`.
+    fn cell(&self, turn: usize) -> usize {
+        let place = self.first + turn;
+        self.group * if place < self.of { place } else { place - self.of }
     }
 }
 
 #[cold]
-fn failure(model: &Model, state: &State, block: usize, l: Option<usize>) -> StepError {
-    let (constants, l) = (&model.constants, l.unwrap_or_default());
+fn failure(model: &Model, state: &State, block: usize, l: usize) -> StepError {
+    let constants = &model.constants;
     let limit = model.cells.get(block).zip(state.cells.get(block)).map(|(cell, history)| {
         let block_of = Block { laws: constants.laws_of(block), constants: cell, hoop: model.hoops.get(block) };
         math::sqrt(limit_squared(Scalar, &current_matrix(Scalar, l, &block_of, history)))
@@ -274,11 +282,10 @@ mod tests {
             for start in [0, 1, 12_345] {
                 let mut visits = [0; 300 * LANES];
                 for step in start..start + MONITOR_PERIOD as u64 {
-                    let Share { group, first, count, of } = Share::new(cells, step);
-                    for turn in 0..count {
-                        let cell = (first + turn) % of * group;
-                        assert_eq!(cell / LANES, (cell + group - 1) / LANES);
-                        visits[cell..cell + group].iter_mut().for_each(|visits| *visits += 1);
+                    let share = Share::new(cells, step);
+                    for cell in (0..share.count).map(|turn| share.cell(turn)) {
+                        assert_eq!(cell / LANES, (cell + share.group - 1) / LANES);
+                        visits[cell..cell + share.group].iter_mut().for_each(|visits| *visits += 1);
                     }
                 }
                 assert!(visits[..cells].iter().all(|visits| *visits > 0), "{cells} cells from step {start}");
