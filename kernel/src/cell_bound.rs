@@ -53,6 +53,7 @@ pub(crate) struct CellMatrix<V> {
 }
 
 /// Square of the largest stable step of each cell, s2, to one part in 10^8 from below.
+#[inline(never)]
 pub(crate) fn limit_squared<S: Instructions>(set: S, matrix: &CellMatrix<S::Vector>) -> S::Vector {
     let CellMatrix { moduli, square, real, .. } = matrix;
     let mut trace = moduli[2] * real[2][2];

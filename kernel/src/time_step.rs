@@ -8,7 +8,7 @@
 use crate::cell_bound::{CellMatrix, CellStiffness, cell_matrix, limit_squared, unstable};
 use crate::element::{Block, CellConstants, CellHistory, HoopConstants, TriangleHistory};
 use crate::error::{ModelError, StepError};
-use crate::lanes::{LANES, ZERO};
+use crate::lanes::{LANES, Lane, ZERO};
 use crate::material::Laws;
 use crate::math;
 use crate::mesh::Grid;
@@ -109,19 +109,15 @@ struct Pressed {
 impl Pressed {
     fn new(material: &Material, thickness: Real) -> Self {
         let laws = Laws::new(material, SAMPLING_INTERVAL);
-        let (bulk, shear) = (laws.volumetric.tangent(Scalar, 1.0), laws.shear_tangent(Scalar, &IsochoricStretch::REST));
+        let [bulk, shear] = tangents(&laws, &IsochoricStretch::REST, 1.0);
         // Poisson's ratio over one minus it: the lateral strain of a plate in plane strain.
         let spread = math::larger(0.0, (3.0 * bulk - 2.0 * shear) / (3.0 * bulk + 4.0 * shear));
         let width = math::exp(-spread * math::ln(thickness));
         let jacobian = width * thickness;
         let scale = math::exp(math::ln(jacobian) * (-1.0 / 3.0));
         let stretch = IsochoricStretch { u11: scale * width, u22: scale * thickness, u12: 0.0, u33: scale };
-        Self {
-            stretch: [width, thickness],
-            shear: laws.shear_tangent(Scalar, &stretch),
-            bulk: laws.volumetric.tangent(Scalar, jacobian),
-            laws,
-        }
+        let [bulk, shear] = tangents(&laws, &stretch, jacobian);
+        Self { stretch: [width, thickness], shear, bulk, laws }
     }
 
     /// The cell of lane `l`.
@@ -137,6 +133,12 @@ impl Pressed {
             bulk: self.bulk,
         }
     }
+}
+
+/// Tangents of the volume and of shear, Pa. One copy: an Ogden law takes much code where there is no FPU.
+#[inline(never)]
+fn tangents(laws: &Laws, stretch: &IsochoricStretch, jacobian: Real) -> [Real; 2] {
+    [laws.volumetric.tangent(Scalar, jacobian), laws.shear_tangent(Scalar, stretch)]
 }
 
 /// Unit vector along the row: normal to the gradient of the edge across, which does not change along the row.
@@ -159,14 +161,17 @@ pub(crate) fn monitor<S: Instructions>(set: S, model: &Model, state: &State) -> 
         let (block, start) = (share.cell(turn) / LANES, share.cell(turn) % LANES);
         let (Some(constants), Some(history)) = (model.cells.get(block), state.cells.get(block)) else { continue };
         let block_of = Block { laws: model.constants.laws_of(block), constants, hoop: model.hoops.get(block) };
-        let mut lost = ZERO;
         for chunk in start / S::WIDTH..(start + share.group).div_ceil(S::WIDTH) {
             let matrix = current_matrix(set, chunk, &block_of, history);
+            let mut lost = ZERO;
             set.store(unstable(set, &matrix, step_squared), &mut lost, chunk);
-        }
-        let visited = lost.get(start..start + share.group).unwrap_or_default();
-        if let Some(l) = visited.iter().position(|lost| *lost > 0.0) {
-            return Err(failure(model, state, block, start + l));
+            let (first, end) = (start.max(chunk * S::WIDTH), (start + share.group).min((chunk + 1) * S::WIDTH));
+            let visited = lost.get(first..end).unwrap_or_default();
+            if let Some(l) = visited.iter().position(|lost| *lost > 0.0) {
+                let mut limits = ZERO;
+                set.store(limit_squared(set, &matrix), &mut limits, chunk);
+                return Err(failure(model, state, block, first + l, &limits));
+            }
         }
     }
     Ok(())
@@ -205,16 +210,12 @@ impl Share {
 }
 
 #[cold]
-fn failure(model: &Model, state: &State, block: usize, l: usize) -> StepError {
+fn failure(model: &Model, state: &State, block: usize, l: usize, limits_squared: &Lane) -> StepError {
     let constants = &model.constants;
-    let limit = model.cells.get(block).zip(state.cells.get(block)).map(|(cell, history)| {
-        let block_of = Block { laws: constants.laws_of(block), constants: cell, hoop: model.hoops.get(block) };
-        math::sqrt(limit_squared(Scalar, &current_matrix(Scalar, l, &block_of, history)))
-    });
     StepError::Unstable {
         element: constants.grid.element_index(block, l, 0),
         time: constants.time(state.scalars.step_index),
-        limit: limit.unwrap_or_default(),
+        limit: math::sqrt(limits_squared.get(l).copied().unwrap_or_default()),
         step: constants.dt,
     }
 }
