@@ -11,20 +11,18 @@
 //! What makes the moduli G and kappa a bound is said in [`crate::material`].
 //!
 //! With z = p + i q, the products of p and q with those of either triangle are complex numbers, and the elimination of both z
-//! takes one division. It leaves r of the two triangles and b.
+//! takes one division. It leaves r of the triangles and b; b is the mean of r and three times the mean hoop strain h.
 
 use crate::complex::Complex;
 use crate::element::{Block, HoopConstants};
 use crate::real::Real;
+use crate::real::consts::SQRT_2;
 use crate::vector::{Instructions, Vector};
 
 /// Rows of strain of a cell.
 const ROWS: usize = 7;
 /// Halvings of the interval that holds the largest stable step.
 const HALVINGS: usize = 30;
-/// Parts of the hoop strain in r and in the dilatation, for one of e11 + e22.
-const DEVIATORIC: Real = -2.0;
-const DILATATION: Real = 1.0;
 
 /// Neighbouring cells in some state of deformation.
 pub(crate) struct CellStiffness<V> {
@@ -38,28 +36,39 @@ pub(crate) struct CellStiffness<V> {
     pub bulk: V,
 }
 
-/// What decides on the stability of neighbouring cells.
+/// What decides on the stability of neighbouring cells. Products of rows are in 1/m2.
 pub(crate) struct CellMatrix<V> {
     /// w G / rho of both triangles, then kappa / rho, m2/s2.
     moduli: [V; 3],
-    /// p p' of both triangles, which is q q' as well, 1/m2. p q' is zero.
+    /// w of both triangles.
+    weight: [V; 2],
+    /// p p' of both triangles, which is q q' as well; p q' is zero.
     square: [V; 2],
-    /// p p' + i p q' of the first triangle with the second, 1/m2.
+    /// p p' + i p q' of the first triangle with the second.
     cross: Complex<V>,
-    /// Products of r of both triangles and b, 1/m2; the lower triangle is in use.
-    real: [[V; 3]; 3],
-    /// Products of these with z of both triangles, 1/m2.
-    mixed: [[Complex<V>; 2]; 3],
+    /// Products of r of the triangles: first with first, first with second, second with second.
+    real: [V; 3],
+    /// Products of r of both triangles with z of both.
+    mixed: [[Complex<V>; 2]; 2],
+    /// Products of h, in rings.
+    hoop: Option<HoopRow<V>>,
+}
+
+/// Products of the mean hoop strain of a cell.
+struct HoopRow<V> {
+    /// With r of both triangles, then with itself.
+    real: [V; 3],
+    /// With z of both triangles.
+    mixed: [Complex<V>; 2],
 }
 
 /// Square of the largest stable step of each cell, s2, to one part in 10^8 from below.
 #[inline(never)]
 pub(crate) fn limit_squared<S: Instructions>(set: S, matrix: &CellMatrix<S::Vector>) -> S::Vector {
-    let CellMatrix { moduli, square, real, .. } = matrix;
-    let mut trace = moduli[2] * real[2][2];
-    for t in 0..2 {
-        trace = trace + moduli[t] * (real[t][t].times(THIRD) + square[t].times(2.0));
-    }
+    let CellMatrix { moduli, square, real, hoop, .. } = matrix;
+    let shear = [real[0].times(THIRD) + square[0].times(2.0), real[2].times(THIRD) + square[1].times(2.0)];
+    let [.., volume] = dilatation(&matrix.weight, real, hoop.as_ref().map(|row| &row.real));
+    let trace = moduli[0] * shear[0] + moduli[1] * shear[1] + moduli[2] * volume;
     // The largest eigenvalue lies between the mean of all and their sum.
     let zero = set.splat(0.0);
     let mut stable = set.splat(1.0) / trace.larger(set.splat(Real::MIN_POSITIVE));
@@ -75,7 +84,7 @@ pub(crate) fn limit_squared<S: Instructions>(set: S, matrix: &CellMatrix<S::Vect
 /// 1 where the step of this square is too large, 0 elsewhere and where the state is not a number.
 #[inline(always)]
 pub(crate) fn unstable<S: Instructions>(set: S, matrix: &CellMatrix<S::Vector>, step_squared: S::Vector) -> S::Vector {
-    let CellMatrix { moduli, square, cross, real, mixed } = matrix;
+    let CellMatrix { moduli, weight, square, cross, real, mixed, hoop } = matrix;
     let one = set.splat(1.0);
     let factor = [moduli[0] * step_squared, moduli[1] * step_squared, moduli[2] * step_squared];
     // 1 - E A of both z, and the inverse of what it is times 1 / E.
@@ -83,19 +92,28 @@ pub(crate) fn unstable<S: Instructions>(set: S, matrix: &CellMatrix<S::Vector>, 
     let both = factor[0] * factor[1];
     let determinant = own[0] * own[1] - both * cross.dot(cross);
     let inverse = one / determinant;
-    let diagonal = [factor[0] * own[1] * inverse, factor[1] * own[0] * inverse];
-    let across = cross.scaled(both * inverse);
-    // A of the real rows, with what the elimination of both z adds.
-    let mut rest = *real;
-    for i in 0..3 {
-        let [z, y] = mixed[i];
-        let effect = [z.scaled(diagonal[0]) + across.conjugate() * y, y.scaled(diagonal[1]) + across * z];
-        for j in 0..=i {
-            rest[i][j] = rest[i][j] + (mixed[j][0].dot(&effect[0]) + mixed[j][1].dot(&effect[1]));
-        }
-    }
+    let elimination = Elimination {
+        diagonal: [factor[0] * own[1] * inverse, factor[1] * own[0] * inverse],
+        across: cross.scaled(both * inverse),
+    };
+    // The products of the other rows, with what the elimination adds.
+    let effect = [elimination.effect(&mixed[0]), elimination.effect(&mixed[1])];
+    let rest = [
+        real[0] + product(&mixed[0], &effect[0]),
+        real[1] + product(&mixed[1], &effect[0]),
+        real[2] + product(&mixed[1], &effect[1]),
+    ];
+    let rest_of_hoop = match hoop {
+        Some(HoopRow { real, mixed }) => Some([
+            real[0] + product(mixed, &effect[0]),
+            real[1] + product(mixed, &effect[1]),
+            real[2] + product(mixed, &elimination.effect(mixed)),
+        ]),
+        None => None,
+    };
+    let dilatation = dilatation(weight, &rest, rest_of_hoop.as_ref());
     let factor = [factor[0].times(THIRD), factor[1].times(THIRD), factor[2]];
-    let minors = leading_minors(set, &factor, &rest);
+    let minors = leading_minors(set, &factor, &rest, &dilatation);
     // Positive definite is what has positive leading minors.
     let mut unstable = set.splat(0.0);
     for minor in [own[0], determinant, minors[0], minors[1], minors[2]] {
@@ -104,16 +122,54 @@ pub(crate) fn unstable<S: Instructions>(set: S, matrix: &CellMatrix<S::Vector>, 
     unstable
 }
 
-/// Leading minors of 1 - E A for diagonal E and symmetric A.
+/// The inverse of the block of both z.
+struct Elimination<V> {
+    diagonal: [V; 2],
+    across: Complex<V>,
+}
+
+impl<V: Vector> Elimination<V> {
+    /// The inverse times the products of a row with both z.
+    #[inline(always)]
+    fn effect(&self, [z, y]: &[Complex<V>; 2]) -> [Complex<V>; 2] {
+        [z.scaled(self.diagonal[0]) + self.across.conjugate() * *y, y.scaled(self.diagonal[1]) + self.across * *z]
+    }
+}
+
 #[inline(always)]
-fn leading_minors<S: Instructions>(set: S, e: &[S::Vector; 3], a: &[[S::Vector; 3]; 3]) -> [S::Vector; 3] {
+fn product<V: Vector>(mixed: &[Complex<V>; 2], effect: &[Complex<V>; 2]) -> V {
+    mixed[0].dot(&effect[0]) + mixed[1].dot(&effect[1])
+}
+
+/// Products of b with r of both triangles, then with itself, from those of r and, in rings, of h.
+#[inline(always)]
+fn dilatation<V: Vector>([w, x]: &[V; 2], [first, across, second]: &[V; 3], hoop: Option<&[V; 3]>) -> [V; 3] {
+    let mean = [*w * *first + *x * *across, *w * *across + *x * *second];
+    match hoop {
+        Some([a, b, c]) => {
+            let with = [mean[0] + a.times(3.0), mean[1] + b.times(3.0)];
+            let with_hoop = *w * *a + *x * *b + c.times(3.0);
+            [with[0], with[1], *w * with[0] + *x * with[1] + with_hoop.times(3.0)]
+        }
+        None => [mean[0], mean[1], *w * mean[0] + *x * mean[1]],
+    }
+}
+
+/// Leading minors of 1 - E A for diagonal E and the symmetric A of r of both triangles and b.
+#[inline(always)]
+fn leading_minors<S: Instructions>(
+    set: S,
+    e: &[S::Vector; 3],
+    [a00, a10, a11]: &[S::Vector; 3],
+    [a20, a21, a22]: &[S::Vector; 3],
+) -> [S::Vector; 3] {
     let one = set.splat(1.0);
-    let diagonal = [one - e[0] * a[0][0], one - e[1] * a[1][1], one - e[2] * a[2][2]];
-    let (a10, a20, a21) = (a[1][0], a[2][0], a[2][1]);
-    let first_two = diagonal[0] * diagonal[1] - (e[0] * a10) * (e[1] * a10);
-    let with_third = diagonal[0] * ((e[1] * a21) * (e[2] * a21)) + diagonal[1] * ((e[0] * a20) * (e[2] * a20));
-    let around = (e[0] * a10) * (e[1] * a21) * (e[2] * a20);
-    [diagonal[0], first_two, first_two * diagonal[2] - (with_third + around.times(2.0))]
+    let diagonal = [one - e[0] * *a00, one - e[1] * *a11, one - e[2] * *a22];
+    let (of_first, of_second) = (e[0] * *a10, e[1] * *a10);
+    let first_two = diagonal[0] * diagonal[1] - of_first * of_second;
+    let (first, second) = (e[0] * *a20, e[1] * *a21);
+    let across = diagonal[0] * (second * *a21) + diagonal[1] * (first * *a20) + (of_first * second * *a20).times(2.0);
+    [diagonal[0], first_two, first_two * diagonal[2] - e[2] * across]
 }
 
 /// The matrix of neighbouring cells.
@@ -126,121 +182,67 @@ pub(crate) fn cell_matrix<S: Instructions>(
 ) -> CellMatrix<S::Vector> {
     let [first, second] = &block.constants.triangle;
     let weight = [set.load(&first.patch_weight, chunk), set.load(&second.patch_weight, chunk)];
-    let products = Products::new(set, chunk, block, stiffness);
-    let zero = set.splat(0.0);
-    let none = Complex { re: zero, im: zero };
-    let (mut real, mut mixed) = ([[zero; 3]; 3], [[none; 2]; 3]);
-    for s in 0..2 {
-        for t in 0..2 {
-            real[s][t] = products.real(s, DEVIATORIC, t, DEVIATORIC);
-            mixed[s][t] = products.mixed(s, DEVIATORIC, t);
-            // b is the mean of the triangles' dilatations.
-            real[2][t] = real[2][t] + weight[s] * products.real(s, DILATATION, t, DEVIATORIC);
-            mixed[2][t] = mixed[2][t] + products.mixed(s, DILATATION, t).scaled(weight[s]);
-            real[2][2] = real[2][2] + (weight[s] * weight[t]) * products.real(s, DILATATION, t, DILATATION);
-        }
-    }
-    let inverse_density = 1.0 / block.laws.density;
     let shear = [weight[0] * stiffness.shear[0], weight[1] * stiffness.shear[1]];
-    CellMatrix {
-        moduli: [
-            shear[0].times(inverse_density),
-            shear[1].times(inverse_density),
-            stiffness.bulk.times(inverse_density),
-        ],
-        square: [products.plane[0][0], products.plane[1][1]],
-        cross: products.cross,
-        real,
-        mixed,
-    }
-}
-
-/// Products of the rows e11 + e22, h = e33 and z of the two triangles, 1/m2.
-struct Products<V> {
-    /// Of e11 + e22 with each other.
-    plane: [[V; 2]; 2],
-    /// Of e11 + e22 with z.
-    mixed: [[Complex<V>; 2]; 2],
-    /// See [`CellMatrix`].
-    cross: Complex<V>,
-    /// In rings.
-    hoop: Option<HoopProducts<V>>,
-}
-
-/// Products of the hoop strains, 1/m2.
-struct HoopProducts<V> {
-    /// With each other.
-    hoop: [[V; 2]; 2],
-    /// With z, whose real part is that with e11 + e22.
-    mixed: [[Complex<V>; 2]; 2],
-}
-
-impl<V: Vector> Products<V> {
-    /// Takes the gradients of a triangle's two edges as complex numbers. With those along the row reversed where the diagonal
-    /// rises, its corners have the products 2 of an edge with itself and 1 of the two; the edges along and across of different
-    /// triangles have -1, others 0.
-    #[inline(always)]
-    fn new<S: Instructions<Vector = V>>(set: S, chunk: usize, block: &Block, stiffness: &CellStiffness<V>) -> Self {
-        let [[a, b], [c, d]] =
-            [edge_gradients(set, chunk, block, stiffness, 0), edge_gradients(set, chunk, block, stiffness, 1)];
-        let norm = [a.dot(&a) + b.dot(&b) + a.dot(&b), c.dot(&c) + d.dot(&d) + c.dot(&d)];
-        let square = [a * a + b * b + a * b, c * c + d * d + c * d];
-        let cross = (a.conjugate() * d + b.conjugate() * c).times(-1.0);
-        let mixed = (a * d + b * c).times(-1.0);
-        Self {
-            plane: [[norm[0].times(2.0), cross.re], [cross.re, norm[1].times(2.0)]],
-            mixed: [[square[0].times(2.0), mixed], [mixed, square[1].times(2.0)]],
-            cross,
-            hoop: match block.hoop {
-                Some(hoop) => Some(HoopProducts::new(set, chunk, hoop, stiffness, [a + b, c + d])),
-                None => None,
-            },
-        }
-    }
-
-    /// Of e11 + e22 + `with` e33 of triangle `s` and e11 + e22 + `and` e33 of triangle `t`.
-    #[inline(always)]
-    fn real(&self, s: usize, with: Real, t: usize, and: Real) -> V {
-        match &self.hoop {
-            None => self.plane[s][t],
-            Some(HoopProducts { hoop, mixed }) => {
-                self.plane[s][t]
-                    + (mixed[s][t].re.times(with) + mixed[t][s].re.times(and) + hoop[s][t].times(with * and))
-            }
-        }
-    }
-
-    /// Of e11 + e22 + `with` e33 of triangle `s` and z of triangle `t`.
-    #[inline(always)]
-    fn mixed(&self, s: usize, with: Real, t: usize) -> Complex<V> {
-        match &self.hoop {
-            None => self.mixed[s][t],
-            Some(hoop) => self.mixed[s][t] + hoop.mixed[s][t].times(with),
-        }
-    }
-}
-
-impl<V: Vector> HoopProducts<V> {
-    /// A triangle's hoop strain is the same of all its corners, over which gradients add up to nothing; `outer` is less the
-    /// gradient of the corner that a triangle does not share.
-    #[inline(always)]
-    fn new<S: Instructions<Vector = V>>(
-        set: S,
-        chunk: usize,
-        HoopConstants { weight: [first, second] }: &HoopConstants,
-        stiffness: &CellStiffness<V>,
-        outer: [Complex<V>; 2],
-    ) -> Self {
+    let inverse_density = set.splat(1.0 / block.laws.density);
+    let moduli = [shear[0] * inverse_density, shear[1] * inverse_density, stiffness.bulk * inverse_density];
+    // Gradients of edges as complex numbers. With those along the row reversed where the diagonal rises, the rows of the
+    // corners have these products: 2 of an edge with itself, 1 of the two edges of a triangle, -1 of edges along and across of
+    // different triangles, 0 of others.
+    let [[a, b], [c, d]] =
+        [edge_gradients(set, chunk, block, stiffness, 0), edge_gradients(set, chunk, block, stiffness, 1)];
+    let (square, own) = own_products([&a, &b]);
+    let (other_square, other) = own_products([&c, &d]);
+    let cross = (a.conjugate() * d + b.conjugate() * c).times(-1.0);
+    let mixed = (a * d + b * c).times(-1.0);
+    let mut matrix = CellMatrix {
+        moduli,
+        weight,
+        square: [square, other_square],
+        cross,
+        real: [square, cross.re, other_square],
+        mixed: [[own, mixed], [mixed, other]],
+        hoop: None,
+    };
+    if let Some(HoopConstants { weight: [first, second] }) = block.hoop {
         // Whichever way the diagonal runs, the first triangle has corner 1 and the second corner 3.
         let e = set.load(&first[1], chunk) * stiffness.hoop_scale[0];
         let f = set.load(&second[3], chunk) * stiffness.hoop_scale[1];
-        let zero = set.splat(0.0);
-        let none = Complex { re: zero, im: zero };
-        let shared = (e * f).times(2.0);
-        Self {
-            hoop: [[(e * e).times(3.0), shared], [shared, (f * f).times(3.0)]],
-            mixed: [[none, outer[1].scaled(e).times(-1.0)], [outer[0].scaled(f), none]],
-        }
+        matrix.add_hoop([e, f], [&(a + b), &(c + d)]);
+    }
+    matrix
+}
+
+/// |z|^2 / 2 and z z of a triangle from the gradients of its edges: twice a a* + b b* + a b and a a + b b + a b.
+#[inline(always)]
+fn own_products<V: Vector>([a, b]: [&Complex<V>; 2]) -> (V, Complex<V>) {
+    // (a + b/2)^2 + 3/4 b^2.
+    let (c, d) = ((*a + b.times(0.5)).times(SQRT_2), b.times(SQRT_THREE_HALVES));
+    let [re, im] = [c.re * c.re + d.re * d.re, c.im * c.im + d.im * d.im];
+    (re + im, Complex { re: re - im, im: (c.re * c.im + d.re * d.im).times(2.0) })
+}
+
+impl<V: Vector> CellMatrix<V> {
+    /// Takes the hoop strain into r, and adds its row. That of a triangle is `hoop` at all its corners, over which the
+    /// gradients add up to nothing; `outer` is less the gradient of the corner that it does not share.
+    #[inline(always)]
+    fn add_hoop(&mut self, [e, f]: [V; 2], outer: [&Complex<V>; 2]) {
+        let [w, x] = self.weight;
+        // Products of the triangles' hoop strains with each other and with z, whose real part is that with e11 + e22.
+        let (first, across, second) = ((e * e).times(3.0), (e * f).times(2.0), (f * f).times(3.0));
+        let (with_second, with_first) = (outer[1].scaled(e).times(-1.0), outer[0].scaled(f));
+        self.hoop = Some(HoopRow {
+            real: [
+                x * with_first.re - (w * first + x * across).times(2.0),
+                w * with_second.re - (w * across + x * second).times(2.0),
+                w * (w * first + x * across) + x * (w * across + x * second),
+            ],
+            mixed: [with_first.scaled(x), with_second.scaled(w)],
+        });
+        self.real[0] = self.real[0] + first.times(4.0);
+        self.real[1] = self.real[1] + across.times(4.0) - (with_first.re + with_second.re).times(2.0);
+        self.real[2] = self.real[2] + second.times(4.0);
+        self.mixed[0][1] = self.mixed[0][1] + with_second.times(-2.0);
+        self.mixed[1][0] = self.mixed[1][0] + with_first.times(-2.0);
     }
 }
 
@@ -269,3 +271,5 @@ fn edge_gradients<S: Instructions>(
 
 /// 1/3, rounded once.
 const THIRD: Real = 1.0 / 3.0;
+/// The square root of 3/2, rounded once.
+const SQRT_THREE_HALVES: Real = 1.224_744_871_391_589;
