@@ -97,6 +97,9 @@ def summary(f):
     efficiencies = " / ".join(f"{f('scaling', 'efficiency, ' + kind):.2f}" for kind in kinds)
     rows = [[f"efficiency of {f('scaling', 'threads'):.0f} threads: registers alone / memory on own pages / side by side",
              efficiencies]]
+    commands = {name.removeprefix("efficiency: "): f("commands", name) for name in f.names("commands", "efficiency: ")}
+    rows.append([f"efficiency of {f('commands', 'threads'):.0f} threads, whole commands: {' / '.join(commands)}",
+                 " / ".join(f"{value:.2f}" for value in commands.values())])
     rows += [[name.replace(':', ' of a call:'), f"{f('calls', name):.0f} ns"] for name in f.names("calls", "overhead")]
     for row in f.instructions():
         rows.append([f"instructions per triangle and step, {SETS[row['instruction set']]}; dearest step / cheapest",

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Runs every benchmark and writes the tables of docs/performance.md from what they measure; some four minutes on a quiet
+# Runs every benchmark and writes the tables of docs/performance.md from what they measure; some five minutes on a quiet
 # machine. The figures stay in target/softanvil-bench and target/criterion. The peers have a command of their own,
 # tests/peers/run.sh, whose results this one takes as they are.
 set -euo pipefail
@@ -28,4 +28,5 @@ fi
 cargo build -q --profile bench -p softanvil-bench --bin softanvil-bench
 SOFTANVIL_INSTRUCTIONS=$results/instructions.csv "$here/instructions.sh" "$target/release"
 python3 "$here/anatomy.py" "$target/release/softanvil-bench" "$results/anatomy.csv"
+python3 "$here/commands.py" "$target/release/softanvil" "$results/commands.csv"
 python3 "$here/report.py" "$target"
