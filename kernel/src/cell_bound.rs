@@ -103,14 +103,7 @@ pub(crate) fn unstable<S: Instructions>(set: S, matrix: &CellMatrix<S::Vector>, 
         real[1] + product(&mixed[1], &effect[0]),
         real[2] + product(&mixed[1], &effect[1]),
     ];
-    let rest_of_hoop = match hoop {
-        Some(HoopRow { real, mixed }) => Some([
-            real[0] + product(mixed, &effect[0]),
-            real[1] + product(mixed, &effect[1]),
-            real[2] + product(mixed, &elimination.effect(mixed)),
-        ]),
-        None => None,
-    };
+    let rest_of_hoop = elimination.rest_of_hoop(hoop.as_ref(), &effect);
     let dilatation = dilatation(weight, &rest, rest_of_hoop.as_ref());
     let factor = [factor[0].times(THIRD), factor[1].times(THIRD), factor[2]];
     let minors = leading_minors(set, &factor, &rest, &dilatation);
@@ -133,6 +126,17 @@ impl<V: Vector> Elimination<V> {
     #[inline(always)]
     fn effect(&self, [z, y]: &[Complex<V>; 2]) -> [Complex<V>; 2] {
         [z.scaled(self.diagonal[0]) + self.across.conjugate() * *y, y.scaled(self.diagonal[1]) + self.across * *z]
+    }
+
+    /// The products of the hoop strain with what is added, where those of r with both z have the effects `of_r`.
+    #[inline(always)]
+    fn rest_of_hoop(&self, row: Option<&HoopRow<V>>, of_r: &[[Complex<V>; 2]; 2]) -> Option<[V; 3]> {
+        let HoopRow { real, mixed } = row?;
+        Some([
+            real[0] + product(mixed, &of_r[0]),
+            real[1] + product(mixed, &of_r[1]),
+            real[2] + product(mixed, &self.effect(mixed)),
+        ])
     }
 }
 
