@@ -15,6 +15,7 @@
 
 use crate::complex::Complex;
 use crate::element::{Block, HoopConstants};
+use crate::lanes::ZERO;
 use crate::real::Real;
 use crate::real::consts::SQRT_2;
 use crate::vector::{Instructions, Vector};
@@ -62,9 +63,9 @@ struct HoopRow<V> {
     mixed: [Complex<V>; 2],
 }
 
-/// Square of the largest stable step of each cell, s2, to one part in 10^8 from below.
+/// Square of the largest stable step of each cell, s2, to one part in 10^8 from below; at most `bound`.
 #[inline(never)]
-pub(crate) fn limit_squared<S: Instructions>(set: S, matrix: &CellMatrix<S::Vector>) -> S::Vector {
+pub(crate) fn limit_squared<S: Instructions>(set: S, matrix: &CellMatrix<S::Vector>, bound: S::Vector) -> S::Vector {
     let CellMatrix { moduli, square, real, hoop, .. } = matrix;
     let shear = [real[0].times(THIRD) + square[0].times(2.0), real[2].times(THIRD) + square[1].times(2.0)];
     let [.., volume] = dilatation(&matrix.weight, real, hoop.as_ref().map(|row| &row.real));
@@ -73,10 +74,17 @@ pub(crate) fn limit_squared<S: Instructions>(set: S, matrix: &CellMatrix<S::Vect
     let zero = set.splat(0.0);
     let mut stable = set.splat(1.0) / trace.larger(set.splat(Real::MIN_POSITIVE));
     let mut beyond = stable.times(ROWS as Real);
-    for _ in 0..HALVINGS {
-        let middle = (stable + beyond).times(0.5);
-        let lost = unstable(set, matrix, middle);
-        (stable, beyond) = (lost.if_greater(zero, stable, middle), lost.if_greater(zero, middle, beyond));
+    beyond = beyond.if_greater(bound, bound, beyond);
+    let mut probe = beyond;
+    for _ in 0..=HALVINGS {
+        let lost = unstable(set, matrix, probe);
+        (stable, beyond) = (lost.if_greater(zero, stable, probe), lost.if_greater(zero, probe, beyond));
+        probe = (stable + beyond).times(0.5);
+        let mut open = ZERO;
+        set.store(beyond - stable, &mut open, 0);
+        if open == ZERO {
+            break;
+        }
     }
     stable
 }

@@ -6,7 +6,7 @@
 //! how it is found.
 
 use crate::cell_bound::{CellMatrix, CellStiffness, cell_matrix, limit_squared, unstable};
-use crate::element::{Block, CellConstants, CellHistory, HoopConstants, TriangleHistory};
+use crate::element::{Block, CellConstants, CellHistory, HoopConstants};
 use crate::error::{ModelError, StepError};
 use crate::lanes::{LANES, Lane, ZERO};
 use crate::material::Laws;
@@ -87,9 +87,7 @@ fn smallest_limit(
             // Padding has no mass.
             if constants.triangle[0].reference_volume[l] > 0.0 {
                 let matrix = cell_matrix(Scalar, l, &block, &pressed.stiffness(constants, l));
-                if unstable(Scalar, &matrix, smallest) > 0.0 || smallest == Real::INFINITY {
-                    smallest = limit_squared(Scalar, &matrix);
-                }
+                smallest = limit_squared(Scalar, &matrix, smallest);
             }
         }
     }
@@ -169,7 +167,7 @@ pub(crate) fn monitor<S: Instructions>(set: S, model: &Model, state: &State) -> 
             let visited = lost.get(first..end).unwrap_or_default();
             if let Some(l) = visited.iter().position(|lost| *lost > 0.0) {
                 let mut limits = ZERO;
-                set.store(limit_squared(set, &matrix), &mut limits, chunk);
+                set.store(limit_squared(set, &matrix, step_squared), &mut limits, chunk);
                 return Err(failure(model, state, block, first + l, &limits));
             }
         }
@@ -220,7 +218,7 @@ fn failure(model: &Model, state: &State, block: usize, l: usize, limits_squared:
     }
 }
 
-/// The matrix of neighbouring cells as they stand.
+/// The matrix of neighbouring cells at the stretches that the last internal forces have left in the history.
 #[inline(always)]
 fn current_matrix<S: Instructions>(
     set: S,
@@ -228,48 +226,27 @@ fn current_matrix<S: Instructions>(
     block: &Block,
     history: &CellHistory,
 ) -> CellMatrix<S::Vector> {
-    let [a, b] = [
-        TriangleStiffness::new(set, chunk, block, &history.triangle[0]),
-        TriangleStiffness::new(set, chunk, block, &history.triangle[1]),
-    ];
-    let stiffness = CellStiffness {
-        inverse_stretch: [a.inverse_stretch, b.inverse_stretch],
-        hoop_scale: [a.hoop_scale, b.hoop_scale],
-        shear: [a.shear, b.shear],
-        bulk: a.bulk.larger(b.bulk),
-    };
-    cell_matrix(set, chunk, block, &stiffness)
-}
-
-/// A triangle's part in a [`CellStiffness`].
-struct TriangleStiffness<V> {
-    inverse_stretch: [V; 3],
-    hoop_scale: V,
-    shear: V,
-    bulk: V,
-}
-
-impl<V: Vector> TriangleStiffness<V> {
-    /// At the stretch that the last internal forces have left in the history.
-    #[inline(always)]
-    fn new<S: Instructions<Vector = V>>(set: S, chunk: usize, block: &Block, history: &TriangleHistory) -> Self {
-        let [mean, difference, shear, hoop] = &history.stretch_prev;
+    let (zero, one) = (set.splat(0.0), set.splat(1.0));
+    let mut stiffness =
+        CellStiffness { inverse_stretch: [[zero; 3]; 2], hoop_scale: [one; 2], shear: [zero; 2], bulk: zero };
+    for t in 0..2 {
+        let [mean, difference, shear, hoop] = &history.triangle[t].stretch_prev;
         let (mean, difference) = (set.load(mean, chunk), set.load(difference, chunk));
         let (u12, u33) = (set.load(shear, chunk), set.load(hoop, chunk));
         let (u11, u22) = (mean + difference, mean - difference);
         let section = mean * mean - (difference * difference + u12 * u12);
-        let one = set.splat(1.0);
         let inverse = one / section;
+        stiffness.inverse_stretch[t] = [u22 * inverse, u11 * inverse, (u12 * inverse).times(-1.0)];
+        if block.hoop.is_some() {
+            stiffness.hoop_scale[t] = one / u33;
+        }
         let jacobian = section * u33;
         let scale = math::inverse_cbrt(jacobian);
         let isochoric = IsochoricStretch { u11: scale * u11, u22: scale * u22, u12: scale * u12, u33: scale * u33 };
-        Self {
-            inverse_stretch: [u22 * inverse, u11 * inverse, (u12 * inverse).times(-1.0)],
-            hoop_scale: if block.hoop.is_some() { one / u33 } else { one },
-            shear: block.laws.shear_tangent(set, &isochoric),
-            bulk: block.laws.volumetric.tangent(set, jacobian),
-        }
+        stiffness.shear[t] = block.laws.shear_tangent(set, &isochoric);
+        stiffness.bulk = block.laws.volumetric.tangent(set, jacobian).larger(stiffness.bulk);
     }
+    cell_matrix(set, chunk, block, &stiffness)
 }
 
 #[cfg(all(test, not(feature = "single")))]
