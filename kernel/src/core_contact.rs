@@ -12,23 +12,21 @@ use crate::state::State;
 
 /// What the core does in one step: its upward force on the section, N, and the energy it takes.
 pub(crate) fn react(model: &Model, state: &mut State) -> Contact {
+    let nodes = 0..=model.constants.grid.n_u;
     let mut contact = Contact::default();
-    for node in 0..=model.constants.grid.n_u {
-        let done = match model.constants.scenario.core.interface {
-            Interface::Bonded => hold(state, node, &mut contact),
-            Interface::Frictional | Interface::Sliding => touch(model, state, node, &mut contact),
-        };
-        if done.is_none() {
-            break;
+    match model.constants.scenario.core.interface {
+        // The core balances the forces on nodes that are fixed.
+        Interface::Bonded => {
+            let forces = state.nodes.force_y.get(nodes).unwrap_or_default();
+            contact.normal_force = forces.iter().fold(0.0, |sum, force| sum - force);
+        }
+        Interface::Frictional | Interface::Sliding => {
+            for node in nodes {
+                touch(model, state, node, &mut contact);
+            }
         }
     }
     contact
-}
-
-/// A fixed node: the core balances the force on it.
-fn hold(state: &State, node: usize, contact: &mut Contact) -> Option<()> {
-    contact.normal_force -= state.nodes.force_y.get(node)?;
-    Some(())
 }
 
 /// A node that may slide and, unless it is on rollers, lift.

@@ -8,11 +8,11 @@
 //! Friction stops a node within the limit of Coulomb's law in the same step: a sticking node has exactly no velocity.
 
 use crate::impactor::Prediction;
-use crate::lanes::{LANES, ZERO, load, store, subtract_at, sum};
-use crate::math;
-use crate::model::Model;
+use crate::lanes::{LANES, Lane, ZERO, lanes, lanes_mut, sum};
+use crate::model::{Constants, Model};
 use crate::real::Real;
-use crate::state::State;
+use crate::state::{State, StateNodes};
+use crate::vector::{Instructions, Vector};
 
 /// Passes of the search for the touching nodes. The end position of the face rises with each, from below, by the ratio
 /// of a node's mass to the impactor's; what is left after four passes is below rounding for any impactor heavier than
@@ -32,133 +32,155 @@ pub(crate) struct Contact {
 
 /// Adds the contact forces to the forces of the surface nodes and returns what they did.
 #[inline(always)]
-pub(crate) fn contact(model: &Model, state: &mut State, prediction: &Prediction) -> Contact {
-    free_heights(model, state);
-    let top = model.constants.grid.n_v * model.constants.grid.stride();
-    let mass = model.nodes.nodal_mass.get(top..).unwrap_or_default();
-    let face = face_position(model.constants.section_mass(), mass, state.nodes.contact_normal, prediction);
-    let normal_force = normal_forces(model.constants.dt, mass, state, top, face);
-    let before = state.scalars.impactor.velocity_half;
-    state.scalars.impactor.advance(model, prediction, normal_force);
-    let velocity = [before, state.scalars.impactor.velocity_half];
-    let mut contact = Contact { normal_force, ..Contact::default() };
-    slide(model, state, top, velocity, &mut contact);
-    contact
+pub(crate) fn contact<S: Instructions>(set: S, model: &Model, state: &mut State, prediction: &Prediction) -> Contact {
+    let (constants, impactor) = (&model.constants, &mut state.scalars.impactor);
+    let Some(mut surface) = Surface::of(model, &mut state.nodes) else { return Contact::default() };
+    surface.find_free_heights(set, constants);
+    let face = surface.face_position(set, constants.section_mass(), prediction);
+    let normal_force = surface.hold(set, constants.dt, face);
+    let before = impactor.velocity_half;
+    impactor.advance(model, prediction, normal_force);
+    let [catching, sliding] = surface.slide(set, constants, [before, impactor.velocity_half]);
+    Contact { normal_force, catching, sliding }
 }
 
-/// Leaves in the row of normal forces, until they are known, the height of each surface node above the undeformed anvil's
-/// top at the end of a step without contact, m; far below where it is not under the face.
-#[inline(always)]
-fn free_heights(model: &Model, state: &mut State) {
-    let (constants, fixed, nodes) = (&model.constants, &model.nodes, &mut state.nodes);
-    let impactor = &constants.scenario.impactor;
-    let (dt, half_width) = (constants.dt, 0.5 * impactor.face_diameter);
-    let stride = constants.grid.stride();
-    for index in (0..stride).step_by(LANES) {
-        let node = constants.grid.n_v * stride + index;
-        let (x, y) = (load(fixed.reference_x, node), load(fixed.reference_y, node));
-        let (ux, uy) = (load(nodes.displacement_x, node), load(nodes.displacement_y, node));
-        let (inverse_mass, force) = (load(fixed.inverse_mass_y, node), load(nodes.force_y, node));
-        let (velocity, mass) = (load(nodes.velocity_y, node), load(fixed.nodal_mass, node));
-        let mut height = ZERO;
-        for l in 0..LANES {
-            let velocity = velocity[l] + dt * (inverse_mass[l] * force[l]);
-            let under = math::abs(x[l] + ux[l] - impactor.offset) <= half_width && mass[l] > 0.0;
-            let free = (y[l] - constants.top_height + uy[l]) + dt * velocity;
-            height[l] = if under { free } else { FAR_BELOW };
-        }
-        store(nodes.contact_normal, index, &height);
-    }
+/// The nodes at the surface, in lanes of as many numbers each; x before y.
+struct Surface<'s> {
+    mass: &'s [Lane],
+    inverse_mass: [&'s [Lane]; 2],
+    reference: [&'s [Lane]; 2],
+    displacement: [&'s [Lane]; 2],
+    velocity: [&'s [Lane]; 2],
+    force: [&'s mut [Lane]; 2],
+    /// Normal forces, N. Until they are known, the height of each node above the undeformed anvil's top at the end of a step
+    /// without contact, m; far below where it is not under the face.
+    normal: &'s mut [Lane],
+    tangential: &'s mut [Lane],
 }
 
 /// A height that no face reaches, m.
 const FAR_BELOW: Real = -1e30;
 
-/// Height of the face at the end of the step, m, over surface nodes of `mass` and `free_height`.
-///
-/// It is the root z of M (z - z_free) = sum m_i max(0, y_i - z), a concave rising function: Newton's method climbs to
-/// it from z_free through a shrinking set of touching nodes.
-#[inline(always)]
-fn face_position(impactor_mass: Real, mass: &[Real], free_height: &[Real], prediction: &Prediction) -> Real {
-    let mut position = prediction.position;
-    if !prediction.free {
-        return position;
+impl<'s> Surface<'s> {
+    /// None if a row is too short, which the sizes of [`crate::mesh::Grid`] exclude.
+    #[inline(always)]
+    fn of(model: &'s Model, nodes: &'s mut StateNodes) -> Option<Self> {
+        let (grid, fixed) = (&model.constants.grid, &model.nodes);
+        let (top, count) = (grid.n_v * grid.stride(), grid.stride() / LANES);
+        Some(Self {
+            mass: lanes(fixed.nodal_mass, top, count)?,
+            inverse_mass: [lanes(fixed.inverse_mass_x, top, count)?, lanes(fixed.inverse_mass_y, top, count)?],
+            reference: [lanes(fixed.reference_x, top, count)?, lanes(fixed.reference_y, top, count)?],
+            displacement: [lanes(nodes.displacement_x, top, count)?, lanes(nodes.displacement_y, top, count)?],
+            velocity: [lanes(nodes.velocity_x, top, count)?, lanes(nodes.velocity_y, top, count)?],
+            force: [lanes_mut(nodes.force_x, top, count)?, lanes_mut(nodes.force_y, top, count)?],
+            normal: lanes_mut(nodes.contact_normal, 0, count)?,
+            tangential: lanes_mut(nodes.contact_tangential, 0, count)?,
+        })
     }
-    for _ in 0..PASSES {
-        let (mut masses, mut moments) = (ZERO, ZERO);
-        for index in (0..free_height.len()).step_by(LANES) {
-            let (mass, height) = (load(mass, index), load(free_height, index));
-            for l in 0..LANES {
-                let touching = height[l] > position;
-                masses[l] += if touching { mass[l] } else { 0.0 };
-                moments[l] += if touching { mass[l] * (height[l] - prediction.position) } else { 0.0 };
+
+    /// Fills `normal` with heights.
+    #[inline(always)]
+    fn find_free_heights<S: Instructions>(&mut self, set: S, constants: &Constants) {
+        let impactor = &constants.scenario.impactor;
+        let half_width = set.splat(0.5 * impactor.face_diameter);
+        let (zero, far_below) = (set.splat(0.0), set.splat(FAR_BELOW));
+        for i in 0..self.normal.len() {
+            for chunk in 0..LANES / S::WIDTH {
+                let change = set.load(&self.inverse_mass[1][i], chunk) * set.load(&self.force[1][i], chunk);
+                let velocity = set.load(&self.velocity[1][i], chunk) + change.times(constants.dt);
+                let level = set.load(&self.reference[1][i], chunk).plus(-constants.top_height);
+                let height = level + set.load(&self.displacement[1][i], chunk) + velocity.times(constants.dt);
+                let x = set.load(&self.reference[0][i], chunk) + set.load(&self.displacement[0][i], chunk);
+                let from_centre = x.plus(-impactor.offset);
+                let distance = from_centre.larger(from_centre.times(-1.0));
+                let under_face = distance.if_greater(half_width, far_below, height);
+                let height = set.load(&self.mass[i], chunk).if_greater(zero, under_face, far_below);
+                set.store(height, &mut self.normal[i], chunk);
             }
         }
-        position = prediction.position + sum(&moments) / (impactor_mass + sum(&masses));
     }
-    position
-}
 
-/// The force that brings each penetrating node back to the face within the step; returns their sum in index order.
-#[inline(always)]
-fn normal_forces(dt: Real, mass: &[Real], state: &mut State, top: usize, face: Real) -> Real {
-    let inverse_dt_squared = 1.0 / (dt * dt);
-    let mut total = ZERO;
-    for index in (0..state.nodes.contact_normal.len()).step_by(LANES) {
-        let (mass, height) = (load(mass, index), load(state.nodes.contact_normal, index));
-        let mut normal = ZERO;
-        for l in 0..LANES {
-            let force = mass[l] * (height[l] - face) * inverse_dt_squared;
-            normal[l] = if height[l] > face { force } else { 0.0 };
-            total[l] += normal[l];
+    /// Height of the face at the end of the step, m, from the free heights.
+    ///
+    /// It is the root z of M (z - z_free) = sum m_i max(0, y_i - z), a concave rising function: Newton's method climbs to
+    /// it from z_free through a shrinking set of touching nodes.
+    #[inline(always)]
+    fn face_position<S: Instructions>(&self, set: S, impactor_mass: Real, prediction: &Prediction) -> Real {
+        let mut position = prediction.position;
+        if !prediction.free {
+            return position;
         }
-        store(state.nodes.contact_normal, index, &normal);
-        subtract_at(state.nodes.force_y, top + index, &normal);
+        let (zero, start) = (set.splat(0.0), set.splat(prediction.position));
+        for _ in 0..PASSES {
+            let (face, mut masses, mut moments) = (set.splat(position), ZERO, ZERO);
+            for i in 0..self.normal.len() {
+                for chunk in 0..LANES / S::WIDTH {
+                    let (mass, height) = (set.load(&self.mass[i], chunk), set.load(&self.normal[i], chunk));
+                    set.add(height.if_greater(face, mass, zero), &mut masses, chunk);
+                    set.add(height.if_greater(face, mass * (height - start), zero), &mut moments, chunk);
+                }
+            }
+            position = prediction.position + sum(&moments) / (impactor_mass + sum(&masses));
+        }
+        position
     }
-    sum(&total)
-}
 
-/// Friction of the surface nodes, and the energy that it and the normal forces take in this step.
-#[inline(always)]
-fn slide(model: &Model, state: &mut State, top: usize, face: [Real; 2], contact: &mut Contact) {
-    let (fixed, nodes) = (&model.nodes, &mut state.nodes);
-    let dt = model.constants.dt;
-    let (inverse_dt, coefficient) = (1.0 / dt, model.constants.scenario.face.friction_coefficient);
-    let (mut catching, mut sliding) = ([ZERO; 2], [ZERO; 2]);
-    for index in (0..nodes.contact_normal.len()).step_by(LANES) {
-        let node = top + index;
-        let (normal, force_y) = (load(nodes.contact_normal, index), load(nodes.force_y, node));
-        let (velocity_x, velocity_y) = (load(nodes.velocity_x, node), load(nodes.velocity_y, node));
-        let (inverse_x, inverse_y) = (load(fixed.inverse_mass_x, node), load(fixed.inverse_mass_y, node));
-        let (mass, mut force_x, mut tangential) = (load(fixed.nodal_mass, node), load(nodes.force_x, node), ZERO);
-        for l in 0..LANES {
-            // The force that stops the node in this step, where it can move at all.
-            let stick = -(mass[l] * velocity_x[l] * inverse_dt + force_x[l]);
-            let limit = if inverse_x[l] > 0.0 { coefficient * normal[l] } else { 0.0 };
-            tangential[l] = limited(stick, limit);
-            force_x[l] += tangential[l];
-            let after_x = velocity_x[l] + dt * (inverse_x[l] * force_x[l]);
-            let after_y = velocity_y[l] + dt * (inverse_y[l] * force_y[l]);
-            catching[0][l] += normal[l] * (velocity_y[l] - face[0]);
-            catching[1][l] += normal[l] * (after_y - face[1]);
-            sliding[0][l] -= tangential[l] * velocity_x[l];
-            sliding[1][l] -= tangential[l] * after_x;
+    /// The force that brings each penetrating node back to the face within the step; returns their sum in index order.
+    #[inline(always)]
+    fn hold<S: Instructions>(&mut self, set: S, dt: Real, face: Real) -> Real {
+        let inverse_dt_squared = 1.0 / (dt * dt);
+        let (zero, face, mut total) = (set.splat(0.0), set.splat(face), ZERO);
+        for i in 0..self.normal.len() {
+            for chunk in 0..LANES / S::WIDTH {
+                let height = set.load(&self.normal[i], chunk);
+                let force = (set.load(&self.mass[i], chunk) * (height - face)).times(inverse_dt_squared);
+                let normal = height.if_greater(face, force, zero);
+                set.store(normal, &mut self.normal[i], chunk);
+                set.store(set.load(&self.force[1][i], chunk) - normal, &mut self.force[1][i], chunk);
+                set.add(normal, &mut total, chunk);
+            }
         }
-        store(nodes.contact_tangential, index, &tangential);
-        store(nodes.force_x, node, &force_x);
+        sum(&total)
     }
-    contact.catching = catching.map(|lane| 0.5 * dt * sum(&lane));
-    contact.sliding = sliding.map(|lane| 0.5 * dt * sum(&lane));
+
+    /// Friction. Returns the energy that the normal forces take in the half steps before and after, J, then that of
+    /// friction; the face has the velocities `face`, m/s.
+    #[inline(always)]
+    fn slide<S: Instructions>(&mut self, set: S, constants: &Constants, face: [Real; 2]) -> [[Real; 2]; 2] {
+        let (dt, coefficient) = (constants.dt, constants.scenario.face.friction_coefficient);
+        let inverse_dt = 1.0 / dt;
+        let (zero, mut catching, mut sliding) = (set.splat(0.0), [ZERO; 2], [ZERO; 2]);
+        for i in 0..self.normal.len() {
+            for chunk in 0..LANES / S::WIDTH {
+                let (normal, mass) = (set.load(&self.normal[i], chunk), set.load(&self.mass[i], chunk));
+                let (x, y) = (set.load(&self.velocity[0][i], chunk), set.load(&self.velocity[1][i], chunk));
+                let (inverse_mass, force) =
+                    (set.load(&self.inverse_mass[0][i], chunk), set.load(&self.force[0][i], chunk));
+                // The force that stops the node in this step, where it can move at all.
+                let stick = ((mass * x).times(inverse_dt) + force).times(-1.0);
+                let limit = inverse_mass.if_greater(zero, normal.times(coefficient), zero);
+                let friction = limited(stick, limit);
+                let force = force + friction;
+                set.store(friction, &mut self.tangential[i], chunk);
+                set.store(force, &mut self.force[0][i], chunk);
+                let after_x = x + (inverse_mass * force).times(dt);
+                let acceleration = set.load(&self.inverse_mass[1][i], chunk) * set.load(&self.force[1][i], chunk);
+                let after_y = y + acceleration.times(dt);
+                set.add(normal * y.plus(-face[0]), &mut catching[0], chunk);
+                set.add(normal * after_y.plus(-face[1]), &mut catching[1], chunk);
+                set.add(zero - friction * x, &mut sliding[0], chunk);
+                set.add(zero - friction * after_x, &mut sliding[1], chunk);
+            }
+        }
+        let energy = |lanes: [Lane; 2]| lanes.map(|lane| 0.5 * dt * sum(&lane));
+        [energy(catching), energy(sliding)]
+    }
 }
 
 /// `force`, its size limited to `limit`.
 #[inline(always)]
-pub(crate) fn limited(force: Real, limit: Real) -> Real {
-    if force > limit {
-        limit
-    } else if force < -limit {
-        -limit
-    } else {
-        force
-    }
+pub(crate) fn limited<V: Vector>(force: V, limit: V) -> V {
+    let opposite = limit.times(-1.0);
+    force.if_greater(limit, limit, opposite.if_greater(force, opposite, force))
 }

@@ -95,36 +95,18 @@ pub const SQRT_THIRD: Real = 0.577_350_269_189_625_8;
 
 /// The sum of a lane, in index order.
 #[inline(always)]
-pub fn sum(lane: &Lane) -> Real {
-    lane.iter().fold(0.0, |total, value| total + value)
+pub fn sum([first, rest @ ..]: &Lane) -> Real {
+    rest.iter().fold(*first, |total, value| total + value)
 }
 
-/// The lane that starts at `index` of `row`; zeros past its end, which the sizes of [`crate::mesh::Grid`] exclude.
+/// The `count` lanes of `row` that begin at `start`; none if there are fewer.
 #[inline(always)]
-pub fn lane_at(row: &[Real], index: usize) -> &Lane {
-    row.get(index..).and_then(|tail| tail.first_chunk()).unwrap_or(&ZERO)
+pub fn lanes(row: &[Real], start: usize, count: usize) -> Option<&[Lane]> {
+    row.get(start..)?.as_chunks().0.get(..count)
 }
 
-/// A copy of [`lane_at`].
+/// The same, to be changed.
 #[inline(always)]
-pub fn load(row: &[Real], index: usize) -> Lane {
-    *lane_at(row, index)
-}
-
-/// Writes `value` to the lane that starts at `index` of `row`.
-#[inline(always)]
-pub fn store(row: &mut [Real], index: usize, value: &Lane) {
-    if let Some(chunk) = row.get_mut(index..).and_then(|tail| tail.first_chunk_mut::<LANES>()) {
-        *chunk = *value;
-    }
-}
-
-/// Subtracts `value` from the lane that starts at `index` of `row`.
-#[inline(always)]
-pub fn subtract_at(row: &mut [Real], index: usize, value: &Lane) {
-    if let Some(chunk) = row.get_mut(index..).and_then(|tail| tail.first_chunk_mut::<LANES>()) {
-        for l in 0..LANES {
-            chunk[l] -= value[l];
-        }
-    }
+pub fn lanes_mut(row: &mut [Real], start: usize, count: usize) -> Option<&mut [Lane]> {
+    row.get_mut(start..)?.as_chunks_mut().0.get_mut(..count)
 }

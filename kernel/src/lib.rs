@@ -31,6 +31,7 @@ extern crate alloc;
 
 pub(crate) mod cell_bound;
 pub mod cfc;
+pub(crate) mod complex;
 pub mod core_contact;
 pub mod decimal;
 pub mod deformation;

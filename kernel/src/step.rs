@@ -65,12 +65,13 @@ impl Work for Advance<'_, '_, '_> {
 
 #[inline(always)]
 fn advance<S: Instructions>(set: S, model: &Model, state: &mut State, input: &StepInput) -> Result<(), StepError> {
+    let mut energy = ElementEnergy::ZERO;
+    internal_forces(set, model, state, &mut energy)?;
     time_step::monitor(set, model, state)?;
-    let energy = internal_forces(set, model, state)?;
     let core = core_contact::react(model, state);
     let prediction = state.scalars.impactor.predict(model, input, state.scalars.step_index);
     let before = state.scalars.impactor.velocity_half;
-    let face = face::contact(model, state, &prediction);
+    let face = face::contact(set, model, state, &prediction);
     state.scalars.contact_half_width = surface::contact_half_width(model, &state.as_view());
     let layer_kinetic = move_nodes(set, model, state);
     let work = StepWork {
@@ -88,12 +89,16 @@ fn advance<S: Instructions>(set: S, model: &Model, state: &mut State, input: &St
     Ok(())
 }
 
-/// Fills the nodal forces with minus the internal forces, block by block in index order.
+/// Fills the nodal forces with minus the internal forces, block by block in index order, and adds up the energies.
 #[inline(always)]
-fn internal_forces<S: Instructions>(set: S, model: &Model, state: &mut State) -> Result<ElementEnergy, StepError> {
+fn internal_forces<S: Instructions>(
+    set: S,
+    model: &Model,
+    state: &mut State,
+    energy: &mut ElementEnergy,
+) -> Result<(), StepError> {
     let grid = &model.constants.grid;
     let terms = (2 * model.constants.n_term()).max(1);
-    let mut energy = ElementEnergy::ZERO;
     state.nodes.force_x.fill(0.0);
     state.nodes.force_y.fill(0.0);
     let viscous = state.viscous.chunks_exact_mut(terms).map(Some).chain(core::iter::repeat_with(|| None));
@@ -106,9 +111,9 @@ fn internal_forces<S: Instructions>(set: S, model: &Model, state: &mut State) ->
         // Written twice, so that a copy knows whether there are rings and need not ask all over the element; processors
         // without vectors have less room for it.
         let force = if S::WIDTH == 1 || block.hoop.is_some() {
-            block_force(set, &block, &rows, history, viscous, &mut energy)
+            block_force(set, &block, &rows, history, viscous, energy)
         } else {
-            block_force(set, &Block { hoop: None, ..block }, &rows, history, viscous, &mut energy)
+            block_force(set, &Block { hoop: None, ..block }, &rows, history, viscous, energy)
         };
         state.nodes.subtract_force(set, nodes, &force);
         // The next block follows in the row, or begins the next one behind the lane that closes this one.
@@ -117,7 +122,7 @@ fn internal_forces<S: Instructions>(set: S, model: &Model, state: &mut State) ->
         place = if place == per_row { 0 } else { place };
         nodes = [nodes[0] + further, nodes[1] + further];
     }
-    if sum(&energy.inverted) > 0.0 { Err(first_inverted(model, state)) } else { Ok(energy) }
+    if sum(&energy.inverted) > 0.0 { Err(first_inverted(model, state)) } else { Ok(()) }
 }
 
 /// Internal forces on the corners of the cells of a block, N.

@@ -2,18 +2,19 @@
 
 use crate::math;
 use crate::real::Real;
+use crate::vector::Vector;
 
 /// An isochoric right stretch U-bar = J^(-1/3) U.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct IsochoricStretch {
+pub struct IsochoricStretch<V = Real> {
     /// Component 11.
-    pub u11: Real,
+    pub u11: V,
     /// Component 22.
-    pub u22: Real,
+    pub u22: V,
     /// Component 12.
-    pub u12: Real,
+    pub u12: V,
     /// Out of the section.
-    pub u33: Real,
+    pub u33: V,
 }
 
 /// An isochoric right Cauchy-Green tensor C-bar = U-bar^2.
@@ -37,17 +38,23 @@ impl IsochoricStretch {
     pub fn plane_compression(stretch: Real) -> Self {
         Self { u11: 1.0 / stretch, u22: stretch, ..Self::REST }
     }
+}
 
+impl<V: Vector> IsochoricStretch<V> {
     /// I1 = tr C-bar and I2 = tr C-bar^-1.
-    pub fn invariants(&self) -> (Real, Real) {
+    #[inline(always)]
+    pub fn invariants(&self) -> (V, V) {
         let (c11, c22) = (self.u11 * self.u11 + self.u12 * self.u12, self.u22 * self.u22 + self.u12 * self.u12);
         let (c33, det) = (self.u33 * self.u33, self.u11 * self.u22 - self.u12 * self.u12);
         (c11 + c22 + c33, (c11 + c22) * c33 + det * det)
     }
 
     /// The larger and the smaller stretch in the section, and the one out of it.
-    pub fn principal(&self) -> [Real; 3] {
-        let largest = largest_in_plane(0.5 * (self.u11 + self.u22), 0.5 * (self.u11 - self.u22), self.u12);
+    #[inline(always)]
+    pub fn principal(&self) -> [V; 3] {
+        let difference = (self.u11 - self.u22).times(0.5);
+        let radius = (difference * difference + self.u12 * self.u12).square_root();
+        let largest = (self.u11 + self.u22).times(0.5) + radius;
         [largest, (self.u11 * self.u22 - self.u12 * self.u12) / largest, self.u33]
     }
 }

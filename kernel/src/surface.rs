@@ -22,11 +22,9 @@ pub fn surface_position(model: &Model, state: &StateView, column: usize) -> Opti
 ///
 /// The edge of the contact is taken midway between the last node that touches and the next.
 pub fn contact_half_width(model: &Model, state: &StateView) -> Real {
-    let touching = |column: &usize| state.contact_force()[0].get(*column).is_some_and(|force| *force > 0.0);
-    let columns = 0..=model.constants.grid.n_u;
-    let (Some(first), Some(last)) = (columns.clone().find(touching), columns.rev().find(touching)) else {
-        return 0.0;
-    };
+    let forces = state.contact_force()[0].get(..=model.constants.grid.n_u).unwrap_or_default();
+    let touching = |force: &Real| *force > 0.0;
+    let Some(last) = forces.iter().rposition(touching) else { return 0.0 };
     let edge = |column: usize, next: Option<usize>| {
         let x = surface_position(model, state, column).map_or(0.0, |p| p[0]);
         next.and_then(|n| surface_position(model, state, n)).map_or(x, |p| 0.5 * (x + p[0]))
@@ -34,7 +32,10 @@ pub fn contact_half_width(model: &Model, state: &StateView) -> Real {
     let right = edge(last, Some(last + 1));
     match model.constants.scenario.geometry.section {
         Section::Half => right,
-        Section::Full => 0.5 * (right - edge(first, first.checked_sub(1))),
+        Section::Full => {
+            let first = forces.iter().position(touching).unwrap_or(last);
+            0.5 * (right - edge(first, first.checked_sub(1)))
+        }
     }
 }
 

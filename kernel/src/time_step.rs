@@ -5,10 +5,9 @@
 //! each corner: their two triangles share a pressure, and a cell's bound is closer than a triangle's. `cell_bound.rs` tells
 //! how it is found.
 
-use crate::cell_bound::{CellStiffness, gram, limit_squared, unstable};
-use crate::element::{Block, CellConstants, Corners, HoopConstants, cell_kinematics};
+use crate::cell_bound::{CellMatrix, CellStiffness, cell_matrix, limit_squared, unstable};
+use crate::element::{Block, CellConstants, CellHistory, HoopConstants, TriangleHistory};
 use crate::error::{ModelError, StepError};
-use crate::kinematics::Kinematics;
 use crate::lanes::{LANES, ZERO};
 use crate::material::Laws;
 use crate::math;
@@ -27,12 +26,12 @@ pub const DESIGN_STRETCH: Real = 0.56;
 /// The same in rings: a dome meets the face in a point, and gets thinner there.
 pub const DESIGN_STRETCH_RINGS: Real = 0.45;
 
-/// Neighbouring cells that the monitor visits together.
-const GROUP: usize = 4;
-
 /// The monitor visits every cell at least once in this many steps. At the study's speeds a stretch changes by some
 /// hundredths in that time.
 pub const MONITOR_PERIOD: usize = 64;
+
+/// The fewest cells that it visits in a step: on a small mesh, all cells have their turn sooner.
+const LEAST_GROUP: usize = 4;
 
 /// Most steps in a sampling interval.
 pub const MAX_STEPS_PER_SAMPLE: u32 = 5000;
@@ -87,9 +86,9 @@ fn smallest_limit(
         for l in 0..LANES {
             // Padding has no mass.
             if constants.triangle[0].reference_volume[l] > 0.0 {
-                let gram = gram(Scalar, l, &block, &pressed.stiffness(constants, l));
-                if unstable(Scalar, &gram, 4.0 / smallest) > 0.0 || smallest == Real::INFINITY {
-                    smallest = limit_squared(&gram, Scalar);
+                let matrix = cell_matrix(Scalar, l, &block, &pressed.stiffness(constants, l));
+                if unstable(Scalar, &matrix, smallest) > 0.0 || smallest == Real::INFINITY {
+                    smallest = limit_squared(Scalar, &matrix);
                 }
             }
         }
@@ -110,7 +109,7 @@ struct Pressed {
 impl Pressed {
     fn new(material: &Material, thickness: Real) -> Self {
         let laws = Laws::new(material, SAMPLING_INTERVAL);
-        let (bulk, shear) = (laws.volumetric.tangent(1.0), laws.shear_tangent(&IsochoricStretch::REST));
+        let (bulk, shear) = (laws.volumetric.tangent(Scalar, 1.0), laws.shear_tangent(Scalar, &IsochoricStretch::REST));
         // Poisson's ratio over one minus it: the lateral strain of a plate in plane strain.
         let spread = math::larger(0.0, (3.0 * bulk - 2.0 * shear) / (3.0 * bulk + 4.0 * shear));
         let width = math::exp(-spread * math::ln(thickness));
@@ -119,8 +118,8 @@ impl Pressed {
         let stretch = IsochoricStretch { u11: scale * width, u22: scale * thickness, u12: 0.0, u33: scale };
         Self {
             stretch: [width, thickness],
-            shear: laws.shear_tangent(&stretch),
-            bulk: laws.volumetric.tangent(jacobian),
+            shear: laws.shear_tangent(Scalar, &stretch),
+            bulk: laws.volumetric.tangent(Scalar, jacobian),
             laws,
         }
     }
@@ -147,42 +146,70 @@ fn direction_along_row(cell: &CellConstants, l: usize) -> [Real; 2] {
     [y * inverse, -x * inverse]
 }
 
-/// Compares the step with the current limit of this step's share of the cells: so many groups of [`GROUP`] neighbours that
-/// all have had their turn after [`MONITOR_PERIOD`] steps at most, the same number in every step.
+/// Compares the step with the current limit of this step's share of the cells, as the internal forces have found them: the
+/// same number in every step, so that all have had their turn after [`MONITOR_PERIOD`] steps at most.
 ///
 /// # Errors
 /// The first cell whose limit is below the step.
 #[inline(always)]
 pub(crate) fn monitor<S: Instructions>(set: S, model: &Model, state: &State) -> Result<(), StepError> {
-    let groups = model.cells.len() * (LANES / GROUP);
-    let share = groups.div_ceil(MONITOR_PERIOD);
-    let first = state.scalars.step_index % groups.div_ceil(share.max(1)).max(1) as u64;
-    for turn in 0..share {
-        let group = (first as usize * share + turn) % groups.max(1);
-        let (block, start) = (group / (LANES / GROUP), (group % (LANES / GROUP)) * GROUP);
-        let Some(constants) = model.cells.get(block) else { continue };
+    let share = Share::new(model.cells.len() * LANES, state.scalars.step_index);
+    let step_squared = set.splat(model.constants.dt * model.constants.dt);
+    for turn in 0..share.count {
+        let (block, start) = (share.cell(turn) / LANES, share.cell(turn) % LANES);
+        let (Some(constants), Some(history)) = (model.cells.get(block), state.cells.get(block)) else { continue };
         let block_of = Block { laws: model.constants.laws_of(block), constants, hoop: model.hoops.get(block) };
-        let limit = set.splat(4.0 / (model.constants.dt * model.constants.dt));
         let mut lost = ZERO;
-        for chunk in start / S::WIDTH..(start + GROUP).div_ceil(S::WIDTH) {
-            let gram = current_gram(set, chunk, &block_of, &state.corners(set, chunk, &model.constants.grid, block));
-            set.store(unstable(set, &gram, limit), &mut lost, chunk);
+        for chunk in start / S::WIDTH..(start + share.group).div_ceil(S::WIDTH) {
+            let matrix = current_matrix(set, chunk, &block_of, history);
+            set.store(unstable(set, &matrix, step_squared), &mut lost, chunk);
         }
-        let lanes = lost.iter().enumerate().skip(start).take(GROUP);
-        if lanes.clone().fold(0.0, |sum, (_, lost)| sum + lost) > 0.0 {
-            return Err(failure(model, state, block, lanes.filter(|(_, lost)| **lost > 0.0).map(|(l, _)| l).next()));
+        let visited = lost.get(start..start + share.group).unwrap_or_default();
+        if let Some(l) = visited.iter().position(|lost| *lost > 0.0) {
+            return Err(failure(model, state, block, start + l));
         }
     }
     Ok(())
 }
 
+/// The cells that a step visits: groups of neighbours.
+struct Share {
+    /// Cells of a group, a divisor of [`LANES`].
+    group: usize,
+    /// The first group.
+    first: usize,
+    /// Number of groups.
+    count: usize,
+    /// Groups of the mesh, after the last of which comes the first.
+    of: usize,
+}
+
+impl Share {
+    /// Of the step `step_index`, for a mesh of so many `cells`, padding included.
+    fn new(cells: usize, step_index: u64) -> Self {
+        let each = cells.div_ceil(MONITOR_PERIOD);
+        let (group, count, of) = if each > LEAST_GROUP {
+            (LANES, each.div_ceil(LANES), cells / LANES)
+        } else {
+            (LEAST_GROUP, 1, cells / LEAST_GROUP)
+        };
+        let first = step_index % of.div_ceil(count).max(1) as u64;
+        Self { group, first: first as usize * count, count, of }
+    }
+
+    /// The first cell of the group `turn`.
+    fn cell(&self, turn: usize) -> usize {
+        let place = self.first + turn;
+        self.group * if place < self.of { place } else { place - self.of }
+    }
+}
+
 #[cold]
-fn failure(model: &Model, state: &State, block: usize, l: Option<usize>) -> StepError {
-    let (constants, l) = (&model.constants, l.unwrap_or_default());
-    let limit = model.cells.get(block).map(|cell| {
+fn failure(model: &Model, state: &State, block: usize, l: usize) -> StepError {
+    let constants = &model.constants;
+    let limit = model.cells.get(block).zip(state.cells.get(block)).map(|(cell, history)| {
         let block_of = Block { laws: constants.laws_of(block), constants: cell, hoop: model.hoops.get(block) };
-        let gram = current_gram(Scalar, l, &block_of, &state.corners(Scalar, l, &constants.grid, block));
-        math::sqrt(limit_squared(&gram, Scalar))
+        math::sqrt(limit_squared(Scalar, &current_matrix(Scalar, l, &block_of, history)))
     });
     StepError::Unstable {
         element: constants.grid.element_index(block, l, 0),
@@ -194,38 +221,75 @@ fn failure(model: &Model, state: &State, block: usize, l: Option<usize>) -> Step
 
 /// The matrix of neighbouring cells as they stand.
 #[inline(always)]
-fn current_gram<S: Instructions>(
+fn current_matrix<S: Instructions>(
     set: S,
     chunk: usize,
     block: &Block,
-    corners: &Corners<S::Vector>,
-) -> [[S::Vector; 7]; 7] {
-    let kinematics = cell_kinematics(set, chunk, block, corners);
-    let (zero, one) = (set.splat(0.0), set.splat(1.0));
-    let mut stiffness =
-        CellStiffness { inverse_stretch: [[zero; 3]; 2], hoop_scale: [one; 2], shear: [zero; 2], bulk: zero };
-    for t in 0..2 {
-        let k = &kinematics[t];
-        let inverse = one / (k.mean * k.mean - (k.difference * k.difference + k.shear * k.shear));
-        stiffness.inverse_stretch[t] =
-            [(k.mean - k.difference) * inverse, (k.mean + k.difference) * inverse, zero - k.shear * inverse];
-        if block.hoop.is_some() {
-            stiffness.hoop_scale[t] = one / k.hoop;
-        }
-        let [shear, bulk] = tangents(set, block.laws, k);
-        stiffness.shear[t] = shear;
-        stiffness.bulk = bulk.if_greater(stiffness.bulk, bulk, stiffness.bulk);
-    }
-    gram(set, chunk, block, &stiffness)
+    history: &CellHistory,
+) -> CellMatrix<S::Vector> {
+    let [a, b] = [
+        TriangleStiffness::new(set, chunk, block, &history.triangle[0]),
+        TriangleStiffness::new(set, chunk, block, &history.triangle[1]),
+    ];
+    let stiffness = CellStiffness {
+        inverse_stretch: [a.inverse_stretch, b.inverse_stretch],
+        hoop_scale: [a.hoop_scale, b.hoop_scale],
+        shear: [a.shear, b.shear],
+        bulk: a.bulk.larger(b.bulk),
+    };
+    cell_matrix(set, chunk, block, &stiffness)
 }
 
-/// Shear tangent and tangent of the volume, Pa, of neighbouring triangles.
-#[inline(always)]
-fn tangents<S: Instructions>(set: S, laws: &Laws, k: &Kinematics<S::Vector>) -> [S::Vector; 2] {
-    let scale = k.inverse_cbrt_j;
-    let stretch = [scale * k.mean, scale * k.difference, scale * k.shear, scale * k.hoop, k.jacobian];
-    set.map(stretch, |[mean, difference, u12, u33, jacobian]| {
-        let stretch = IsochoricStretch { u11: mean + difference, u22: mean - difference, u12, u33 };
-        [laws.shear_tangent(&stretch), laws.volumetric.tangent(jacobian)]
-    })
+/// A triangle's part in a [`CellStiffness`].
+struct TriangleStiffness<V> {
+    inverse_stretch: [V; 3],
+    hoop_scale: V,
+    shear: V,
+    bulk: V,
+}
+
+impl<V: Vector> TriangleStiffness<V> {
+    /// At the stretch that the last internal forces have left in the history.
+    #[inline(always)]
+    fn new<S: Instructions<Vector = V>>(set: S, chunk: usize, block: &Block, history: &TriangleHistory) -> Self {
+        let [mean, difference, shear, hoop] = &history.stretch_prev;
+        let (mean, difference) = (set.load(mean, chunk), set.load(difference, chunk));
+        let (u12, u33) = (set.load(shear, chunk), set.load(hoop, chunk));
+        let (u11, u22) = (mean + difference, mean - difference);
+        let section = mean * mean - (difference * difference + u12 * u12);
+        let one = set.splat(1.0);
+        let inverse = one / section;
+        let jacobian = section * u33;
+        let scale = math::inverse_cbrt(jacobian);
+        let isochoric = IsochoricStretch { u11: scale * u11, u22: scale * u22, u12: scale * u12, u33: scale * u33 };
+        Self {
+            inverse_stretch: [u22 * inverse, u11 * inverse, (u12 * inverse).times(-1.0)],
+            hoop_scale: if block.hoop.is_some() { one / u33 } else { one },
+            shear: block.laws.shear_tangent(set, &isochoric),
+            bulk: block.laws.volumetric.tangent(set, jacobian),
+        }
+    }
+}
+
+#[cfg(all(test, not(feature = "single")))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_monitor_visits_every_cell_in_its_period() {
+        for blocks in 1..300 {
+            let cells = blocks * LANES;
+            for start in [0, 1, 12_345] {
+                let mut visits = [0; 300 * LANES];
+                for step in start..start + MONITOR_PERIOD as u64 {
+                    let share = Share::new(cells, step);
+                    for cell in (0..share.count).map(|turn| share.cell(turn)) {
+                        assert_eq!(cell / LANES, (cell + share.group - 1) / LANES);
+                        visits[cell..cell + share.group].iter_mut().for_each(|visits| *visits += 1);
+                    }
+                }
+                assert!(visits[..cells].iter().all(|visits| *visits > 0), "{cells} cells from step {start}");
+            }
+        }
+    }
 }

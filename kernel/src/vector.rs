@@ -77,6 +77,12 @@ pub trait Instructions: Copy {
     /// Writes the `chunk`-th vector of a lane.
     fn store(self, vector: Self::Vector, lane: &mut Lane, chunk: usize);
 
+    /// Adds to the `chunk`-th vector of a lane.
+    #[inline(always)]
+    fn add(self, vector: Self::Vector, lane: &mut Lane, chunk: usize) {
+        self.store(self.load(lane, chunk) + vector, lane, chunk);
+    }
+
     /// The `chunk`-th vectors of a pair of lanes.
     #[inline(always)]
     fn load_pair(self, pair: &[Lane; 2], chunk: usize) -> [Self::Vector; 2] {

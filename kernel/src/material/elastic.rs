@@ -3,11 +3,10 @@
 use crate::kinematics::Kinematics;
 use crate::lanes::Deviator;
 use crate::material::{MooneyRivlin, NeoHookean, Ogden, Yeoh};
-use crate::math;
 use crate::real::Real;
 use crate::scenario::{ElasticLaw, Material};
 use crate::stretch::IsochoricStretch;
-use crate::vector::Instructions;
+use crate::vector::{Instructions, Vector};
 
 /// Long-term isochoric elasticity.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -92,12 +91,13 @@ impl Elastic {
     }
 
     /// An upper bound of the shear tangent, Pa, at a stretch.
-    pub fn shear_tangent(&self, stretch: &IsochoricStretch) -> Real {
+    #[inline(always)]
+    pub fn shear_tangent<S: Instructions>(&self, set: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
         match self {
-            Self::NeoHookean(law) => law.shear_tangent(stretch),
-            Self::MooneyRivlin(law) => law.shear_tangent(stretch),
-            Self::Yeoh(law) => law.shear_tangent(stretch),
-            Self::Ogden(law) => law.shear_tangent(stretch),
+            Self::NeoHookean(law) => law.shear_tangent(set, stretch),
+            Self::MooneyRivlin(law) => law.shear_tangent(set, stretch),
+            Self::Yeoh(law) => law.shear_tangent(set, stretch),
+            Self::Ogden(law) => law.shear_tangent(set, stretch),
         }
     }
 }
@@ -107,7 +107,13 @@ impl Elastic {
 /// In a plane isochoric stretch l, where I1 = I2 = I and l^2 + l^-2 = I - 1, the tangent of pure shear is
 /// W' (I-1) + W'' ((I-1)^2 - 4) with the derivatives along I1 = I2; it exceeds those of simple shear. The larger
 /// invariant makes it a bound for other stretches; a negative derivative is not counted.
-pub(crate) fn plane_shear_tangent((i1, i2): (Real, Real), first: Real, second: Real) -> Real {
-    let i = math::larger(i1, i2) - 1.0;
-    math::larger(first, 0.0) * i + math::larger(second, 0.0) * math::larger(i * i - 4.0, 0.0)
+#[inline(always)]
+pub(crate) fn plane_shear_tangent<S: Instructions>(
+    set: S,
+    (i1, i2): (S::Vector, S::Vector),
+    first: S::Vector,
+    second: S::Vector,
+) -> S::Vector {
+    let (i, zero) = (i1.larger(i2).plus(-1.0), set.splat(0.0));
+    first.larger(zero) * i + second.larger(zero) * (i * i).plus(-4.0).larger(zero)
 }

@@ -37,6 +37,7 @@ pub use yeoh::Yeoh;
 use crate::real::Real;
 use crate::scenario::Material;
 use crate::stretch::IsochoricStretch;
+use crate::vector::{Instructions, Vector};
 
 /// The laws of one layer with everything precomputed that does not change.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -79,9 +80,9 @@ impl Laws {
     /// An upper bound of the shear tangent of elasticity, overstress and damping together, Pa.
     ///
     /// All viscous terms count as unrelaxed, and nothing as torn.
-    pub fn shear_tangent(&self, stretch: &IsochoricStretch) -> Real {
-        self.elastic.shear_tangent(stretch) * (1.0 + self.prony.overstress())
-            + self.maxwell.shear_modulus()
-            + self.slider.stiffness()
+    #[inline(always)]
+    pub fn shear_tangent<S: Instructions>(&self, set: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
+        let elastic = self.elastic.shear_tangent(set, stretch);
+        elastic.times(1.0 + self.prony.overstress()).plus(self.maxwell.shear_modulus()).plus(self.slider.stiffness())
     }
 }

@@ -12,7 +12,7 @@ use crate::material::plane_shear_tangent;
 use crate::real::Real;
 use crate::scenario::Material;
 use crate::stretch::IsochoricStretch;
-use crate::vector::Vector;
+use crate::vector::{Instructions, Vector};
 
 /// Long-term coefficients, Pa.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,9 +44,10 @@ impl MooneyRivlin {
 
     /// (dW/dI1, dW/dI2), Pa.
     #[inline(always)]
-    fn derivatives(&self, i1: Real, i2: Real) -> (Real, Real) {
-        let (a, b) = (i1 - 3.0, i2 - 3.0);
-        (self.c10 + 2.0 * self.c20 * a + self.c11 * b, self.c01 + 2.0 * self.c02 * b + self.c11 * a)
+    fn derivatives<V: Vector>(&self, i1: V, i2: V) -> (V, V) {
+        let (a, b) = (i1.plus(-3.0), i2.plus(-3.0));
+        let first = a.times(2.0 * self.c20).plus(self.c10) + b.times(self.c11);
+        (first, b.times(2.0 * self.c02).plus(self.c01) + a.times(self.c11))
     }
 
     /// W at the invariants.
@@ -97,9 +98,10 @@ impl MooneyRivlin {
     }
 
     /// An upper bound of the shear tangent, Pa.
-    pub fn shear_tangent(&self, stretch: &IsochoricStretch) -> Real {
+    #[inline(always)]
+    pub fn shear_tangent<S: Instructions>(&self, set: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
         let (i1, i2) = stretch.invariants();
         let (w1, w2) = self.derivatives(i1, i2);
-        plane_shear_tangent((i1, i2), w1 + w2, 2.0 * (self.c20 + self.c02 + self.c11))
+        plane_shear_tangent(set, (i1, i2), w1 + w2, set.splat(2.0 * (self.c20 + self.c02 + self.c11)))
     }
 }

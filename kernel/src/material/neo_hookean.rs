@@ -7,7 +7,7 @@ use crate::material::plane_shear_tangent;
 use crate::real::Real;
 use crate::scenario::Material;
 use crate::stretch::IsochoricStretch;
-use crate::vector::Vector;
+use crate::vector::{Instructions, Vector};
 
 /// Long-term coefficient, Pa.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,7 +46,8 @@ impl NeoHookean {
     }
 
     /// An upper bound of the shear tangent, Pa.
-    pub fn shear_tangent(&self, stretch: &IsochoricStretch) -> Real {
-        plane_shear_tangent(stretch.invariants(), self.c10, 0.0)
+    #[inline(always)]
+    pub fn shear_tangent<S: Instructions>(&self, set: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
+        plane_shear_tangent(set, stretch.invariants(), set.splat(self.c10), set.splat(0.0))
     }
 }

@@ -22,6 +22,7 @@ use crate::kinematics::Kinematics;
 use crate::lanes::{Deviator, SQRT_THIRD};
 use crate::math;
 use crate::power;
+use crate::real::consts::LN_2;
 use crate::real::{LARGEST_EXPONENT, Real, TINY_SQUARE};
 use crate::scenario::Material;
 use crate::stretch::IsochoricStretch;
@@ -137,14 +138,24 @@ impl Ogden {
     /// largest of the three bounds it. Turning the directions of l_i and l_j meets
     /// (tau_i - tau_j)(l_i^2 + l_j^2) / (2 (l_i^2 - l_j^2)), which exceeds it only for exponents between -2 and 2, by
     /// a factor of at most h coth h < 1 + h with h = |ln(l_i / l_j)|.
-    pub fn shear_tangent(&self, stretch: &IsochoricStretch) -> Real {
-        let stiffening = || self.terms().filter(|(mu, alpha)| mu * alpha > 0.0);
-        let logs = stretch.principal().map(math::ln);
-        let along =
-            logs.map(|log| 0.5 * stiffening().fold(0.0, |sum, (mu, alpha)| sum + mu * alpha * math::exp(alpha * log)));
-        let largest = |v: [Real; 3]| math::larger(v[0], math::larger(v[1], v[2]));
-        let spread = largest(logs) + largest(logs.map(|log| -log));
-        let soft = stiffening().any(|(_, alpha)| math::abs(alpha) < 2.0);
-        largest(along) * if soft { 1.0 + spread } else { 1.0 }
+    #[inline(always)]
+    pub fn shear_tangent<S: Instructions>(&self, set: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
+        let zero = set.splat(0.0);
+        let (mut most, mut least, mut tangent, mut soft) = (zero, zero, zero, false);
+        for stretch in stretch.principal() {
+            let log = self.limited(set, power::log2(set, stretch));
+            (most, least) = (most.larger(log), least.larger(zero - log));
+            let mut along = zero;
+            for k in 0..MAX_OGDEN_TERMS {
+                let (mu, alpha) = (self.mu[k], self.alpha[k]);
+                if mu * alpha > 0.0 {
+                    let [root, _] = power::exp2_of_both_signs(log.times(0.5 * alpha));
+                    along = along + (root.whole * root.whole).times(0.5 * mu * alpha);
+                    soft = soft || math::abs(alpha) < 2.0;
+                }
+            }
+            tangent = tangent.larger(along);
+        }
+        if soft { tangent * (most + least).times(LN_2).plus(1.0) } else { tangent }
     }
 }

@@ -4,7 +4,6 @@
 //! * Simo (Simo, Taylor and Pister 1985; Simo and Miehe 1992): U = K/4 (J^2 - 1 - 2 ln J), p = K/2 (J - 1/J), which
 //!   grows without bound as J goes to 0 and so keeps J positive.
 
-use crate::math;
 use crate::power;
 use crate::real::{Real, consts::LN_2};
 use crate::scenario::{Material, VolumetricLaw};
@@ -54,12 +53,13 @@ impl Volumetric {
 
     /// An upper bound of the modulus of volume strain at `jacobian`, Pa: J^2 d2U/dJ2, the modulus against spatial
     /// gradients, and not less than that at rest.
-    pub fn tangent(&self, jacobian: Real) -> Real {
+    #[inline(always)]
+    pub fn tangent<S: Instructions>(&self, set: S, jacobian: S::Vector) -> S::Vector {
         let square = jacobian * jacobian;
         let relative = match self.law {
             VolumetricLaw::Quadratic => square,
-            VolumetricLaw::Simo => 0.5 * (square + 1.0),
+            VolumetricLaw::Simo => square.plus(1.0).times(0.5),
         };
-        self.bulk_modulus * math::larger(1.0, relative)
+        relative.larger(set.splat(1.0)).times(self.bulk_modulus)
     }
 }

@@ -7,7 +7,7 @@ use crate::material::plane_shear_tangent;
 use crate::real::Real;
 use crate::scenario::Material;
 use crate::stretch::IsochoricStretch;
-use crate::vector::Vector;
+use crate::vector::{Instructions, Vector};
 
 /// Long-term coefficients, Pa.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,8 +35,8 @@ impl Yeoh {
 
     /// dW/dI1 at a = I1 - 3.
     #[inline(always)]
-    fn slope(&self, a: Real) -> Real {
-        self.c10 + a * (2.0 * self.c20 + a * (3.0 * self.c30))
+    fn slope<V: Vector>(&self, a: V) -> V {
+        (a * a.times(3.0 * self.c30).plus(2.0 * self.c20)).plus(self.c10)
     }
 
     /// W, J/m3 of reference volume.
@@ -65,9 +65,10 @@ impl Yeoh {
     }
 
     /// An upper bound of the shear tangent, Pa.
-    pub fn shear_tangent(&self, stretch: &IsochoricStretch) -> Real {
+    #[inline(always)]
+    pub fn shear_tangent<S: Instructions>(&self, set: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
         let (i1, i2) = stretch.invariants();
-        let a = i1 - 3.0;
-        plane_shear_tangent((i1, i2), self.slope(a), 2.0 * self.c20 + 6.0 * self.c30 * a)
+        let a = i1.plus(-3.0);
+        plane_shear_tangent(set, (i1, i2), self.slope(a), a.times(6.0 * self.c30).plus(2.0 * self.c20))
     }
 }

@@ -28,6 +28,13 @@ pub const MAXWELL_RAMP: f64 = 1e-6;
 /// amplitude, and a transient of e^-12 is left.
 pub const HARMONIC: f64 = 1e-4;
 
+/// Shear tangent from second differences of W over a strain of 10^-3: the next order is its square times the ratio of the
+/// fourth derivative to the second, of the order of ten.
+pub const SHEAR_TANGENT: f64 = 1e-5;
+
+/// Largest stable step of a cell: the halvings of an interval seven times as long, and the half of the squares' error.
+pub const STABLE_STEP: f64 = 1e-8;
+
 /// Slider loop at a shear of 1 %: the closed form is that of small strain, the next order is the square of the shear.
 pub const SLIDER_LOOP: f64 = 1e-3;
 

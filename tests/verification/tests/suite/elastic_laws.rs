@@ -4,12 +4,17 @@
 //! Source: the definition of a hyperelastic material, P = dW/dF, and of objectivity, P(Q F) = Q P(F), e.g. Holzapfel,
 //! Nonlinear Solid Mechanics (2000).
 
+use softanvil_kernel::material::Elastic;
 use softanvil_kernel::preset;
 use softanvil_kernel::scenario::{Formulation, Material, VolumetricLaw};
+use softanvil_kernel::stretch::IsochoricStretch;
+use softanvil_kernel::vector::Scalar;
 use softanvil_verification::deformation::{Samples, product, rotation};
 use softanvil_verification::element::{Cell, Gradient};
 use softanvil_verification::scenes::{laws, run};
-use softanvil_verification::tolerance::{CLOSED_FORM, ENERGY_GRADIENT, ENERGY_RESIDUAL, SMALL_SHEAR, relative_error};
+use softanvil_verification::tolerance::{
+    CLOSED_FORM, ENERGY_GRADIENT, ENERGY_RESIDUAL, SHEAR_TANGENT, SMALL_SHEAR, relative_error,
+};
 
 const BULK: f64 = 1e6;
 
@@ -93,6 +98,28 @@ fn the_shear_modulus_at_rest_is_the_one_stated() {
         let stress = cell(material, Formulation::PlaneStrain).deform([[1.0, shear], [0.0, 1.0]])[0][1];
         let stated = material.shear_modulus_inf();
         assert!(relative_error(stress / shear, stated) < SMALL_SHEAR, "{name}: {} against {stated}", stress / shear);
+    }
+}
+
+/// Source: pure shear by e along the principal axes, where W'' = 4 G with the tangent G, by central differences of W. It is
+/// stated for the laws of the invariants whose derivatives are positive, and a bound for the others.
+#[test]
+fn the_shear_tangent_bounds_that_of_a_plane_compression() {
+    for (name, material) in laws(BULK) {
+        let law = Elastic::new(&material);
+        for stretch in [0.4_f64, 0.56, 0.9, 1.0, 1.3] {
+            let energy = |e: f64| law.strain_energy_density(&IsochoricStretch::plane_compression(stretch * e.exp()));
+            let step = 1e-3;
+            let tangent = 0.25 * (energy(step) - 2.0 * energy(0.0) + energy(-step)) / (step * step);
+            let bound = law.shear_tangent(Scalar, &IsochoricStretch::plane_compression(stretch));
+            assert!(bound > tangent * (1.0 - SHEAR_TANGENT), "{name} at {stretch}: {bound} Pa, {tangent} Pa");
+            if matches!(law, Elastic::NeoHookean(_) | Elastic::MooneyRivlin(_)) {
+                assert!(
+                    relative_error(bound, tangent) < SHEAR_TANGENT,
+                    "{name} at {stretch}: {bound} Pa, {tangent} Pa"
+                );
+            }
+        }
     }
 }
 

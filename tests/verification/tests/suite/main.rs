@@ -16,6 +16,7 @@ mod problems;
 mod sections;
 mod single;
 mod slider;
+mod stability;
 mod tear;
 mod viscoelastic;
 mod volumetric;

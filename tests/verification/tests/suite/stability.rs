@@ -1,0 +1,180 @@
+//! The limit of the time step against the eigenvalues of the cells, and that a step beyond it is refused and found.
+//!
+//! Source: central differences are stable for dt <= 2 / omega; omega^2 of a cell by nalgebra, from its stiffness as
+//! `kernel/src/cell_bound.rs` defines it, written out over the displacements of the corners.
+
+use nalgebra::{SMatrix, SVector, SymmetricEigen};
+use softanvil_kernel::mesh::{Grid, out_of_plane, triangles};
+use softanvil_kernel::scenario::{ElasticLaw, Formulation, Material, StepBy};
+use softanvil_kernel::time_step::MONITOR_PERIOD;
+use softanvil_kernel::{InstructionSet, ModelError, Scenario, Simulation, StepError, StepInput, step_with};
+use softanvil_verification::deformation::Samples;
+use softanvil_verification::scenes::{elastic, grid};
+use softanvil_verification::tolerance::{STABLE_STEP, relative_error};
+
+/// Cells along and across the row: not a whole number of blocks, several steps for a round of the monitor.
+const CELLS: [usize; 2] = [11, 8];
+/// C10 of the neo-Hookean material, Pa.
+const C10: f64 = 0.1e6;
+/// Its bulk modulus, Pa.
+const BULK: f64 = 0.9e6;
+
+type Row = SVector<f64, 8>;
+
+/// A body of distorted cells.
+struct Body {
+    scenario: Scenario,
+    grid: Grid,
+    /// Nodes at rest, m, row by row.
+    nodes: Vec<[f64; 2]>,
+}
+
+impl Body {
+    fn new(formulation: Formulation) -> Self {
+        let material = Material { law: ElasticLaw::NeoHookean, ..elastic(C10, 0.0, BULK) };
+        let mut scenario = grid(CELLS[0], CELLS[1], material);
+        scenario.geometry.formulation = formulation;
+        let mut samples = Samples::new(3);
+        let mut shifted = |n: usize| 1e-3 * (n as f64 + 0.3 * samples.number());
+        let nodes = (0..=CELLS[1]).flat_map(|v| (0..=CELLS[0]).map(move |u| (u, v)));
+        let nodes = nodes.map(|(u, v)| [shifted(u + 2), shifted(v)]).collect();
+        Self { scenario, grid: Grid::new(&scenario).expect("a legal mesh"), nodes }
+    }
+
+    fn position(&self, u: usize, v: usize) -> [f64; 2] {
+        self.nodes[v * (CELLS[0] + 1) + u]
+    }
+
+    fn simulation(&self, step: f64) -> Result<Simulation, ModelError> {
+        let mut scenario = self.scenario;
+        scenario.time.step_by = StepBy::Given;
+        scenario.time.step = step;
+        Simulation::with_positions(&scenario, &|u, v| self.position(u, v))
+    }
+
+    /// The largest stable step of cell (u, v), s, where its corners have gone by `gradient` and its shear modulus is that.
+    fn limit(&self, u: usize, v: usize, gradient: &[[f64; 2]; 2], shear_modulus: f64) -> f64 {
+        let corners = [(u, v), (u + 1, v), (u + 1, v + 1), (u, v + 1)].map(|(u, v)| self.position(u, v));
+        let moved = corners.map(|corner| applied(gradient, corner));
+        let triangles = triangles(&self.grid, u, v);
+        let volume = triangles.map(|nodes| {
+            let [a, b, c] = nodes.map(|node| corners[node]);
+            0.5 * double_area(a, b, c) * out_of_plane(&self.scenario, (a[0] + b[0] + c[0]) / 3.0)
+        });
+        let whole = volume[0] + volume[1];
+        let (mut stiffness, mut dilatation) = (SMatrix::<f64, 8, 8>::zeros(), Row::zeros());
+        for (nodes, volume) in triangles.into_iter().zip(volume) {
+            let [xx, yy, xy, zz] = self.strains(&moved, nodes);
+            for (row, part) in [(xx + yy - 2.0 * zz, 1.0 / 3.0), (xx - yy, 1.0), (2.0 * xy, 1.0)] {
+                stiffness += shear_modulus * volume * part * row * row.transpose();
+            }
+            dilatation += volume / whole * (xx + yy + zz);
+        }
+        stiffness += BULK * whole * dilatation * dilatation.transpose();
+        let largest = SymmetricEigen::new(stiffness).eigenvalues.max();
+        2.0 / (largest / (0.25 * self.scenario.silicone.density * whole)).sqrt()
+    }
+
+    /// e11, e22, e12 and e33 of a triangle of a cell, as rows over the displacements x, y of its corners.
+    fn strains(&self, corners: &[[f64; 2]; 4], nodes: [usize; 3]) -> [Row; 4] {
+        let (mut xx, mut yy, mut xy, mut zz) = (Row::zeros(), Row::zeros(), Row::zeros(), Row::zeros());
+        let points = nodes.map(|node| corners[node]);
+        let [a, b, c] = points;
+        let area = double_area(a, b, c);
+        for i in 0..3 {
+            let (p, q) = (points[(i + 1) % 3], points[(i + 2) % 3]);
+            let (x, y) = ((p[1] - q[1]) / area, (q[0] - p[0]) / area);
+            let (along_x, along_y) = (2 * nodes[i], 2 * nodes[i] + 1);
+            (xx[along_x], yy[along_y], xy[along_x], xy[along_y]) = (x, y, 0.5 * y, 0.5 * x);
+            if self.grid.axisymmetric {
+                zz[along_x] = 1.0 / (a[0] + b[0] + c[0]);
+            }
+        }
+        [xx, yy, xy, zz]
+    }
+
+    /// The smallest limit of all cells at rest, s.
+    fn limit_at_rest(&self) -> f64 {
+        let cells = (0..CELLS[1]).flat_map(|v| (0..CELLS[0]).map(move |u| (u, v)));
+        cells.fold(f64::INFINITY, |least, (u, v)| least.min(self.limit(u, v, &[[1.0, 0.0], [0.0, 1.0]], 2.0 * C10)))
+    }
+
+    /// Puts all nodes where `gradient` takes them, and steps until a round of the monitor is over.
+    fn steps(&self, set: InstructionSet, step: f64, gradient: &[[f64; 2]; 2]) -> Result<(), StepError> {
+        let mut simulation = self.simulation(step).expect("a legal step");
+        let run = simulation.with(|model, state| {
+            let stride = model.constants.grid.stride();
+            for (u, v) in (0..=CELLS[1]).flat_map(|v| (0..=CELLS[0]).map(move |u| (u, v))) {
+                let rest = self.position(u, v);
+                let moved = applied(gradient, rest);
+                let [x, y] = state.displacement_mut();
+                (x[v * stride + u], y[v * stride + u]) = (moved[0] - rest[0], moved[1] - rest[1]);
+            }
+            let input = StepInput { driven_position: self.scenario.impactor.gap, ..StepInput::default() };
+            (0..MONITOR_PERIOD).try_for_each(|_| step_with(set, model, state, &input))
+        });
+        run.expect("memory of the right size")
+    }
+}
+
+fn double_area(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> f64 {
+    (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])
+}
+
+fn applied(f: &[[f64; 2]; 2], x: [f64; 2]) -> [f64; 2] {
+    [f[0][0] * x[0] + f[0][1] * x[1], f[1][0] * x[0] + f[1][1] * x[1]]
+}
+
+fn sets() -> impl Iterator<Item = InstructionSet> {
+    InstructionSet::ALL.into_iter().filter(|set| set.available())
+}
+
+#[test]
+fn the_limit_at_rest_is_that_of_the_highest_frequency_of_a_cell() {
+    for formulation in [Formulation::PlaneStrain, Formulation::Axisymmetric] {
+        let body = Body::new(formulation);
+        let expected = body.limit_at_rest();
+        match body.simulation(1.01 * expected).err() {
+            Some(ModelError::StepTooLarge { limit, .. }) => {
+                assert!(relative_error(limit, expected) < STABLE_STEP, "{formulation:?}: {limit} s, {expected} s");
+            }
+            other => panic!("{formulation:?}: {other:?}"),
+        }
+    }
+}
+
+/// The neo-Hookean shear tangent is C10 (I - 1) with the larger invariant; nothing changes its volume here.
+#[test]
+fn a_deformed_cell_is_refused_with_its_own_limit() {
+    let (squeezed, shear) = (0.5_f64, 0.4);
+    let sheared = [[squeezed, shear], [0.0, 1.0 / squeezed]];
+    let plane = squeezed.powi(2) + shear.powi(2) + squeezed.powi(-2) + 1.0;
+    let ring = [[squeezed, 0.0], [0.0, squeezed.powi(-2)]];
+    let around = (2.0 * squeezed.powi(2) + squeezed.powi(-4)).max(2.0 * squeezed.powi(-2) + squeezed.powi(4));
+    for (formulation, gradient, invariant) in
+        [(Formulation::PlaneStrain, sheared, plane), (Formulation::Axisymmetric, ring, around)]
+    {
+        let body = Body::new(formulation);
+        let step = 0.99 * body.limit_at_rest();
+        for set in sets() {
+            match body.steps(set, step, &gradient) {
+                Err(StepError::Unstable { element, limit, step: told, time: 0.0 }) => {
+                    let cell = element as usize / 2;
+                    let expected = body.limit(cell % CELLS[0], cell / CELLS[0], &gradient, C10 * (invariant - 1.0));
+                    assert!(relative_error(limit, expected) < STABLE_STEP, "{formulation:?}: {limit} s, {expected} s");
+                    assert!(limit < told, "{limit} s, {told} s");
+                }
+                other => panic!("{formulation:?}, {set:?}: {other:?}"),
+            }
+        }
+    }
+}
+
+#[test]
+fn a_turned_body_is_as_stable_as_one_at_rest() {
+    let body = Body::new(Formulation::PlaneStrain);
+    let (sin, cos) = 0.8_f64.sin_cos();
+    for set in sets() {
+        body.steps(set, 0.99 * body.limit_at_rest(), &[[cos, -sin], [sin, cos]]).expect("a stable run");
+    }
+}
