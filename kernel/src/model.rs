@@ -92,10 +92,6 @@ pub(crate) struct ModelNodes<'a> {
 }
 
 impl<'a> ModelNodes<'a> {
-    /// Of no node.
-    const NONE: Self =
-        Self { reference_x: &[], reference_y: &[], inverse_mass_x: &[], inverse_mass_y: &[], nodal_mass: &[] };
-
     /// Cuts `memory` into rows of `n` numbers, one per node; none if it is too short.
     #[inline(always)]
     fn cut(mut memory: &'a [Real], n: usize) -> Option<Self> {
@@ -176,7 +172,23 @@ impl<'a> Model<'a> {
         cells: &'a [CellConstants],
         hoops: &'a [HoopConstants],
     ) -> Self {
-        let nodes = ModelNodes::cut(nodes, constants.grid.n_node()).unwrap_or(ModelNodes::NONE);
+        match ModelNodes::cut(nodes, constants.grid.n_node()) {
+            Some(nodes) => Self { constants, nodes, cells, hoops },
+            None => Self::without_nodes(constants, cells, hoops),
+        }
+    }
+
+    /// A model over too little memory, which sizes exclude.
+    #[cold]
+    #[inline(never)]
+    fn without_nodes(constants: &'a Constants, cells: &'a [CellConstants], hoops: &'a [HoopConstants]) -> Self {
+        let nodes = ModelNodes {
+            reference_x: &[],
+            reference_y: &[],
+            inverse_mass_x: &[],
+            inverse_mass_y: &[],
+            nodal_mass: &[],
+        };
         Self { constants, nodes, cells, hoops }
     }
 
