@@ -44,6 +44,7 @@ struct Arrays<'a> {
 }
 
 impl<'a> Arrays<'a> {
+    #[inline(always)]
     fn cut(size: &Size, scalars: &'a mut Scalars, region: &mut Region<'a>) -> Option<Self> {
         Some(Self {
             nodes: region.take(size.model_nodes)?,
@@ -92,6 +93,8 @@ pub(crate) fn build(scenario: &Scenario, size: &Size, mut region: Region) -> Res
 }
 
 /// Does `work` on the model and the state of a simulation.
+// Inlined with what it calls, the arrays are found once and written nowhere but into model and state.
+#[inline(always)]
 pub(crate) fn with<R>(
     (header, mut region): (&mut SoftanvilSimulation, Region),
     work: impl FnOnce(&Model, &mut State) -> Result<R, Failure>,

@@ -161,6 +161,7 @@ impl Instance {
     }
 
     /// The simulation at the start of the current scenario's drop.
+    #[inline(never)]
     fn prepare(&mut self) -> Result<&mut Simulation, Error> {
         let kept = self.simulation.take().filter(|kept| same_bits(&kept.constants().scenario, &self.scenario));
         let simulation = match kept {

@@ -193,8 +193,8 @@ unsafe impl Plain for CellHistory {}
 // SAFETY: arrays of f64 and nothing else.
 unsafe impl Plain for Deviator {}
 
-/// Initialised memory that is cut into pieces from the front. It holds addresses only while a call lasts, so the memory
-/// itself may be moved between calls.
+/// Initialised memory that begins at a multiple of [`ALIGNMENT`] and is cut into pieces from the front. It holds addresses
+/// only while a call lasts, so the memory itself may be moved between calls.
 pub(crate) struct Region<'a> {
     start: NonNull<u8>,
     length: usize,
@@ -202,27 +202,22 @@ pub(crate) struct Region<'a> {
 }
 
 impl<'a> Region<'a> {
-    /// Cuts off `bytes`, which begin where the region begins.
-    fn cut(&mut self, bytes: usize) -> Option<NonNull<u8>> {
+    /// Cuts off `count` items and the padding up to a whole [`GRANULE`], so that what is left begins as aligned as the
+    /// region. None if the region is too short.
+    #[inline(always)]
+    fn piece<T>(&mut self, count: usize) -> Option<NonNull<T>> {
+        const { assert!(align_of::<T>() <= ALIGNMENT && GRANULE.is_multiple_of(ALIGNMENT)) };
+        let bytes = padded::<T>(count)?;
         let rest = self.length.checked_sub(bytes)?;
-        let piece = self.start;
+        let piece = self.start.cast();
         // SAFETY: `bytes` is at most the length of the region, so the sum stays within it or at its end.
-        self.start = unsafe { piece.add(bytes) };
+        self.start = unsafe { self.start.add(bytes) };
         self.length = rest;
         Some(piece)
     }
 
-    /// Cuts off `count` items and the padding up to a whole [`GRANULE`]. None if the region is too short or does not
-    /// begin at an aligned address.
-    fn piece<T: Plain>(&mut self, count: usize) -> Option<NonNull<T>> {
-        let bytes = padded::<T>(count)?;
-        if !self.start.cast::<T>().is_aligned() {
-            return None;
-        }
-        self.cut(bytes).map(NonNull::cast)
-    }
-
     /// Cuts off `count` items, padded.
+    #[inline(always)]
     pub(crate) fn take<T: Plain>(&mut self, count: usize) -> Option<&'a mut [T]> {
         let piece = self.piece::<T>(count)?;
         // SAFETY: aligned; `count` items fit into the piece; it is initialised and `T` is plain; it was cut off, so no
@@ -232,11 +227,7 @@ impl<'a> Region<'a> {
 
     /// Cuts off the place of one `T`, padded as in [`Region::take`].
     pub(crate) fn slot<T>(&mut self) -> Option<Out<'a, T>> {
-        let bytes = padded::<T>(1)?;
-        if !self.start.cast::<T>().is_aligned() {
-            return None;
-        }
-        Some(Out { pointer: self.cut(bytes)?.cast(), memory: PhantomData })
+        Some(Out { pointer: self.piece(1)?, memory: PhantomData })
     }
 }
 
@@ -253,6 +244,7 @@ impl<'a> SharedRegion<'a> {
 }
 
 /// Bytes of `count` items, rounded up to whole [`GRANULE`]s.
+#[inline(always)]
 pub(crate) const fn padded<T>(count: usize) -> Option<usize> {
     match count.checked_mul(size_of::<T>()) {
         Some(bytes) => bytes.checked_next_multiple_of(GRANULE),
@@ -300,6 +292,7 @@ pub(crate) unsafe fn header<'a>(pointer: *const SoftanvilSimulation) -> Result<&
 ///
 /// # Safety
 /// As [`fn@header`], but for the whole block, and nobody else uses it for `'a`.
+#[inline(always)]
 pub(crate) unsafe fn block<'a>(
     pointer: *mut SoftanvilSimulation,
 ) -> Result<(&'a mut SoftanvilSimulation, Region<'a>), Failure> {

@@ -72,9 +72,16 @@ impl InstructionSet {
                 return set.vectorize(x86::Call(set, work));
             }
             if let Some(set) = x86::Sse2::try_new() {
-                return work.run(set);
+                return apart(set, work);
             }
         }
         work.run(Scalar)
     }
+}
+
+/// Keeps work of the baseline behind a call, as `pulp` does with that of the other sets, which so need no room for its numbers.
+#[cfg(all(feature = "dispatch", target_arch = "x86_64", not(miri), not(feature = "single")))]
+#[inline(never)]
+fn apart<W: Work>(set: x86::Sse2, work: W) -> W::Output {
+    work.run(set)
 }

@@ -63,8 +63,10 @@ impl Constants {
     /// Simulated time after `step_index` steps, s: whole sampling intervals and the steps beyond them.
     pub fn time(&self, step_index: u64) -> Real {
         let per_sample = u64::from(self.steps_per_sample).max(1);
+        // Signed, since processors turn only signed integers into floats at once.
+        let (samples, steps) = ((step_index / per_sample) as i64, (step_index % per_sample) as i64);
         // A quotient, so that the time of a sample is the double nearest to it.
-        (step_index / per_sample) as Real / SAMPLING_RATE + (step_index % per_sample) as Real * self.dt
+        samples as Real / SAMPLING_RATE + steps as Real * self.dt
     }
 
     /// Steps that cover `duration` s, rounded up to whole sampling intervals.
@@ -87,6 +89,25 @@ pub(crate) struct ModelNodes<'a> {
     pub inverse_mass_y: &'a [Real],
     /// Lumped mass, kg.
     pub nodal_mass: &'a [Real],
+}
+
+impl<'a> ModelNodes<'a> {
+    /// Cuts `memory` into rows of `n` numbers, one per node; none if it is too short.
+    #[inline(always)]
+    fn cut(mut memory: &'a [Real], n: usize) -> Option<Self> {
+        let mut row = || {
+            let (row, rest) = memory.split_at_checked(n)?;
+            memory = rest;
+            Some(row)
+        };
+        Some(Self {
+            reference_x: row()?,
+            reference_y: row()?,
+            inverse_mass_x: row()?,
+            inverse_mass_y: row()?,
+            nodal_mass: row()?,
+        })
+    }
 }
 
 /// The immutable part of a simulation. One model may serve any number of states at once.
@@ -144,24 +165,29 @@ impl<'a> Model<'a> {
     }
 
     /// A model over memory that [`Model::new`] filled for the same `constants`.
+    #[inline(always)]
     pub fn view(
         constants: &'a Constants,
-        mut nodes: &'a [Real],
+        nodes: &'a [Real],
         cells: &'a [CellConstants],
         hoops: &'a [HoopConstants],
     ) -> Self {
-        let n = constants.grid.n_node();
-        let mut row = || {
-            let (head, tail) = nodes.split_at_checked(n).unwrap_or_default();
-            nodes = tail;
-            head
-        };
+        match ModelNodes::cut(nodes, constants.grid.n_node()) {
+            Some(nodes) => Self { constants, nodes, cells, hoops },
+            None => Self::without_nodes(constants, cells, hoops),
+        }
+    }
+
+    /// A model over too little memory, which sizes exclude.
+    #[cold]
+    #[inline(never)]
+    fn without_nodes(constants: &'a Constants, cells: &'a [CellConstants], hoops: &'a [HoopConstants]) -> Self {
         let nodes = ModelNodes {
-            reference_x: row(),
-            reference_y: row(),
-            inverse_mass_x: row(),
-            inverse_mass_y: row(),
-            nodal_mass: row(),
+            reference_x: &[],
+            reference_y: &[],
+            inverse_mass_x: &[],
+            inverse_mass_y: &[],
+            nodal_mass: &[],
         };
         Self { constants, nodes, cells, hoops }
     }
@@ -251,7 +277,7 @@ fn build_nodes(
     nodes.fill(0.0);
     let n = grid.n_node();
     let [x, y, inverse_x, inverse_y, mass]: [&mut [Real]; MODEL_NODE_FIELDS] =
-        core::array::from_fn(|_| split_row(&mut nodes, n));
+        core::array::from_fn(|_| split_row(&mut nodes, n).unwrap_or_default());
     lump_mass(scenario, grid, cells, mass);
     for v in 0..=grid.n_v {
         for u in 0..=grid.n_u {

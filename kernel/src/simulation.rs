@@ -89,6 +89,7 @@ impl Simulation {
     ///
     /// # Errors
     /// Never in practice: the memory was sized for this model.
+    #[inline(always)]
     pub fn with<R>(&mut self, work: impl FnOnce(&Model, &mut State) -> R) -> Result<R, ModelError> {
         let model = Model::view(&self.constants, &self.model_nodes, &self.model_cells, &self.model_hoops);
         let memory = StateMemory {

@@ -86,25 +86,17 @@ impl<'a> State<'a> {
     ///
     /// # Errors
     /// Too little memory.
-    #[inline]
+    // Of every call on a simulation: not inlined, the state would be written twice.
+    #[inline(always)]
     pub fn view(model: &Model, memory: StateMemory<'a>) -> Result<Self, ModelError> {
         let size = &model.constants.size;
         let grid = &model.constants.grid;
-        let mut nodes = take(memory.nodes, size.state_nodes, "state nodes")?;
-        let mut row = |n| split_row(&mut nodes, n);
-        let n = grid.n_node();
+        let given = memory.nodes.len();
+        let nodes = take(memory.nodes, size.state_nodes, "state nodes")?;
+        let nodes = StateNodes::cut(nodes, grid.n_node(), grid.stride());
         Ok(Self {
             scalars: memory.scalars,
-            nodes: StateNodes {
-                displacement_x: row(n),
-                displacement_y: row(n),
-                velocity_x: row(n),
-                velocity_y: row(n),
-                force_x: row(n),
-                force_y: row(n),
-                contact_normal: row(grid.stride()),
-                contact_tangential: row(grid.stride()),
-            },
+            nodes: nodes.ok_or(ModelError::Memory { what: "state nodes", given, needed: size.state_nodes })?,
             cells: take(memory.cells, size.state_cells, "state cells")?,
             viscous: take(memory.viscous, size.state_viscous, "state viscous history")?,
         })
@@ -240,7 +232,23 @@ fn subtract_ends<S: Instructions>(set: S, row: &mut [Real], start: usize, left: 
     *last -= right[LANES - 1];
 }
 
-impl StateNodes<'_> {
+impl<'a> StateNodes<'a> {
+    /// Cuts `memory` into rows of `n` numbers, one per node, and two of `surface`; none if it is too short.
+    #[inline(always)]
+    fn cut(mut memory: &'a mut [Real], n: usize, surface: usize) -> Option<Self> {
+        let mut row = |n| split_row(&mut memory, n);
+        Some(Self {
+            displacement_x: row(n)?,
+            displacement_y: row(n)?,
+            velocity_x: row(n)?,
+            velocity_y: row(n)?,
+            force_x: row(n)?,
+            force_y: row(n)?,
+            contact_normal: row(surface)?,
+            contact_tangential: row(surface)?,
+        })
+    }
+
     /// Every array, in the order of storage.
     pub(crate) fn arrays_mut(&mut self) -> [&mut [Real]; 8] {
         [

@@ -79,20 +79,16 @@ pub struct StateMemory<'a> {
 }
 
 /// The first `needed` items of `memory`.
+#[inline(always)]
 pub(crate) fn take<'a, T>(memory: &'a mut [T], needed: usize, what: &'static str) -> Result<&'a mut [T], ModelError> {
     let given = memory.len();
     memory.get_mut(..needed).ok_or(ModelError::Memory { what, given, needed })
 }
 
-/// Splits `n` numbers off the front of `memory`; fewer if it is too short, which [`take`] has excluded.
-pub(crate) fn split_row<'a>(memory: &mut &'a mut [Real], n: usize) -> &'a mut [Real] {
-    let whole = core::mem::take(memory);
-    let at = n.min(whole.len());
-    match whole.split_at_mut_checked(at) {
-        Some((row, rest)) => {
-            *memory = rest;
-            row
-        }
-        None => &mut [],
-    }
+/// Splits `n` numbers off the front of `memory`; none if it is too short, which [`take`] has excluded.
+#[inline(always)]
+pub(crate) fn split_row<'a>(memory: &mut &'a mut [Real], n: usize) -> Option<&'a mut [Real]> {
+    let (row, rest) = core::mem::take(memory).split_at_mut_checked(n)?;
+    *memory = rest;
+    Some(row)
 }

@@ -266,10 +266,9 @@ unsafe fn advance(
     steps: impl FnOnce(&Model, &State) -> Result<u64, Failure>,
 ) -> SoftanvilStatus {
     // SAFETY: the caller's guarantee.
-    let (block, error) = unsafe { (ptr::block(simulation), ptr::optional_out(error, "error")) };
-    // SAFETY: the caller's guarantee.
-    let input = unsafe { ptr::optional_shared(input, "input") };
-    report(error, || {
+    report(unsafe { ptr::optional_out(error, "error") }, || {
+        // SAFETY: the caller's guarantee.
+        let (block, input) = unsafe { (ptr::block(simulation), ptr::optional_shared(input, "input")) };
         let input = input?;
         block::with(block?, |model, state| {
             let input = SoftanvilInput::or_hold(input, state.scalars)?;

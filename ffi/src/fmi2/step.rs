@@ -14,7 +14,7 @@ pub extern "C" fn fmi2DoStep(
     communication_step_size: Real,
     _no_set_fmu_state_prior_to_current_point: Boolean,
 ) -> Status {
-    enter(&mut component, &calls::DO_STEP, |component| {
+    enter(&mut component, &calls::DO_STEP, move |component| {
         component.instance.do_step(current_communication_point, communication_step_size)
     })
 }

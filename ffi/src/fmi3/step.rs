@@ -1,5 +1,7 @@
 //! Communication steps.
 
+use core::mem::MaybeUninit;
+
 use super::calls;
 use super::types::{self, Boolean, Flag, Float64};
 use crate::environment::neutral;
@@ -7,14 +9,7 @@ use crate::foreign::Room;
 use crate::instance::{Advance, Error, Pause};
 use crate::session::{Session, Status, enter};
 
-/// What a step tells besides its status.
-struct Outcome {
-    event_handling_needed: Boolean,
-    early_return: Boolean,
-    last_successful_time: Float64,
-}
-
-/// Where the master wants to know it.
+/// Where the master wants to know what a step tells besides its status.
 struct Answer {
     event_handling_needed: Room<Boolean>,
     terminate_simulation: Room<Boolean>,
@@ -23,29 +18,59 @@ struct Answer {
 }
 
 impl Answer {
-    /// Writes every argument; refused, with those that are there written, if one is null.
-    fn write(&mut self, outcome: &Outcome) -> Result<(), Error> {
+    /// The places, if all are there.
+    fn places(&mut self) -> Option<Places<'_>> {
+        Some(Places {
+            event_handling_needed: self.event_handling_needed.item()?,
+            terminate_simulation: self.terminate_simulation.item()?,
+            early_return: self.early_return.item()?,
+            last_successful_time: self.last_successful_time.item()?,
+        })
+    }
+
+    /// Tells that nothing was done, where there is a place for it; refused if one is missing.
+    #[cold]
+    fn decline(&mut self, session: &Session) -> Result<(), Error> {
+        let last_successful_time = session.instance.time();
         let flags = [
-            ("eventHandlingNeeded", &mut self.event_handling_needed, outcome.event_handling_needed),
-            ("terminateSimulation", &mut self.terminate_simulation, false),
-            ("earlyReturn", &mut self.early_return, outcome.early_return),
+            ("eventHandlingNeeded", &mut self.event_handling_needed),
+            ("terminateSimulation", &mut self.terminate_simulation),
+            ("earlyReturn", &mut self.early_return),
         ];
         let mut missing = None;
-        for (argument, room, value) in flags {
+        for (argument, room) in flags {
             match room.item() {
                 Some(room) => {
-                    room.write(value);
+                    room.write(false);
                 }
                 None => missing = Some(argument),
             }
         }
         match self.last_successful_time.item() {
             Some(room) => {
-                room.write(outcome.last_successful_time);
+                room.write(last_successful_time);
             }
             None => missing = Some("lastSuccessfulTime"),
         }
         missing.map_or(Ok(()), |argument| Err(Error::Null { argument }))
+    }
+}
+
+/// The places of an answer.
+struct Places<'a> {
+    event_handling_needed: &'a mut MaybeUninit<Boolean>,
+    terminate_simulation: &'a mut MaybeUninit<Boolean>,
+    early_return: &'a mut MaybeUninit<Boolean>,
+    last_successful_time: &'a mut MaybeUninit<Float64>,
+}
+
+impl Places<'_> {
+    /// Tells where a step ended.
+    fn write(self, session: &Session, event_handling_needed: bool, early_return: bool) {
+        self.event_handling_needed.write(event_handling_needed);
+        self.terminate_simulation.write(false);
+        self.early_return.write(early_return);
+        self.last_successful_time.write(session.instance.time());
     }
 }
 
@@ -63,27 +88,48 @@ pub extern "C" fn fmi3DoStep(
     last_successful_time: Room<Float64>,
 ) -> Status {
     let mut answer = Answer { event_handling_needed, terminate_simulation, early_return, last_successful_time };
-    let mut begun = None;
-    // Nothing happens before every argument is known to be there.
+    let mut watched = None;
     let status = enter(&mut instance, &calls::DO_STEP, |session| {
-        let last_successful_time = session.instance.time();
-        answer.write(&Outcome { event_handling_needed: false, early_return: false, last_successful_time })?;
-        begun = Some(session.instance.begin_step(current_communication_point, communication_step_size)?);
-        Ok(())
+        // Nothing happens before every argument is known to be there.
+        let Some(places) = answer.places() else { return answer.decline(session) };
+        let mut advance = match session.instance.begin_step(current_communication_point, communication_step_size) {
+            Ok(advance) => advance,
+            Err(error) => return answer.decline(session).and(Err(error)),
+        };
+        if session.updates.call.is_some() {
+            watched = Some(advance);
+            return Ok(());
+        }
+        let made = make(session, &mut advance);
+        places.write(session, made == Ok(true), made.is_ok() && !advance.is_complete());
+        made.map(|_| ())
     });
-    let Some(mut advance) = begun else { return status };
+    match watched {
+        Some(advance) => make_watched(&mut instance, &mut answer, advance),
+        None => status,
+    }
+}
+
+/// Makes kernel steps up to where the instance stops; tells whether the master has to handle an event.
+#[inline(always)]
+fn make(session: &mut Session, advance: &mut Advance) -> Result<bool, Error> {
+    let changed = session.instance.advance(advance, pause(session))?;
+    Ok(changed && session.instance.event_mode_used())
+}
+
+/// Makes the kernel steps of a master who looks at each.
+#[inline(never)]
+fn make_watched(instance: &mut types::Instance, answer: &mut Answer, mut advance: Advance) -> Status {
     let mut event_handling_needed = false;
     loop {
-        let status = enter(&mut instance, &calls::DO_STEP, |session| {
-            let changed = session.instance.advance(&mut advance, pause(session))?;
-            event_handling_needed |= changed && session.instance.event_mode_used();
+        let status = enter(instance, &calls::DO_STEP, |session| {
+            event_handling_needed |= make(session, &mut advance)?;
             Ok(())
         });
-        let returns = status != Status::OK
-            || wants_return(&mut instance, &advance, event_handling_needed)
-            || advance.is_complete();
+        let returns =
+            status != Status::OK || wants_return(instance, &advance, event_handling_needed) || advance.is_complete();
         if returns {
-            return finish(&mut instance, &mut answer, &advance, event_handling_needed, status);
+            return finish(instance, answer, &advance, event_handling_needed, status);
         }
     }
 }
@@ -115,7 +161,7 @@ fn wants_return(instance: &mut types::Instance, advance: &Advance, event: bool) 
     allowed && (event || (requested != 0 && until <= time))
 }
 
-/// Tells where the step ended.
+/// Tells where a step that was watched ended.
 fn finish(
     instance: &mut types::Instance,
     answer: &mut Answer,
@@ -123,9 +169,8 @@ fn finish(
     event_handling_needed: bool,
     status: Status,
 ) -> Status {
-    let Some(session) = instance.get() else { return Status::ERROR };
-    let last_successful_time = neutral(|| session.instance.time());
+    let (Some(session), Some(places)) = (instance.get(), answer.places()) else { return Status::ERROR };
     let early_return = status == Status::OK && !advance.is_complete();
-    let _ = answer.write(&Outcome { event_handling_needed, early_return, last_successful_time });
+    neutral(|| places.write(session, event_handling_needed, early_return));
     status
 }

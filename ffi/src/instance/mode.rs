@@ -27,6 +27,10 @@ impl Mode {
     const SAVED: [Self; 6] =
         [Self::Instantiated, Self::Initialization, Self::Step, Self::Terminated, Self::Event, Self::Configuration];
 
+    /// The modes in which the scenario may still change: no simulation belongs to it yet.
+    pub(super) const BEFORE_WORK: u8 =
+        Self::Instantiated as u8 | Self::Configuration as u8 | Self::Initialization as u8;
+
     /// The mode saved as `code`.
     pub(super) fn from_code(code: u64) -> Option<Self> {
         Self::SAVED.into_iter().find(|mode| *mode as u64 == code)

@@ -24,10 +24,10 @@ pub(super) const LONGEST_STEP: f64 = 100.0;
 /// A communication step on its way.
 #[derive(Clone, Copy, Debug)]
 pub struct Advance {
-    /// Kernel steps made.
-    done: u64,
+    /// Kernel steps made. Signed, as is their number, since processors turn only signed integers into floats at once.
+    done: i64,
     /// Kernel steps in all.
-    count: u64,
+    count: i64,
     /// Heights of a driven face at the start and at the end, m.
     heights: [f64; 2],
 }
@@ -79,9 +79,19 @@ impl Instance {
     /// A point where the instance is not, a step that is not a whole number of kernel steps, or one past the end of the
     /// experiment: the instance is as before.
     pub fn begin_step(&self, point: f64, step: f64) -> Result<Advance, Error> {
-        let Some(simulation) = &self.simulation else { return Err(Error::Call { mode: self.mode }) };
-        let dt = simulation.constants().dt;
-        let count = self.check_step(point, step, dt)?;
+        let Some(simulation) = self.simulation_at_work() else { return Err(Error::Call { mode: self.mode }) };
+        let (dt, expected) = (simulation.constants().dt, self.experiment.start + simulation.time());
+        let at_point = (point - expected).abs() <= POINT_TOLERANCE * dt;
+        if !at_point {
+            return Err(Error::CommunicationPoint { given: point, expected });
+        }
+        let count = whole_steps(step, dt)?;
+        let end = expected + step;
+        if let Some(stop) = self.experiment.stop
+            && end > stop + POINT_TOLERANCE * dt
+        {
+            return Err(Error::PastStop { end, stop });
+        }
         let from = simulation.scalars().impactor.position;
         let to = self.inputs.driven_position + self.inputs.driven_velocity * (count as f64 * dt);
         Ok(Advance { done: 0, count, heights: [from, to] })
@@ -91,6 +101,7 @@ impl Instance {
     ///
     /// # Errors
     /// A step that the kernel cannot complete: the instance has failed.
+    #[inline(always)]
     pub fn advance(&mut self, advance: &mut Advance, pause: Pause) -> Result<bool, Error> {
         let Some(simulation) = &mut self.simulation else { return Err(Error::Call { mode: self.mode }) };
         march(simulation, &self.inputs, advance, pause).map_err(|error| {
@@ -98,25 +109,10 @@ impl Instance {
             Error::Step(error)
         })
     }
-
-    /// Number of kernel steps in a communication step.
-    fn check_step(&self, point: f64, step: f64, dt: f64) -> Result<u64, Error> {
-        let expected = self.time();
-        let at_point = (point - expected).abs() <= POINT_TOLERANCE * dt;
-        if !at_point {
-            return Err(Error::CommunicationPoint { given: point, expected });
-        }
-        let count = whole_steps(step, dt)?;
-        let end = expected + step;
-        match self.experiment.stop {
-            Some(stop) if end > stop + POINT_TOLERANCE * dt => Err(Error::PastStop { end, stop }),
-            _ => Ok(count),
-        }
-    }
 }
 
 /// The number of steps of `dt` that `step` is.
-fn whole_steps(step: f64, dt: f64) -> Result<u64, Error> {
+fn whole_steps(step: f64, dt: f64) -> Result<i64, Error> {
     let refused = Error::StepSize { given: step, step: dt, largest: LONGEST_STEP };
     let in_range = step > 0.0 && step <= LONGEST_STEP;
     if !in_range {
@@ -124,7 +120,7 @@ fn whole_steps(step: f64, dt: f64) -> Result<u64, Error> {
     }
     let steps = step / dt;
     // In range, so the sum is far below what the integer holds, and the cast rounds to the nearest count.
-    let count = (steps + 0.5) as u64;
+    let count = (steps + 0.5) as i64;
     let distance = (steps - count as f64).abs();
     let is_whole = count > 0 && distance <= STEP_TOLERANCE + RELATIVE_STEP_TOLERANCE * steps;
     if is_whole { Ok(count) } else { Err(refused) }
@@ -132,6 +128,7 @@ fn whole_steps(step: f64, dt: f64) -> Result<u64, Error> {
 
 /// Makes kernel steps. In drop motion the force is held; a driven face moves evenly from where it was to where the
 /// master's position and velocity lead.
+#[inline(always)]
 fn march(simulation: &mut Simulation, inputs: &Inputs, advance: &mut Advance, pause: Pause) -> Result<bool, StepError> {
     let inputs = match simulation.constants().scenario.impactor.motion {
         Motion::Drop => *inputs,

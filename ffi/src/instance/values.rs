@@ -3,6 +3,7 @@
 use softanvil_kernel::{ParameterError, Scenario, Simulation};
 
 use super::{Error, Instance, Mode};
+use crate::variables::profile::Profile;
 use crate::variables::{Inputs, Source, ValueType, Variable, Version};
 
 /// Length of a trace hash in hexadecimal digits.
@@ -11,12 +12,7 @@ pub const HASH_DIGITS: usize = 16;
 impl Instance {
     /// The simulation, if it belongs to the current scenario and experiment.
     pub(super) fn simulation_at_work(&self) -> Option<&Simulation> {
-        match self.mode {
-            Mode::Instantiated | Mode::Configuration | Mode::Initialization => None,
-            Mode::Step | Mode::Event | Mode::IntermediateUpdate | Mode::Terminated | Mode::Failed => {
-                self.simulation.as_ref()
-            }
-        }
+        if self.mode as u8 & Mode::BEFORE_WORK != 0 { None } else { self.simulation.as_ref() }
     }
 
     /// The simulation whose results are current; in initialization mode that of the scenario as it stands.
@@ -31,9 +27,9 @@ impl Instance {
     ///
     /// # Errors
     /// There is none in this version of the standard.
-    pub fn variable(&self, reference: u32) -> Result<Variable, Error> {
+    pub fn variable(&self, reference: u32) -> Result<&Variable, Error> {
         let found = self.table.find(reference).filter(|variable| variable.is_in(self.version));
-        found.copied().ok_or(Error::Unknown { reference })
+        found.ok_or(Error::Unknown { reference })
     }
 
     /// How many values a variable has.
@@ -53,8 +49,41 @@ impl Instance {
     /// An unknown reference, another type, or a scenario that cannot be simulated.
     pub fn real(&mut self, reference: u32) -> Result<f64, Error> {
         let variable = self.variable(reference)?;
-        let ValueType::Real { .. } = variable.value else { return Err(self.wrong_type(&variable, self.real_name())) };
-        match variable.source {
+        match (variable.value, variable.source) {
+            (ValueType::Real { .. }, source) => self.quantity(source),
+            _ => Err(self.wrong_type(variable, self.real_name())),
+        }
+    }
+
+    /// The values of a quantity or of a row of quantities, one after the other.
+    ///
+    /// # Errors
+    /// As [`Instance::real`].
+    pub fn reals(&mut self, reference: u32, put: &mut dyn FnMut(f64)) -> Result<(), Error> {
+        let variable = self.variable(reference)?;
+        match (variable.value, variable.source) {
+            (ValueType::Real { .. }, source) => self.quantity(source).map(put),
+            (_, Source::Profile(profile)) => self.along_surface(profile, put),
+            _ => Err(self.wrong_type(variable, self.real_name())),
+        }
+    }
+
+    /// The values of a profile, one after the other.
+    #[inline(never)]
+    fn along_surface(&mut self, profile: Profile, put: &mut dyn FnMut(f64)) -> Result<(), Error> {
+        let points = self.points;
+        self.results()?;
+        let Some(simulation) = &mut self.simulation else { return Err(Error::Call { mode: self.mode }) };
+        let all = simulation.with(|model, state| {
+            let view = state.as_view();
+            (0..points).for_each(|point| put(profile.at(model, &view, point, points)));
+        });
+        all.map_err(Error::Model)
+    }
+
+    /// The quantity that lives in `source`.
+    fn quantity(&mut self, source: Source) -> Result<f64, Error> {
+        match source {
             Source::Time => Ok(self.time()),
             Source::Parameter(parameter) => Ok(parameter.get(&self.scenario)),
             Source::Input(input) => Ok(*(input.field)(&mut self.inputs)),
@@ -66,24 +95,6 @@ impl Instance {
         }
     }
 
-    /// The values of a quantity or of a row of quantities, one after the other.
-    ///
-    /// # Errors
-    /// As [`Instance::real`].
-    pub fn reals(&mut self, reference: u32, mut put: impl FnMut(f64)) -> Result<(), Error> {
-        let Source::Profile(profile) = self.variable(reference)?.source else {
-            return self.real(reference).map(put);
-        };
-        let points = self.points;
-        self.results()?;
-        let Some(simulation) = &mut self.simulation else { return Err(Error::Call { mode: self.mode }) };
-        let all = simulation.with(|model, state| {
-            let view = state.as_view();
-            (0..points).for_each(|point| put(profile.at(model, &view, point, points)));
-        });
-        all.map_err(Error::Model)
-    }
-
     /// A length of arrays.
     ///
     /// # Errors
@@ -92,7 +103,7 @@ impl Instance {
         let variable = self.variable(reference)?;
         match variable.value {
             ValueType::Size { .. } => Ok(self.points),
-            _ => Err(self.wrong_type(&variable, "UInt64")),
+            _ => Err(self.wrong_type(variable, "UInt64")),
         }
     }
 
@@ -104,7 +115,7 @@ impl Instance {
         let variable = self.variable(reference)?;
         match (variable.value, variable.source) {
             (ValueType::Enumeration { .. }, Source::Parameter(parameter)) => Ok(parameter.get(&self.scenario) as i32),
-            _ => Err(self.wrong_type(&variable, "Enumeration")),
+            _ => Err(self.wrong_type(variable, "Enumeration")),
         }
     }
 
@@ -115,10 +126,11 @@ impl Instance {
     pub fn integer(&mut self, reference: u32) -> Result<i32, Error> {
         let variable = self.variable(reference)?;
         let ValueType::Integer = variable.value else {
-            return Err(self.wrong_type(&variable, ValueType::Integer.name(self.version)));
+            return Err(self.wrong_type(variable, ValueType::Integer.name(self.version)));
         };
+        let source = variable.source;
         let grid = &self.results()?.constants().grid;
-        Ok(match variable.source {
+        Ok(match source {
             Source::SurfaceNodes => grid.n_u as i32 + 1,
             _ => grid.n_elem() as i32,
         })
@@ -130,7 +142,7 @@ impl Instance {
     /// As [`Instance::real`].
     pub fn boolean(&mut self, reference: u32) -> Result<bool, Error> {
         let variable = self.variable(reference)?;
-        let ValueType::Boolean = variable.value else { return Err(self.wrong_type(&variable, "Boolean")) };
+        let ValueType::Boolean = variable.value else { return Err(self.wrong_type(variable, "Boolean")) };
         Ok(self.results()?.scalars().force.contact > 0.0)
     }
 
@@ -140,7 +152,7 @@ impl Instance {
     /// As [`Instance::real`].
     pub fn text(&mut self, reference: u32) -> Result<[u8; HASH_DIGITS], Error> {
         let variable = self.variable(reference)?;
-        let ValueType::String = variable.value else { return Err(self.wrong_type(&variable, "String")) };
+        let ValueType::String = variable.value else { return Err(self.wrong_type(variable, "String")) };
         Ok(hexadecimal(self.results()?.scalars().sampler.trace_hash))
     }
 
@@ -181,7 +193,7 @@ impl Instance {
         for (reference, value) in values {
             let variable = self.variable(reference)?;
             let ValueType::Size { range: (min, max) } = variable.value else {
-                return Err(self.wrong_type(&variable, "UInt64"));
+                return Err(self.wrong_type(variable, "UInt64"));
             };
             if self.mode != Mode::Configuration {
                 return Err(Error::Structural { name: variable.name });
@@ -203,8 +215,8 @@ impl Instance {
     pub fn refuse_to_set(&self, reference: u32, asked: &'static str) -> Error {
         match self.variable(reference) {
             Err(unknown) => unknown,
-            Ok(variable) if variable.value.name(self.version) != asked => self.wrong_type(&variable, asked),
-            Ok(variable) => read_only(&variable),
+            Ok(variable) if variable.value.name(self.version) != asked => self.wrong_type(variable, asked),
+            Ok(variable) => read_only(variable),
         }
     }
 
@@ -212,7 +224,7 @@ impl Instance {
     pub fn refuse_to_get(&self, reference: u32, asked: &'static str) -> Error {
         match self.variable(reference) {
             Err(unknown) => unknown,
-            Ok(variable) => self.wrong_type(&variable, asked),
+            Ok(variable) => self.wrong_type(variable, asked),
         }
     }
 
@@ -235,12 +247,12 @@ impl Instance {
         for (reference, value) in values {
             let variable = self.variable(reference)?;
             if !fits(&variable.value) {
-                return Err(self.wrong_type(&variable, asked));
+                return Err(self.wrong_type(variable, asked));
             }
             if self.mode == Mode::Configuration {
                 return Err(Error::Structural { name: variable.name });
             }
-            self.set_one(&variable, value, &mut scenario, &mut inputs)?;
+            self.set_one(variable, value, &mut scenario, &mut inputs)?;
         }
         (self.scenario, self.inputs) = (scenario, inputs);
         Ok(())

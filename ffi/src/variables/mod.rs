@@ -323,9 +323,14 @@ const COUNT: usize = 1
     + MODEL.len()
     + profile::VARIABLES.len();
 
+/// Groups of references by their hundreds.
+const GROUPS: usize = 70;
+
 /// All variables, in ascending order of their references.
 pub struct Table {
     rows: [Variable; COUNT],
+    /// First row of each group of references.
+    first: [u16; GROUPS],
     digest: u64,
 }
 
@@ -341,8 +346,11 @@ impl Table {
             .chain(profile::VARIABLES);
         let mut rows = core::array::from_fn(|_| all.next().unwrap_or(TIME));
         rows.sort_unstable_by_key(|variable: &Variable| variable.reference);
+        let first = core::array::from_fn(|group| {
+            rows.partition_point(|variable| variable.reference < references::GROUP * group as u32) as u16
+        });
         let digest = token::digest(0, &rows);
-        Self { rows, digest }
+        Self { rows, first, digest }
     }
 
     /// Every variable.
@@ -357,8 +365,16 @@ impl Table {
 
     /// The variable that a master calls `reference`.
     pub fn find(&self, reference: u32) -> Option<&Variable> {
-        let row = self.rows.binary_search_by_key(&reference, |variable| variable.reference).ok()?;
-        self.rows.get(row)
+        let first = usize::from(*self.first.get((reference / references::GROUP) as usize)?);
+        let place = first + (reference % references::GROUP) as usize;
+        match self.rows.get(place) {
+            Some(variable) if variable.reference == reference => Some(variable),
+            // None, or one behind a gap in its group.
+            _ => {
+                let row = self.rows.binary_search_by_key(&reference, |variable| variable.reference).ok()?;
+                self.rows.get(row)
+            }
+        }
     }
 }
 

@@ -13,6 +13,9 @@
 //! Within a range a group of names starts at a multiple of 100. A number is never given away twice: what leaves the
 //! kernel's tables leaves a gap here.
 
+/// Numbers that a group has.
+pub const GROUP: u32 = 100;
+
 /// The independent variable.
 pub const TIME: u32 = 0;
 

@@ -50,6 +50,16 @@ fn lookup_finds_every_variable_and_nothing_else() {
 }
 
 #[test]
+fn lookup_finds_what_is_behind_a_gap() {
+    let mut table = Table::new();
+    let last = table.rows().iter().rposition(|variable| variable.reference < 3000).unwrap();
+    let (old, new) = (table.rows[last].reference, table.rows[last].reference + 7);
+    table.rows[last].reference = new;
+    assert_eq!(table.find(new).map(|found| found.reference), Some(new));
+    assert!((old..new).all(|gone| table.find(gone).is_none()));
+}
+
+#[test]
 fn every_unit_is_defined() {
     for variable in Table::new().rows() {
         if let ValueType::Real { unit, .. } | ValueType::Array { unit } = variable.value {
