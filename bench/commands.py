@@ -13,7 +13,7 @@ import time
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-ROUNDS = 7
+ROUNDS = 3
 COMMANDS = {
     # Whole generations of the search, of three drops a member.
     "calibrate": ["calibrate", str(ROOT / "calibration/all.toml"), "--evaluations", "160"],
