@@ -16,6 +16,7 @@
 use crate::complex::Complex;
 use crate::element::{Block, HoopConstants};
 use crate::lanes::ZERO;
+use crate::math::THIRD;
 use crate::real::Real;
 use crate::real::consts::SQRT_2;
 use crate::vector::{Instructions, Vector};
@@ -280,8 +281,5 @@ fn edge_gradients<S: Instructions>(
     edges[0].im = rising.if_greater(zero, reversed.im, edges[0].im);
     edges
 }
-
-/// 1/3, rounded once.
-const THIRD: Real = 1.0 / 3.0;
 /// The square root of 3/2, rounded once.
 const SQRT_THREE_HALVES: Real = 1.224_744_871_391_589;

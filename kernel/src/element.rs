@@ -293,12 +293,12 @@ fn patch_pressure<S: Instructions>(
     let mean = (set.load(&a.patch_weight, chunk) * (j - one) + set.load(&b.patch_weight, chunk) * (k - one)).plus(1.0);
     let density = block.laws.volumetric.strain_energy_density(set, mean);
     let volume = set.load(&a.reference_volume, chunk) + set.load(&b.reference_volume, chunk);
-    set.store(set.load(&energy.elastic, chunk) + volume * density, &mut energy.elastic, chunk);
+    set.add(volume * density, &mut energy.elastic, chunk);
     block.laws.volumetric.stress(mean)
 }
 
-/// Components 11, 22 and 12 of V/J tau in the section of triangle `t` of each cell, J, with tau = R T R^T; in rings with the J
-/// of the section.
+/// Components 11, 22 and 12 of V/J tau in the section of triangle `t` of each cell, J, with tau = R T R^T; in rings with
+/// the J of the section.
 #[inline(always)]
 fn spatial_stress<S: Instructions>(
     set: S,

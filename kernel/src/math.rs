@@ -37,7 +37,7 @@ pub fn inverse_cbrt<V: Vector>(x: V) -> V {
 }
 
 /// 1/3, rounded once.
-const THIRD: Real = 1.0 / 3.0;
+pub const THIRD: Real = 1.0 / 3.0;
 
 #[cfg(all(test, not(feature = "single")))]
 mod tests {

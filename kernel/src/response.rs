@@ -53,25 +53,19 @@ impl<V: Vector> Density<V> {
         laws: &Laws,
         sums: &mut ElementEnergy,
     ) {
-        add_to_lane(set, chunk, volume * self.elastic, &mut sums.elastic);
+        set.add(volume * self.elastic, &mut sums.elastic, chunk);
         if laws.n_term() > 0 {
-            add_to_lane(set, chunk, volume * self.viscous_increment, &mut sums.viscous_increment);
-            add_to_lane(set, chunk, volume * self.viscous_power, &mut sums.viscous_power);
+            set.add(volume * self.viscous_increment, &mut sums.viscous_increment, chunk);
+            set.add(volume * self.viscous_power, &mut sums.viscous_power, chunk);
         }
         if laws.slider.active() {
-            add_to_lane(set, chunk, volume * self.slider_stored, &mut sums.slider_stored);
-            add_to_lane(set, chunk, volume * self.slider_increment, &mut sums.slider_increment);
+            set.add(volume * self.slider_stored, &mut sums.slider_stored, chunk);
+            set.add(volume * self.slider_increment, &mut sums.slider_increment, chunk);
         }
         if laws.tear.active() {
-            add_to_lane(set, chunk, volume * self.tear_increment, &mut sums.tear_increment);
+            set.add(volume * self.tear_increment, &mut sums.tear_increment, chunk);
         }
     }
-}
-
-/// Adds to the `chunk`-th vector of a lane.
-#[inline(always)]
-fn add_to_lane<S: Instructions>(set: S, chunk: usize, vector: S::Vector, lane: &mut Lane) {
-    set.store(set.load(lane, chunk) + vector, lane, chunk);
 }
 
 /// Deviatoric Kirchhoff stress in the unrotated frame, Pa, and energies of the two triangles of each cell; advances their

@@ -198,8 +198,7 @@ fn move_along<S: Instructions>(
             let after = before + (set.load(inverse_mass, chunk) * set.load(force, chunk)).times(dt);
             set.store(after, velocity, chunk);
             set.store(set.load(displacement, chunk) + after.times(dt), displacement, chunk);
-            let kinetic = set.load(&double_kinetic, chunk) + set.load(mass, chunk) * (before * after);
-            set.store(kinetic, &mut double_kinetic, chunk);
+            set.add(set.load(mass, chunk) * (before * after), &mut double_kinetic, chunk);
         }
     }
     0.5 * sum(&double_kinetic)

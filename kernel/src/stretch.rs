@@ -1,6 +1,5 @@
 //! Right stretches of the section: one shear component in the plane, none out of it.
 
-use crate::math;
 use crate::real::Real;
 use crate::vector::Vector;
 
@@ -52,15 +51,13 @@ impl<V: Vector> IsochoricStretch<V> {
     /// The larger and the smaller stretch in the section, and the one out of it.
     #[inline(always)]
     pub fn principal(&self) -> [V; 3] {
-        let difference = (self.u11 - self.u22).times(0.5);
-        let radius = (difference * difference + self.u12 * self.u12).square_root();
-        let largest = (self.u11 + self.u22).times(0.5) + radius;
+        let largest = largest_in_plane((self.u11 + self.u22).times(0.5), (self.u11 - self.u22).times(0.5), self.u12);
         [largest, (self.u11 * self.u22 - self.u12 * self.u12) / largest, self.u33]
     }
 }
 
 /// The larger principal stretch in the section, from the mean of U11 and U22, half their difference, and U12.
 #[inline(always)]
-pub fn largest_in_plane(mean: Real, difference: Real, shear: Real) -> Real {
-    mean + math::sqrt(difference * difference + shear * shear)
+pub fn largest_in_plane<V: Vector>(mean: V, difference: V, shear: V) -> V {
+    mean + (difference * difference + shear * shear).square_root()
 }
