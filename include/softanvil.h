@@ -300,9 +300,9 @@ enum SoftanvilParameter {
     SOFTANVIL_PARAMETER_MESH_ELEMENT_SIZE = 41,
     /** time.step_by, a SoftanvilTimeStepBy: which of the next two states the time step. */
     SOFTANVIL_PARAMETER_TIME_STEP_BY = 42,
-    /** time.safety_factor, from 0.01 to 1: fraction of the stability limit of the stiffest expected state. */
+    /** time.safety_factor, from 0.01 to 1: fraction of the smallest stability limit that a trial of the scenario finds. */
     SOFTANVIL_PARAMETER_TIME_SAFETY_FACTOR = 43,
-    /** time.step, s, from 1e-8 to 5e-5: requested step; the largest whole divisor of 50 us not above it is used. */
+    /** time.step, s, from 1e-10 to 5e-5: requested step; the largest whole divisor of 50 us not above it is used. */
     SOFTANVIL_PARAMETER_TIME_STEP = 44,
     /** time.duration, s, from 5e-5 to 100: simulated time of a run. */
     SOFTANVIL_PARAMETER_TIME_DURATION = 45,
@@ -453,7 +453,9 @@ enum SoftanvilParameter {
     /** impactor.prescribed_rise, s, from 0 to 100: time over which the prescribed speed rises at the start and falls at the end, smoothly; at most travel / speed. */
     SOFTANVIL_PARAMETER_IMPACTOR_PRESCRIBED_RISE = 118,
     /** measurement.channel_class, Hz, from 1 to 2000: channel frequency class (SAE J211, ISO 6487) of contact.force_filtered, such as 60, 180, 600 or 1000. */
-    SOFTANVIL_PARAMETER_MEASUREMENT_CHANNEL_CLASS = 119
+    SOFTANVIL_PARAMETER_MEASUREMENT_CHANNEL_CLASS = 119,
+    /** time.design_compression, from 0.01 to 0.95: part of the layer's thickness that a driven face presses it by at most, for which the step is chosen. */
+    SOFTANVIL_PARAMETER_TIME_DESIGN_COMPRESSION = 120
 };
 
 /** geometry.shape: layer on a round core, or a flat block on a flat core. */
@@ -618,7 +620,9 @@ enum SoftanvilOutput {
     /** energy.tear, J: energy dissipated by tearing. */
     SOFTANVIL_OUTPUT_ENERGY_TEAR = 27,
     /** contact.force_filtered, N: contact.force after the forward pass of the channel filter measurement.channel_class, which lags as any running filter does; the standards' figure without lag needs a second pass backwards over the whole record. */
-    SOFTANVIL_OUTPUT_CONTACT_FORCE_FILTERED = 28
+    SOFTANVIL_OUTPUT_CONTACT_FORCE_FILTERED = 28,
+    /** model.design_stretch: smallest principal stretch in the section that the time step was chosen for; 1 where the step was given. */
+    SOFTANVIL_OUTPUT_MODEL_DESIGN_STRETCH = 29
 };
 
 /** Fields of a simulation: name, unit, components, meaning. */

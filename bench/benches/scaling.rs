@@ -145,7 +145,9 @@ fn with_model(scenario: &Scenario, work: impl FnOnce(&Model)) {
     let mut hoops = Pages::new(HoopConstants::ZERO, size.model_hoops);
     let (nodes, cells, hoops) = (nodes.items(), cells.items(), hoops.items());
     let memory = ModelMemory { constants: &mut None, nodes, cells, hoops };
-    work(&Model::new(scenario, memory).expect("a legal scenario"));
+    let mut state = Memory::new(&size, 1);
+    let state = &mut state.states()[0];
+    work(&Model::new(scenario, memory, state).expect("a legal scenario"));
 }
 
 /// Memory of states, side by side.

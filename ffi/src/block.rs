@@ -82,7 +82,8 @@ pub(crate) fn build(scenario: &Scenario, size: &Size, mut region: Region) -> Res
     let (mut scalars, mut region) = (Scalars::BLANK, region);
     let Arrays { nodes, cells, hoops, state } = Arrays::cut(size, &mut scalars, &mut region).ok_or(short)?;
     let mut constants = None;
-    let model = Model::new(scenario, ModelMemory { constants: &mut constants, nodes, cells, hoops })?;
+    let mut state = state;
+    let model = Model::new(scenario, ModelMemory { constants: &mut constants, nodes, cells, hoops }, &mut state)?;
     State::new(&model, state)?;
     Ok(slot.place(SoftanvilSimulation {
         marker: SoftanvilSimulation::MARKER,

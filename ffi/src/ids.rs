@@ -10,7 +10,7 @@ use softanvil_kernel::{FIELDS, Field, OUTPUTS, Output, PARAMETERS, Parameter};
 pub static PRESET_BY_ID: [&Preset; 2] = [preset_row("study"), preset_row("study-14.7")];
 
 /// Parameters by number, which is also their slot in a `SoftanvilScenario`.
-pub static PARAMETER_BY_ID: [&Parameter; 120] = [
+pub static PARAMETER_BY_ID: [&Parameter; 121] = [
     parameter_row("geometry.shape"),
     parameter_row("geometry.formulation"),
     parameter_row("geometry.core_radius"),
@@ -131,10 +131,11 @@ pub static PARAMETER_BY_ID: [&Parameter; 120] = [
     parameter_row("impactor.prescribed_depth"),
     parameter_row("impactor.prescribed_rise"),
     parameter_row("measurement.channel_class"),
+    parameter_row("time.design_compression"),
 ];
 
 /// Outputs by number.
-pub static OUTPUT_BY_ID: [&Output; 29] = [
+pub static OUTPUT_BY_ID: [&Output; 30] = [
     output_row("contact.force"),
     output_row("contact.force_step"),
     output_row("core.reaction"),
@@ -164,6 +165,7 @@ pub static OUTPUT_BY_ID: [&Output; 29] = [
     output_row("energy.viscous_dissipation"),
     output_row("energy.tear"),
     output_row("contact.force_filtered"),
+    output_row("model.design_stretch"),
 ];
 
 /// Fields by number.

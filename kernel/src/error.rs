@@ -3,7 +3,9 @@
 use core::fmt;
 
 use crate::decimal::Decimal;
+use crate::math;
 use crate::real::Real;
+use crate::sampling::SAMPLING_INTERVAL;
 use crate::scenario::ElasticLaw;
 
 /// A parameter value that is not legal.
@@ -262,11 +264,13 @@ impl fmt::Display for StepError {
                 write!(f, "element {element} is inverted or not finite at {} s", Decimal(*time))
             }
             Self::Unstable { element, time, limit, step } => {
+                let enough = Decimal(enough(*limit));
                 let [time, limit, step] = [*time, *limit, *step].map(Decimal);
                 write!(
                     f,
-                    "the time step of {step} s is above the stability limit {limit} s of element {element} at {time} s \
-                     (lower time.safety_factor or the given time.step)"
+                    "the time step of {step} s is above the stability limit {limit} s of element {element} at {time} s: \
+                     {enough} s would do there (time.step_by = given with time.step, or for a driven face a larger \
+                     time.design_compression)"
                 )
             }
             Self::Input { value, time } => {
@@ -275,6 +279,11 @@ impl fmt::Display for StepError {
             }
         }
     }
+}
+
+/// The largest step that is a whole divisor of the sampling interval and at least a tenth below `limit`, s.
+fn enough(limit: Real) -> Real {
+    SAMPLING_INTERVAL / math::ceil(SAMPLING_INTERVAL / (0.9 * limit))
 }
 
 impl core::error::Error for StepError {}

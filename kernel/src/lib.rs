@@ -29,9 +29,11 @@ compile_error!("x86 without SSE2 is excluded: x87 registers hold more bits than 
 #[cfg(feature = "alloc")]
 extern crate alloc;
 
+pub(crate) mod assembly;
 pub(crate) mod cell_bound;
 pub mod cfc;
 pub(crate) mod complex;
+mod construction;
 pub mod core_contact;
 pub mod decimal;
 pub mod deformation;
@@ -57,10 +59,12 @@ pub mod prescribed;
 pub mod preset;
 pub mod real;
 pub(crate) mod response;
+pub mod sampling;
 pub mod scenario;
 #[cfg(feature = "alloc")]
 pub mod simulation;
 pub mod snapshot;
+pub mod stability;
 pub mod state;
 pub mod state_view;
 mod step;
@@ -69,15 +73,17 @@ pub mod stress;
 pub mod stretch;
 pub mod surface;
 pub mod time_step;
+pub(crate) mod trial;
 pub mod vector;
 
 pub use error::{ModelError, ParameterError, ScenarioError, SnapshotError, StepError};
 pub use field::{FIELDS, Field};
 pub use impactor::StepInput;
 pub use instruction_set::InstructionSet;
-pub use model::{Constants, Model, SAMPLING_INTERVAL};
+pub use model::{Constants, Model};
 pub use output::{OUTPUTS, Output};
 pub use parameter::{PARAMETERS, Parameter};
+pub use sampling::SAMPLING_INTERVAL;
 pub use scenario::Scenario;
 #[cfg(feature = "alloc")]
 pub use simulation::Simulation;

@@ -6,8 +6,9 @@
 
 use crate::cfc::Filter;
 use crate::digest::Digest;
-use crate::model::{Constants, SAMPLING_INTERVAL};
+use crate::model::Constants;
 use crate::real::Real;
+use crate::sampling::SAMPLING_INTERVAL;
 use crate::state::Forces;
 
 /// One sample.

@@ -127,4 +127,10 @@ pub static OUTPUTS: &[Output] = &[
         |_, s| s.energy.residual(),
         "external energy that the other terms leave unexplained",
     ),
+    output(
+        "model.design_stretch",
+        "1",
+        |c, _| c.design_stretch,
+        "smallest principal stretch in the section that the time step was chosen for; 1 where the step was given",
+    ),
 ];

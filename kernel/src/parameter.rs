@@ -331,14 +331,21 @@ const NUMERICS: &[Parameter] = &[
         "1",
         (0.01, 1.0),
         |s| &mut s.time.safety_factor,
-        "fraction of the stability limit of the stiffest expected state",
+        "fraction of the smallest stability limit that a trial of the scenario finds",
     ),
     real(
         "time.step",
         "s",
-        (1e-8, 5e-5),
+        (1e-10, 5e-5),
         |s| &mut s.time.step,
         "requested step; the largest whole divisor of 50 us not above it is used",
+    ),
+    real(
+        "time.design_compression",
+        "1",
+        (0.01, 0.95),
+        |s| &mut s.time.design_compression,
+        "part of the layer's thickness that a driven face presses it by at most, for which the step is chosen",
     ),
     real("time.duration", "s", (5e-5, 100.0), |s| &mut s.time.duration, "simulated time of a run"),
     real(

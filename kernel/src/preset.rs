@@ -70,7 +70,13 @@ pub fn study() -> Scenario {
         core: CoreInterface { interface: Interface::Bonded, friction_coefficient: 0.3 },
         face: FaceInterface { friction_coefficient: 0.3 },
         mesh: Mesh { element_size: 3e-3 },
-        time: Time { step_by: StepBy::SafetyFactor, safety_factor: 0.9, step: 2e-6, duration: 15e-3 },
+        time: Time {
+            step_by: StepBy::SafetyFactor,
+            safety_factor: 0.9,
+            step: 2e-6,
+            design_compression: 0.4,
+            duration: 15e-3,
+        },
         measurement: Measurement { force_threshold: 20.0, channel_class: 600.0 },
     }
 }

@@ -360,6 +360,8 @@ pub struct Time {
     pub safety_factor: Real,
     /// Requested step, s; the largest whole divisor of the sampling interval not above it is used.
     pub step: Real,
+    /// Part of the layer's thickness that a driven face is expected to press it by at most; the step is chosen for it.
+    pub design_compression: Real,
     /// Simulated time that a run covers unless told otherwise, s.
     pub duration: Real,
 }

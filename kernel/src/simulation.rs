@@ -31,7 +31,7 @@ impl Simulation {
     /// # Errors
     /// A refused scenario, or no memory; see [`ModelError`].
     pub fn new(scenario: &Scenario) -> Result<Self, ModelError> {
-        Self::build(scenario, |memory| Model::new(scenario, memory))
+        Self::build(scenario, |memory, state| Model::new(scenario, memory, state))
     }
 
     /// The same with nodes that rest at `position(u, v)`, m; see [`Model::with_positions`].
@@ -42,12 +42,12 @@ impl Simulation {
         scenario: &Scenario,
         position: &dyn Fn(usize, usize) -> [Real; 2],
     ) -> Result<Self, ModelError> {
-        Self::build(scenario, |memory| Model::with_positions(scenario, position, memory))
+        Self::build(scenario, |memory, state| Model::with_positions(scenario, position, memory, state))
     }
 
     fn build(
         scenario: &Scenario,
-        model: impl for<'m> FnOnce(ModelMemory<'m>) -> Result<Model<'m>, ModelError>,
+        model: impl for<'m> FnOnce(ModelMemory<'m>, &mut StateMemory) -> Result<Model<'m>, ModelError>,
     ) -> Result<Self, ModelError> {
         let size = Size::of(scenario)?;
         let mut model_nodes = filled(0.0, size.model_nodes, "model nodes")?;
@@ -56,16 +56,12 @@ impl Simulation {
         let mut state_nodes = filled(0.0, size.state_nodes, "state nodes")?;
         let mut state_cells = filled(CellHistory::REST, size.state_cells, "state cells")?;
         let mut state_viscous = filled(Deviator::ZERO, size.state_viscous, "state viscous history")?;
-        let mut constants = None;
-        let model = model(ModelMemory {
-            constants: &mut constants,
-            nodes: &mut model_nodes,
-            cells: &mut model_cells,
-            hoops: &mut model_hoops,
-        })?;
-        let mut scalars = Scalars::BLANK;
+        let (mut constants, mut scalars) = (None, Scalars::BLANK);
         let (nodes, cells, viscous) = (&mut state_nodes, &mut state_cells, &mut state_viscous);
-        State::new(&model, StateMemory { scalars: &mut scalars, nodes, cells, viscous })?;
+        let mut state = StateMemory { scalars: &mut scalars, nodes, cells, viscous };
+        let (nodes, cells, hoops) = (&mut model_nodes, &mut model_cells, &mut model_hoops);
+        let model = model(ModelMemory { constants: &mut constants, nodes, cells, hoops }, &mut state)?;
+        State::new(&model, state)?;
         let constants = *model.constants;
         Ok(Self { constants, scalars, model_nodes, model_cells, model_hoops, state_nodes, state_cells, state_viscous })
     }

@@ -12,9 +12,9 @@ use crate::instruction_set::{InstructionSet, Work};
 use crate::lanes::{Deviator, LANES, Lane, ZERO, sum};
 use crate::model::Model;
 use crate::real::Real;
+use crate::stability;
 use crate::state::{Forces, Rows, State, corners};
 use crate::surface;
-use crate::time_step;
 use crate::vector::{Instructions, Scalar, Vector};
 
 /// Advances `state` by one step of `model.constants.dt`: central difference, from the positions at n and the velocities
@@ -47,6 +47,11 @@ pub fn step_with(set: InstructionSet, model: &Model, state: &mut State, input: &
     }
 }
 
+/// One step without a look at the input or at an earlier failure, and without a record of its own.
+pub(crate) fn advance_once(model: &Model, state: &mut State, input: &StepInput) -> Result<(), StepError> {
+    InstructionSet::best().run(Advance { model, state, input })
+}
+
 /// One step as work for an instruction set.
 struct Advance<'s, 'm, 'a> {
     model: &'s Model<'m>,
@@ -67,13 +72,14 @@ impl Work for Advance<'_, '_, '_> {
 fn advance<S: Instructions>(set: S, model: &Model, state: &mut State, input: &StepInput) -> Result<(), StepError> {
     let mut energy = ElementEnergy::ZERO;
     internal_forces(set, model, state, &mut energy)?;
-    time_step::monitor(set, model, state)?;
+    stability::monitor(set, model, state)?;
     let core = core_contact::react(model, state);
     let prediction = state.scalars.impactor.predict(model, input, state.scalars.step_index);
     let before = state.scalars.impactor.velocity_half;
     let face = face::contact(set, model, state, &prediction);
     state.scalars.contact_half_width = surface::contact_half_width(model, &state.as_view());
     let layer_kinetic = move_nodes(set, model, state);
+    stability::guard(model, state, model.constants.section_factor * layer_kinetic)?;
     let work = StepWork {
         element: &energy,
         face: &face,

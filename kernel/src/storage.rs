@@ -6,7 +6,7 @@ use crate::lanes::Deviator;
 use crate::mesh::Grid;
 use crate::model::Constants;
 use crate::real::Real;
-use crate::scenario::{Formulation, Scenario};
+use crate::scenario::Scenario;
 use crate::state::Scalars;
 
 /// Numbers per node in a model: height of rest, inverse masses along x and y, mass, and x of rest.
@@ -40,17 +40,20 @@ impl Size {
     /// A scenario that is refused, or too many cells.
     pub fn of(scenario: &Scenario) -> Result<Self, ModelError> {
         scenario.validate()?;
-        let grid = Grid::new(scenario)?;
-        let axisymmetric = scenario.geometry.formulation == Formulation::Axisymmetric;
+        Ok(Self::of_grid(scenario, &Grid::new(scenario)?))
+    }
+
+    /// What a legal `scenario` needs on its `grid`.
+    pub(crate) fn of_grid(scenario: &Scenario, grid: &Grid) -> Self {
         let terms = scenario.layers().iter().fold(0, |most, layer| most.max(layer.material.n_viscous_term()));
-        Ok(Self {
+        Self {
             model_nodes: MODEL_NODE_FIELDS * grid.n_node(),
             model_cells: grid.n_block(),
-            model_hoops: if axisymmetric { grid.n_block() } else { 0 },
+            model_hoops: if grid.axisymmetric { grid.n_block() } else { 0 },
             state_nodes: STATE_NODE_FIELDS * grid.n_node() + SURFACE_FIELDS * grid.stride(),
             state_cells: grid.n_block(),
             state_viscous: 2 * terms * grid.n_block(),
-        })
+        }
     }
 }
 
@@ -66,7 +69,25 @@ pub struct ModelMemory<'a> {
     pub hoops: &'a mut [HoopConstants],
 }
 
-/// Memory lent to a state for its lifetime.
+/// The arrays among the memory of a model.
+pub(crate) struct ModelArrays<'a> {
+    pub nodes: &'a mut [Real],
+    pub cells: &'a mut [CellConstants],
+    pub hoops: &'a mut [HoopConstants],
+}
+
+impl ModelArrays<'_> {
+    /// The first items of each, as many as `size` says.
+    pub fn first(&mut self, size: &Size) -> Result<ModelArrays<'_>, ModelError> {
+        Ok(ModelArrays {
+            nodes: take(self.nodes, size.model_nodes, "model nodes")?,
+            cells: take(self.cells, size.model_cells, "model cells")?,
+            hoops: take(self.hoops, size.model_hoops, "model hoops")?,
+        })
+    }
+}
+
+/// Memory lent to a state for its lifetime, or to a model while it is built.
 pub struct StateMemory<'a> {
     /// Place for the numbers that are not arrays: [`Scalars::BLANK`] will do.
     pub scalars: &'a mut Scalars,
@@ -76,6 +97,13 @@ pub struct StateMemory<'a> {
     pub cells: &'a mut [CellHistory],
     /// At least [`Size::state_viscous`] blocks.
     pub viscous: &'a mut [Deviator],
+}
+
+impl StateMemory<'_> {
+    /// The same memory, lent on for a while.
+    pub fn lend(&mut self) -> StateMemory<'_> {
+        StateMemory { scalars: self.scalars, nodes: self.nodes, cells: self.cells, viscous: self.viscous }
+    }
 }
 
 /// The first `needed` items of `memory`.

@@ -2,6 +2,7 @@
 
 use softanvil_kernel::element::{CellConstants, CellHistory, HoopConstants};
 use softanvil_kernel::lanes::Deviator;
+use softanvil_kernel::scenario::StepBy;
 use softanvil_kernel::{
     Model, ModelMemory, SAMPLING_INTERVAL, Scalars, Scenario, Size, State, StateMemory, StepInput, step,
 };
@@ -18,6 +19,8 @@ pub(crate) struct Rig {
     viscous: Vec<Deviator>,
     /// None before the first part.
     scalars: Option<Scalars>,
+    /// The step that was chosen for the first part, s.
+    step: f64,
 }
 
 impl Rig {
@@ -32,21 +35,27 @@ impl Rig {
             state_cells: vec![CellHistory::REST; size.state_cells],
             viscous: vec![Deviator::ZERO; size.state_viscous],
             scalars: None,
+            step: 0.0,
         })
     }
 
     /// Goes on for `duration` s with the constants of `scenario`, from where the last part ended.
     ///
-    /// The relaxation times are no part of the stability limit, so every part has the same time step.
+    /// The relaxation times are no part of the stability limit, so every part goes on with the step of the first.
     pub(crate) fn run(&mut self, scenario: &Scenario, duration: f64, record: &mut Recorder) -> Result<(), Error> {
         let (nodes, cells, hoops) = (&mut self.nodes, &mut self.cells, &mut self.hoops);
         let mut constants = None;
         let memory = ModelMemory { constants: &mut constants, nodes, cells, hoops };
-        let model = Model::new(scenario, memory)?;
         let (nodes, cells, viscous) = (&mut self.state_nodes, &mut self.state_cells, &mut self.viscous);
         let begins = self.scalars.is_none();
-        let memory = StateMemory { scalars: self.scalars.get_or_insert(Scalars::BLANK), nodes, cells, viscous };
-        let mut state = if begins { State::new(&model, memory)? } else { State::view(&model, memory)? };
+        let mut scenario = *scenario;
+        if !begins {
+            (scenario.time.step_by, scenario.time.step) = (StepBy::Given, self.step);
+        }
+        let mut state = StateMemory { scalars: self.scalars.get_or_insert(Scalars::BLANK), nodes, cells, viscous };
+        let model = Model::new(&scenario, memory, &mut state)?;
+        self.step = model.constants.dt;
+        let mut state = if begins { State::new(&model, state)? } else { State::view(&model, state)? };
         for _ in 0..(duration / SAMPLING_INTERVAL).ceil() as u64 {
             let before = state.scalars.impactor.deformation();
             for _ in 0..model.constants.steps_per_sample {

@@ -4,7 +4,8 @@ use std::ops::Range;
 
 use comfy_table::presets::UTF8_HORIZONTAL_ONLY;
 use comfy_table::{CellAlignment, ContentArrangement, LineStyle, Table};
-use softanvil_kernel::{OUTPUTS, Output};
+use softanvil_kernel::scenario::StepBy;
+use softanvil_kernel::{Constants, OUTPUTS, Output};
 
 use crate::paper;
 use crate::quantity::{COUNT, QUANTITIES, Quantity};
@@ -102,12 +103,21 @@ pub fn of_run(run: &Run) -> String {
 pub fn settings(run: &Run) -> String {
     let grid = &run.constants.grid;
     format!(
-        "{} triangles, {} steps of {:.4} us, trace {}",
+        "{} triangles, {} steps of {:.4} us{}, trace {}",
         grid.n_elem(),
         run.end().step_index,
         run.constants.dt * 1e6,
+        chosen_for(&run.constants),
         run.trace_hash()
     )
+}
+
+/// What the step was chosen for; nothing if it was given.
+fn chosen_for(constants: &Constants) -> String {
+    match constants.scenario.time.step_by {
+        StepBy::SafetyFactor => format!(" (chosen for a stretch of {:.2})", constants.design_stretch),
+        StepBy::Given => String::new(),
+    }
 }
 
 /// Unit for people and its factor: lengths and times of an impact read best in thousandths.

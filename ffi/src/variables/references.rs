@@ -123,6 +123,7 @@ pub static PARAMETERS: &[(&str, u32)] = &[
     ("time.safety_factor", 1601),
     ("time.step", 1602),
     ("time.duration", 1603),
+    ("time.design_compression", 1604),
     ("measurement.force_threshold", 1700),
     ("measurement.channel_class", 1701),
     ("skin.density", 1800),
@@ -202,6 +203,7 @@ pub static OUTPUTS: &[(&str, u32)] = &[
     ("energy.residual", 3409),
     ("energy.viscous_dissipation", 3410),
     ("energy.tear", 3411),
+    ("model.design_stretch", 3500),
 ];
 
 /// The number that `list` has for `name`.

@@ -3,6 +3,7 @@
 use crate::kinematics::Kinematics;
 use crate::lanes::Deviator;
 use crate::material::{MooneyRivlin, NeoHookean, Ogden, Yeoh};
+use crate::math::THIRD;
 use crate::real::Real;
 use crate::scenario::{ElasticLaw, Material};
 use crate::stretch::IsochoricStretch;
@@ -90,7 +91,7 @@ impl Elastic {
         }
     }
 
-    /// An upper bound of the shear tangent, Pa, at a stretch.
+    /// A majorant of the shear tangent at a stretch with the geometric stiffness of the stress, Pa.
     #[inline(always)]
     pub fn shear_tangent<S: Instructions>(&self, set: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
         match self {
@@ -102,18 +103,30 @@ impl Elastic {
     }
 }
 
-/// The shear tangent of a law of the invariants, Pa, from its first and second derivative along I1 = I2.
+/// A majorant of the shear tangent of a law of the invariants, Pa, with what its own stress adds to it, from the first
+/// derivatives W1, W2 and the second ones W11, W12, W22.
 ///
-/// In a plane isochoric stretch l, where I1 = I2 = I and l^2 + l^-2 = I - 1, the tangent of pure shear is
-/// W' (I-1) + W'' ((I-1)^2 - 4) with the derivatives along I1 = I2; it exceeds those of simple shear. The larger
-/// invariant makes it a bound for other stretches; a negative derivative is not counted.
+/// With the principal values b_i of C-bar, turning the directions i and j meets W1 (b_i + b_j) + W2 (1/b_i + 1/b_j). Strain
+/// along them meets, with the geometric stiffness of the stress, W1 b_i + 3 W2 / b_i, of which a plane state that keeps its
+/// volume leaves W2 / b_i; the sums W1 (I1 - 1) + W2 (2 I2 - 4), and 2 W2 for every unit that b_3 or its inverse exceeds
+/// one by, are found to cover both in meshes of any state (`tests/verification/tests/suite/frequency.rs`). The second
+/// derivatives add the squares of dev b and dev 1/b, exactly. What softens is not counted.
 #[inline(always)]
-pub(crate) fn plane_shear_tangent<S: Instructions>(
+pub(crate) fn invariant_shear_tangent<S: Instructions>(
     set: S,
-    (i1, i2): (S::Vector, S::Vector),
-    first: S::Vector,
-    second: S::Vector,
+    stretch: &IsochoricStretch<S::Vector>,
+    [w1, w2]: [S::Vector; 2],
+    [w11, w12, w22]: [S::Vector; 3],
 ) -> S::Vector {
-    let (i, zero) = (i1.larger(i2).plus(-1.0), set.splat(0.0));
-    first.larger(zero) * i + second.larger(zero) * (i * i).plus(-4.0).larger(zero)
+    let ((i1, i2), zero) = (stretch.invariants(), set.splat(0.0));
+    let out = stretch.u33 * stretch.u33;
+    let around = out.larger(set.splat(1.0) / out).plus(-1.0);
+    let first = w1.larger(zero) * i1.plus(-1.0) + w2.larger(zero) * (i2 + around).times(2.0).plus(-4.0);
+    // Squares and product of dev b and dev 1/b, the latter with its sign turned.
+    let squares = [i1 * i1.times(2.0 * THIRD) - i2.times(2.0), i2 * i2.times(2.0 * THIRD) - i1.times(2.0)];
+    let product = (i1 * i2.times(THIRD)).plus(-3.0);
+    let second = w11.larger(zero) * squares[0].larger(zero)
+        + w22.larger(zero) * squares[1].larger(zero)
+        + (w12.larger(zero) * product.larger(zero)).times(2.0);
+    first + second.times(2.0)
 }

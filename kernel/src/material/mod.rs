@@ -23,7 +23,7 @@ pub mod volumetric;
 pub mod yeoh;
 
 pub use elastic::Elastic;
-pub(crate) use elastic::plane_shear_tangent;
+pub(crate) use elastic::invariant_shear_tangent;
 pub use maxwell::{MAX_MAXWELL_TERMS, Maxwell};
 pub use mooney_rivlin::MooneyRivlin;
 pub use neo_hookean::NeoHookean;
@@ -56,19 +56,25 @@ pub struct Laws {
     pub slider: Slider,
     /// Loss of all these beyond a stretch.
     pub tear: Tear,
+    /// Shear modulus at rest before any relaxation, of elasticity, overstress and damping together, Pa.
+    pub shear_modulus_0: Real,
 }
 
 impl Laws {
     /// The laws of `material` for steps of `dt` s.
     pub fn new(material: &Material, dt: Real) -> Self {
+        let (elastic, prony, maxwell) = (Elastic::new(material), Prony::new(material, dt), Maxwell::new(material, dt));
+        let slider = Slider::new(material.slider_stiffness, material.slider_yield_stress);
+        let (quasi_linear, additive) = (1.0 + prony.overstress(), maxwell.shear_modulus() + slider.stiffness());
         Self {
             density: material.density,
-            elastic: Elastic::new(material),
+            elastic,
             volumetric: Volumetric::new(material),
-            prony: Prony::new(material, dt),
-            maxwell: Maxwell::new(material, dt),
-            slider: Slider::new(material.slider_stiffness, material.slider_yield_stress),
+            prony,
+            maxwell,
+            slider,
             tear: Tear::new(material),
+            shear_modulus_0: elastic.shear_modulus() * quasi_linear + additive,
         }
     }
 
@@ -77,7 +83,7 @@ impl Laws {
         self.prony.n_term() + self.maxwell.n_term()
     }
 
-    /// An upper bound of the shear tangent of elasticity, overstress and damping together, Pa.
+    /// A majorant of the shear tangent of elasticity, overstress and damping together, Pa.
     ///
     /// All viscous terms count as unrelaxed, and nothing as torn.
     #[inline(always)]

@@ -8,7 +8,7 @@
 
 use crate::kinematics::Kinematics;
 use crate::lanes::{Deviator, SQRT_THIRD};
-use crate::material::plane_shear_tangent;
+use crate::material::invariant_shear_tangent;
 use crate::real::Real;
 use crate::scenario::Material;
 use crate::stretch::IsochoricStretch;
@@ -97,11 +97,12 @@ impl MooneyRivlin {
         2.0 * (self.c10 + self.c01)
     }
 
-    /// An upper bound of the shear tangent, Pa.
+    /// A majorant of the shear tangent, Pa; see [`invariant_shear_tangent`].
     #[inline(always)]
     pub fn shear_tangent<S: Instructions>(&self, set: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
         let (i1, i2) = stretch.invariants();
         let (w1, w2) = self.derivatives(i1, i2);
-        plane_shear_tangent(set, (i1, i2), w1 + w2, set.splat(2.0 * (self.c20 + self.c02 + self.c11)))
+        let second = [2.0 * self.c20, self.c11, 2.0 * self.c02].map(|c| set.splat(c));
+        invariant_shear_tangent(set, stretch, [w1, w2], second)
     }
 }

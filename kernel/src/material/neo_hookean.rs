@@ -3,7 +3,7 @@
 
 use crate::kinematics::Kinematics;
 use crate::lanes::{Deviator, SQRT_THIRD};
-use crate::material::plane_shear_tangent;
+use crate::material::invariant_shear_tangent;
 use crate::real::Real;
 use crate::scenario::Material;
 use crate::stretch::IsochoricStretch;
@@ -45,9 +45,10 @@ impl NeoHookean {
         2.0 * self.c10
     }
 
-    /// An upper bound of the shear tangent, Pa.
+    /// A majorant of the shear tangent, Pa; see [`invariant_shear_tangent`].
     #[inline(always)]
     pub fn shear_tangent<S: Instructions>(&self, set: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
-        plane_shear_tangent(set, stretch.invariants(), set.splat(self.c10), set.splat(0.0))
+        let zero = set.splat(0.0);
+        invariant_shear_tangent(set, stretch, [set.splat(self.c10), zero], [zero; 3])
     }
 }

@@ -132,30 +132,42 @@ impl Ogden {
         0.5 * self.terms().fold(0.0, |sum, (mu, alpha)| sum + mu * alpha)
     }
 
-    /// An upper bound of the shear tangent, Pa. Only terms with mu alpha > 0 count; the others soften.
+    /// A majorant of the shear tangent with the geometric stiffness of the stress, Pa. Only terms with mu alpha > 0 count;
+    /// the others soften.
     ///
     /// Strains along the principal directions have the tangent of a weighted mean of 1/2 sum mu alpha l_i^alpha, so the
-    /// largest of the three bounds it. Turning the directions of l_i and l_j meets
-    /// (tau_i - tau_j)(l_i^2 + l_j^2) / (2 (l_i^2 - l_j^2)), which exceeds it only for exponents between -2 and 2, by
-    /// a factor of at most h coth h < 1 + h with h = |ln(l_i / l_j)|.
+    /// largest of the three bounds it; to negative exponents the stress adds about mu (1 - l_i^alpha). Turning the directions
+    /// of l_i and l_j meets (tau_i - tau_j)(l_i^2 + l_j^2) / (2 (l_i^2 - l_j^2)), which exceeds it only for exponents a
+    /// between -2 and 2, by less than (1 + h^2/3) / (1 + |a| h/2) with h = |ln(l_i / l_j)|, as h coth h < 1 + h^2/3 and
+    /// (1 - e^-x)/x < 1 / (1 + x/2).
     #[inline(always)]
     pub fn shear_tangent<S: Instructions>(&self, set: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
         let zero = set.splat(0.0);
-        let (mut most, mut least, mut tangent, mut soft) = (zero, zero, zero, false);
-        for stretch in stretch.principal() {
-            let log = self.limited(set, power::log2(set, stretch));
-            (most, least) = (most.larger(log), least.larger(zero - log));
+        let logs = stretch.principal().map(|stretch| self.limited(set, power::log2(set, stretch)));
+        let largest = |logs: [S::Vector; 3]| logs[0].larger(logs[1]).larger(logs[2]);
+        let range = (largest(logs) + largest(logs.map(|log| zero - log))).times(LN_2);
+        let mut tangent = zero;
+        for log in logs {
             let mut along = zero;
             for k in 0..MAX_OGDEN_TERMS {
                 let (mu, alpha) = (self.mu[k], self.alpha[k]);
                 if mu * alpha > 0.0 {
                     let [root, _] = power::exp2_of_both_signs(log.times(0.5 * alpha));
-                    along = along + (root.whole * root.whole).times(0.5 * mu * alpha);
-                    soft = soft || math::abs(alpha) < 2.0;
+                    let power = root.whole * root.whole;
+                    let mut term = power.times(0.5 * mu * alpha);
+                    if alpha < 0.0 {
+                        term = term + power.plus(-1.0).larger(zero).times(-mu);
+                    }
+                    if math::abs(alpha) < 2.0 {
+                        let turned = (range * range).times(math::THIRD).plus(1.0)
+                            / range.times(0.5 * math::abs(alpha)).plus(1.0);
+                        term = term * turned.larger(set.splat(1.0));
+                    }
+                    along = along + term;
                 }
             }
             tangent = tangent.larger(along);
         }
-        if soft { tangent * (most + least).times(LN_2).plus(1.0) } else { tangent }
+        tangent
     }
 }

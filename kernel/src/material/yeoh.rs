@@ -3,7 +3,7 @@
 
 use crate::kinematics::Kinematics;
 use crate::lanes::{Deviator, SQRT_THIRD};
-use crate::material::plane_shear_tangent;
+use crate::material::invariant_shear_tangent;
 use crate::real::Real;
 use crate::scenario::Material;
 use crate::stretch::IsochoricStretch;
@@ -64,11 +64,12 @@ impl Yeoh {
         2.0 * self.c10
     }
 
-    /// An upper bound of the shear tangent, Pa.
+    /// A majorant of the shear tangent, Pa; see [`invariant_shear_tangent`].
     #[inline(always)]
     pub fn shear_tangent<S: Instructions>(&self, set: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
-        let (i1, i2) = stretch.invariants();
-        let a = i1.plus(-3.0);
-        plane_shear_tangent(set, (i1, i2), self.slope(a), a.times(6.0 * self.c30).plus(2.0 * self.c20))
+        let zero = set.splat(0.0);
+        let a = stretch.invariants().0.plus(-3.0);
+        let second = a.times(6.0 * self.c30).plus(2.0 * self.c20);
+        invariant_shear_tangent(set, stretch, [self.slope(a), zero], [second, zero, zero])
     }
 }

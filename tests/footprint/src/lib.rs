@@ -26,12 +26,12 @@ pub fn prepare(energy: f64) -> Option<(Scenario, Size)> {
 pub fn simulate(
     scenario: &Scenario,
     model: ModelMemory,
-    state: StateMemory,
+    mut state: StateMemory,
     input: &StepInput,
     steps: u64,
     snapshot: &mut [u8],
 ) -> Option<f64> {
-    let model = Model::new(scenario, model).ok()?;
+    let model = Model::new(scenario, model, &mut state).ok()?;
     let mut state = State::new(&model, state).ok()?;
     for _ in 0..steps {
         step(&model, &mut state, input).ok()?;

@@ -49,8 +49,8 @@ impl<'a> Run<'a> {
     /// # Errors
     /// A scenario that is refused, or more than the memory holds.
     pub fn new(scene: &'static Scene, memory: &'a mut Memory) -> Result<Self, Failure> {
-        let (model, state) = memory.split();
-        let model = Model::new(&(scene.scenario)(), model).map_err(Failure::Model)?;
+        let (model, mut state) = memory.split();
+        let model = Model::new(&(scene.scenario)(), model, &mut state).map_err(Failure::Model)?;
         let state = State::new(&model, state).map_err(Failure::Model)?;
         Ok(Self { scene, model, state, instructions: InstructionSet::best() })
     }

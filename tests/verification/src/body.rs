@@ -6,6 +6,8 @@ use softanvil_kernel::element::{
 };
 use softanvil_kernel::lanes::{Deviator, LANES, ZERO};
 use softanvil_kernel::mesh::triangles;
+use softanvil_kernel::sampling::SMALLEST_STEP;
+use softanvil_kernel::scenario::StepBy;
 use softanvil_kernel::vector::Scalar;
 use softanvil_kernel::{Constants, Model, ModelMemory, Scalars, Scenario, Size, State, StateMemory, StepInput, step};
 
@@ -34,22 +36,29 @@ pub struct Body {
 impl Body {
     /// The body of `scenario` with its nodes at `position(u, v)`, m.
     pub fn new(scenario: &Scenario, position: &dyn Fn(usize, usize) -> [f64; 2], pressure: Pressure) -> Self {
-        let size = Size::of(scenario).expect("a legal scenario");
+        // Time stands still: a step that no trial has to find.
+        let mut scenario = *scenario;
+        (scenario.time.step_by, scenario.time.step) = (StepBy::Given, SMALLEST_STEP);
+        let size = Size::of(&scenario).expect("a legal scenario");
         let mut nodes = vec![0.0; size.model_nodes];
         let mut cells = vec![CellConstants::ZERO; size.model_cells];
         let mut hoops = vec![HoopConstants::ZERO; size.model_hoops];
         let mut constants = None;
         let memory = ModelMemory { constants: &mut constants, nodes: &mut nodes, cells: &mut cells, hoops: &mut hoops };
-        let constants = *Model::with_positions(scenario, position, memory).expect("a legal mesh").constants;
-        let cells = match pressure {
-            Pressure::Patch => vec![cells],
-            Pressure::Triangle => (0..2).map(|t| alone(&cells, t)).collect(),
-        };
-        let state = (
+        let mut state = (
             vec![0.0; size.state_nodes],
             vec![CellHistory::REST; size.state_cells],
             vec![Deviator::ZERO; size.state_viscous],
         );
+        let (scalars, (lent, histories, viscous)) = (&mut Scalars::BLANK.clone(), &mut state);
+        let mut lent = StateMemory { scalars, nodes: lent, cells: histories, viscous };
+        let model = Model::with_positions(&scenario, position, memory, &mut lent).expect("a legal mesh");
+        let constants = *model.constants;
+        State::new(&model, lent).expect("memory of the right size");
+        let cells = match pressure {
+            Pressure::Patch => vec![cells],
+            Pressure::Triangle => (0..2).map(|t| alone(&cells, t)).collect(),
+        };
         Self { constants, nodes, cells, hoops, state }
     }
 

@@ -3,9 +3,10 @@
 use softanvil_kernel::element::{Block, CellHistory, Corners, ElementEnergy, internal_force};
 use softanvil_kernel::lanes::{Deviator, ZERO, sum};
 use softanvil_kernel::material::Laws;
-use softanvil_kernel::scenario::{Formulation, Material};
+use softanvil_kernel::sampling::SMALLEST_STEP;
+use softanvil_kernel::scenario::{Formulation, Material, StepBy};
 use softanvil_kernel::vector::Scalar;
-use softanvil_kernel::{Model, ModelMemory, Scenario, Size};
+use softanvil_kernel::{Model, ModelMemory, Scalars, Scenario, Size, StateMemory};
 
 use crate::scenes;
 
@@ -46,9 +47,13 @@ impl Cell {
             vec![softanvil_kernel::element::CellConstants::ZERO; size.model_cells],
             vec![softanvil_kernel::element::HoopConstants::ZERO; size.model_hoops],
         );
+        // A given step needs no trial, and so no state.
+        (scenario.time.step_by, scenario.time.step) = (StepBy::Given, SMALLEST_STEP);
+        let mut state =
+            StateMemory { scalars: &mut Scalars::BLANK.clone(), nodes: &mut [], cells: &mut [], viscous: &mut [] };
         let mut constants = None;
         let (nodes, cells, hoops) = (&mut memory.0, &mut memory.1, &mut memory.2);
-        let model = Model::new(&scenario, ModelMemory { constants: &mut constants, nodes, cells, hoops })
+        let model = Model::new(&scenario, ModelMemory { constants: &mut constants, nodes, cells, hoops }, &mut state)
             .expect("a legal model");
         let [x, y] = model.reference_position();
         let stride = model.constants.grid.stride();

@@ -8,6 +8,7 @@ pub mod deformation;
 pub mod element;
 pub mod memo;
 pub mod order;
+pub mod plausible;
 pub mod problems;
 pub mod relaxation;
 pub mod scenes;

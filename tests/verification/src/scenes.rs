@@ -1,5 +1,6 @@
 //! Scenarios and runs that several problems use.
 
+use crate::deformation::Samples;
 use softanvil_kernel::scenario::{ElasticLaw, Interface, Material, Moduli, Motion, Shape, VolumetricBy, VolumetricLaw};
 use softanvil_kernel::{Scenario, Simulation, StepInput, preset};
 
@@ -65,6 +66,38 @@ pub fn laws(bulk_modulus: f64) -> Vec<(&'static str, Material)> {
         ("Ogden 2", ogden(bulk_modulus, [0.02e6, -0.03e6, 0.0], [4.5, -3.1, 0.0])),
         ("Ogden 3", ogden(bulk_modulus, [0.63e6, 0.0012e6, -0.01e6], [1.3, 5.0, -2.0])),
     ]
+}
+
+/// A law at random without memory or damping, of a shear modulus of four times `c10`, Pa, at most, and about that of a
+/// neo-Hookean material with this coefficient.
+pub fn random_law(samples: &mut Samples, c10: f64) -> Material {
+    let mut between = |low: f64, high: f64| low + (high - low) * 0.5 * (1.0 + samples.number());
+    let base = elastic(c10, 0.0, 1e6);
+    let part = between(0.0, 1.0);
+    let (first, second) = (c10 * part, c10 * (1.0 - part));
+    match between(0.0, 7.0) as usize {
+        0 => Material { law: ElasticLaw::NeoHookean, ..base },
+        1 => Material { c10: first, c01: second, ..base },
+        2 => Material { c10: first, c01: second, c11: c10 * between(0.0, 0.4), ..base },
+        3 => {
+            let [c11, c20, c02] = [0.4, 0.2, 0.2].map(|most| c10 * between(0.0, most));
+            Material { c10: first, c01: second, c11, c20, c02, ..base }
+        }
+        4 => {
+            let (c20, c30) = (c10 * between(-0.05, 0.3), c10 * between(0.001, 0.1));
+            Material { law: ElasticLaw::Yeoh, c20, c30, ..base }
+        }
+        5 => {
+            let alpha = between(0.5, 6.0);
+            let alpha = if between(0.0, 1.0) < 0.5 { alpha } else { -alpha };
+            ogden(1e6, [4.0 * c10 / alpha, 0.0, 0.0], [alpha, 2.0, 2.0])
+        }
+        _ => {
+            let alpha = [between(1.0, 6.0), -between(1.0, 6.0), between(4.0, 8.0)];
+            let mu = [first / alpha[0], 0.8 * second / alpha[1], 0.2 * second / alpha[2]].map(|mu| 4.0 * mu);
+            ogden(1e6, mu, alpha)
+        }
+    }
 }
 
 /// A flat block of `width` by `height` m on a frictionless core under a frictionless face that nothing moves.

@@ -4,9 +4,6 @@ use softanvil_kernel::Scenario;
 
 use crate::run::{Drop, Run, RunError};
 
-/// Safety factors of the time step that are tried after the scenario's own. A soft material is pressed thinner than the step
-/// is chosen for.
-const FACTORS: [f64; 5] = [0.7, 0.5, 0.3, 0.2, 0.1];
 /// Halvings of the energy that are tried.
 const HALVINGS: u32 = 6;
 
@@ -14,39 +11,32 @@ const HALVINGS: u32 = 6;
 pub struct Trial {
     /// Its scenario.
     pub scenario: Scenario,
-    /// The safety factor of its time step is lower than it was.
-    pub lowered: bool,
     /// Why the whole energy fails, if it does; the scenario has less then.
     pub failure: Option<String>,
 }
 
 impl Trial {
-    /// Drops on the anvil of `scenario`: with its own step, with smaller ones, and with less energy, until one goes through.
+    /// Drops on the anvil of `scenario`, with less and less energy until a drop goes through.
     ///
     /// # Errors
     /// Why even the smallest energy fails.
     pub fn new(scenario: &Scenario) -> Result<Self, RunError> {
-        let own = scenario.time.safety_factor;
         let mut failure: Option<RunError> = None;
         for halving in 0..=HALVINGS {
             let energy = scenario.impactor.drop_energy * 0.5_f64.powi(halving as i32);
-            for factor in [own].into_iter().chain(FACTORS.into_iter().filter(|factor| *factor < own)) {
-                let mut tried = Scenario { impactor: scenario.impactor.with_energy(energy), ..*scenario };
-                tried.time.safety_factor = factor;
-                match run(&tried) {
-                    Ok(_) => {
-                        let failure = failure.filter(|_| halving > 0).map(|error| error.to_string());
-                        return Ok(Self { scenario: tried, lowered: factor < own, failure });
-                    }
-                    // A step of the smallest factor tells what is wrong but for the step.
-                    Err(error) if halving == 0 => failure = Some(error),
-                    Err(_) => {}
+            let tried = Scenario { impactor: scenario.impactor.with_energy(energy), ..*scenario };
+            match (run(&tried), failure) {
+                (Ok(_), failure) => {
+                    return Ok(Self { scenario: tried, failure: failure.map(|error| error.to_string()) });
                 }
+                // The first tells what is wrong with the drop that was asked for.
+                (Err(error), None) => failure = Some(error),
+                (Err(_), first) => failure = first,
             }
         }
         match failure {
             Some(error) => Err(error),
-            None => run(scenario).map(|_| Self { scenario: *scenario, lowered: false, failure: None }),
+            None => run(scenario).map(|_| Self { scenario: *scenario, failure: None }),
         }
     }
 
@@ -60,14 +50,7 @@ impl Trial {
                  unstable under such a compression.\n"
             );
         }
-        if self.lowered {
-            text += &format!(
-                "! A drop of {energy} J needs the safety factor {} of the time step, as in {file}: softanvil run --scenario {file}\n",
-                self.scenario.time.safety_factor
-            );
-        } else {
-            text += &format!("A drop of {energy} J goes through: softanvil run --scenario {file}\n");
-        }
+        text += &format!("A drop of {energy} J goes through: softanvil run --scenario {file}\n");
         text
     }
 }

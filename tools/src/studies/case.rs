@@ -1,11 +1,11 @@
 //! One simulation of a study, and what came of it.
 
-use softanvil_kernel::scenario::{Motion, StepBy};
-use softanvil_kernel::{Scenario, StepError};
+use softanvil_kernel::Scenario;
+use softanvil_kernel::scenario::Motion;
 
 use crate::quantity::{self, COUNT, PEAK_FORCE};
 use crate::reading::Reading;
-use crate::run::{Drop, Run, RunError};
+use crate::run::{Drop, Run};
 use crate::series::{Sensor, Series};
 
 /// What is to be simulated.
@@ -29,33 +29,15 @@ pub struct Outcome {
 /// Channel frequency class of the filtered peak force, Hz.
 pub const CHANNEL_CLASS: f64 = 600.0;
 
-/// A step that turns out to be too long is shortened by this factor, at most [`RETRIES`] times.
-const SHORTER: f64 = 0.7;
-/// See [`SHORTER`].
-const RETRIES: u32 = 5;
-
 impl Case {
     /// Simulates; nothing if `go_on`, which hears of the steps made, says no.
     ///
-    /// A stiff variant may deform beyond what its step was chosen for; it then starts again with a shorter one.
-    ///
     /// # Errors
     /// A scenario that is refused, or a step that fails.
-    pub fn simulate(&self, mut go_on: impl FnMut(u64) -> bool) -> Result<Option<Outcome>, String> {
-        let mut scenario = self.scenario.clone()?;
-        for retry in 0.. {
-            let outcome = Drop::new(&scenario).and_then(|drop| drop.run_while(&mut go_on));
-            match outcome {
-                Err(RunError::Step(StepError::Unstable { .. }))
-                    if retry < RETRIES && scenario.time.step_by == StepBy::SafetyFactor =>
-                {
-                    scenario.time.safety_factor *= SHORTER;
-                }
-                Err(error) => return Err(error.to_string()),
-                Ok(run) => return Ok(run.map(Outcome::new)),
-            }
-        }
-        Ok(None)
+    pub fn simulate(&self, go_on: impl FnMut(u64) -> bool) -> Result<Option<Outcome>, String> {
+        let scenario = self.scenario.clone()?;
+        let run = Drop::new(&scenario).and_then(|drop| drop.run_while(go_on));
+        run.map(|run| run.map(Outcome::new)).map_err(|error| error.to_string())
     }
 
     /// Updates of elements that it will take; 0 if it is refused.

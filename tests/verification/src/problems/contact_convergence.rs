@@ -35,7 +35,6 @@ pub fn scenario(formulation: Formulation, bulk_modulus: f64, element_size: f64) 
     scenario.face.friction_coefficient = 0.0;
     scenario.silicone = elastic(0.1e6, 0.06e6, bulk_modulus);
     scenario.mesh.element_size = element_size;
-    scenario.time.safety_factor = 0.5;
     scenario
 }
 

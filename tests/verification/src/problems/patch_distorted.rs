@@ -37,7 +37,6 @@ fn position(u: usize, v: usize) -> [f64; 2] {
 pub fn errors(formulation: Formulation, gradient: [[f64; 2]; 2]) -> Errors {
     let mut scenario = grid(CELLS, CELLS, elastic(0.1e6, 0.05e6, 5e6));
     scenario.geometry.formulation = formulation;
-    scenario.time.safety_factor = 0.5;
     let mut body = Body::new(&scenario, &position, Pressure::Patch);
     let homogeneous: Field =
         body.positions().iter().map(|x| [0, 1].map(|i| gradient[i][0] * x[0] + gradient[i][1] * x[1] - x[i])).collect();

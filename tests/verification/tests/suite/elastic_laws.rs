@@ -102,7 +102,7 @@ fn the_shear_modulus_at_rest_is_the_one_stated() {
 }
 
 /// Source: pure shear by e along the principal axes, where W'' = 4 G with the tangent G, by central differences of W. It is
-/// stated for the laws of the invariants whose derivatives are positive, and a bound for the others.
+/// that of a neo-Hookean material, and a bound for the others, whose stress adds more.
 #[test]
 fn the_shear_tangent_bounds_that_of_a_plane_compression() {
     for (name, material) in laws(BULK) {
@@ -113,7 +113,7 @@ fn the_shear_tangent_bounds_that_of_a_plane_compression() {
             let tangent = 0.25 * (energy(step) - 2.0 * energy(0.0) + energy(-step)) / (step * step);
             let bound = law.shear_tangent(Scalar, &IsochoricStretch::plane_compression(stretch));
             assert!(bound > tangent * (1.0 - SHEAR_TANGENT), "{name} at {stretch}: {bound} Pa, {tangent} Pa");
-            if matches!(law, Elastic::NeoHookean(_) | Elastic::MooneyRivlin(_)) {
+            if matches!(law, Elastic::NeoHookean(_)) {
                 assert!(
                     relative_error(bound, tangent) < SHEAR_TANGENT,
                     "{name} at {stretch}: {bound} Pa, {tangent} Pa"

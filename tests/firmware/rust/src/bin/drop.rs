@@ -53,11 +53,11 @@ fn main() -> ! {
     end(same)
 }
 
-fn run(model_memory: ModelMemory<'static>, state_memory: StateMemory<'static>) -> bool {
+fn run(model_memory: ModelMemory<'static>, mut state_memory: StateMemory<'static>) -> bool {
     let scene = Scene::find("drop-14.7-J").unwrap();
     let scenario = (scene.scenario)();
     let size = Size::of(&scenario).unwrap();
-    let model = Model::new(&scenario, model_memory).unwrap();
+    let model = Model::new(&scenario, model_memory, &mut state_memory).unwrap();
     let mut state = State::new(&model, state_memory).unwrap();
     let whole = model.constants.steps_in(scenario.time.duration);
     let steps = argument().map_or(whole, |most| whole.min(most));

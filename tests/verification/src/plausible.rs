@@ -1,0 +1,106 @@
+//! Drops that a laboratory may well ask for, at random: every law, stiffness, thickness, energy and section, and what came
+//! of each with the step that the kernel chose for it.
+
+use softanvil_kernel::scenario::{Formulation, Interface, Material, VolumetricBy, VolumetricLaw};
+use softanvil_kernel::stability::critical_time_step;
+use softanvil_kernel::{SAMPLING_INTERVAL, Scenario, Simulation, StepInput, preset};
+
+use crate::deformation::Samples;
+use crate::scenes::random_law;
+
+/// What came of a drop.
+#[derive(Clone, Copy, Debug)]
+pub struct Outcome {
+    /// Steps in a sampling interval over the fewest whose step stays below every limit that the drop has met.
+    pub steps_over_hindsight: f64,
+    /// Largest size of the energy's residual over the energy of the drop.
+    pub residual: f64,
+}
+
+/// A plausible drop: c10 from 20 kPa to 1 MPa, or another law as stiff; Poisson's ratio from 0.45 to 0.495; a layer of 6 to
+/// 30 mm; 2.5 to 14.7 J; half with a Prony term, a Maxwell term or a spring-slider; cylinder or dome; core bonded or
+/// frictional.
+pub fn scenario(samples: &mut Samples) -> Scenario {
+    let mut scenario = preset::study();
+    let mut unit = || 0.5 * (1.0 + samples.number());
+    let c10 = logarithmic(unit(), 20e3, 1e6);
+    let (damping, numbers) = (unit(), [unit(), unit()]);
+    scenario.geometry.silicone_thickness = 5e-3 + 24e-3 * unit();
+    scenario.impactor.drop_energy = 2.5 + 12.2 * unit();
+    if unit() < 0.5 {
+        scenario.geometry.formulation = Formulation::Axisymmetric;
+    }
+    scenario.core.interface = if unit() < 0.5 { Interface::Bonded } else { Interface::Frictional };
+    // A thick layer reaches past the study's face.
+    let radius = scenario.geometry.core_radius + scenario.geometry.layer_thickness();
+    scenario.impactor.face_diameter = scenario.impactor.face_diameter.max(2.1 * radius);
+    let volumetric_law = if unit() < 0.7 { VolumetricLaw::Quadratic } else { VolumetricLaw::Simo };
+    let poissons_ratio = 0.45 + 0.045 * unit();
+    let law = random_law(samples, c10);
+    scenario.silicone = Material { volumetric_by: VolumetricBy::PoissonsRatio, poissons_ratio, volumetric_law, ..law };
+    damp(&mut scenario.silicone, damping, numbers);
+    scenario
+}
+
+/// Gives a part of the materials one of the kinds of damping.
+fn damp(material: &mut Material, which: f64, [first, second]: [f64; 2]) {
+    let modulus = material.shear_modulus_inf();
+    if which < 0.2 {
+        let overstress = logarithmic(first, 0.2, 10.0);
+        material.prony_g[0] = overstress / (1.0 + overstress);
+        material.prony_tau[0] = logarithmic(second, 1e-4, 0.1);
+    } else if which < 0.35 {
+        material.maxwell_g[0] = modulus * logarithmic(first, 0.25, 5.0);
+        material.maxwell_beta[0] = logarithmic(second, 10.0, 5e3);
+    } else if which < 0.5 {
+        material.slider_stiffness = modulus * logarithmic(first, 0.5, 15.0);
+        material.slider_yield_stress = modulus * logarithmic(second, 0.01, 0.25);
+    }
+}
+
+/// Between `low` and `high`, evenly on the scale of logarithms.
+fn logarithmic(unit: f64, low: f64, high: f64) -> f64 {
+    low * (high / low).powf(unit)
+}
+
+/// Looks at the limit and the energies, in a drop.
+const LOOKS: u64 = 1_000;
+
+/// Drops as `scenario` says.
+///
+/// # Errors
+/// Why the drop is refused or fails.
+pub fn outcome(scenario: &Scenario) -> Result<Outcome, String> {
+    let mut simulation = Simulation::new(scenario).map_err(|error| error.to_string())?;
+    let constants = simulation.constants();
+    let (steps, chosen) = (constants.steps_in(scenario.time.duration), constants.steps_per_sample);
+    let (mut limit, mut residual) = (f64::INFINITY, 0.0_f64);
+    let stride = steps.div_ceil(LOOKS);
+    let mut done = 0;
+    while done < steps {
+        let count = stride.min(steps - done);
+        simulation.step(count, &StepInput::default()).map_err(|error| error.to_string())?;
+        done += count;
+        let now =
+            simulation.with(|model, state| critical_time_step(model, state).0).map_err(|error| error.to_string())?;
+        limit = limit.min(now);
+        residual = residual.max(simulation.scalars().energy.residual().abs() / scenario.impactor.drop_energy);
+    }
+    let needed = (SAMPLING_INTERVAL / limit).ceil().max(1.0);
+    Ok(Outcome { steps_over_hindsight: f64::from(chosen) / needed, residual })
+}
+
+/// A drop in one line.
+pub fn summary(scenario: &Scenario) -> String {
+    let (geometry, material) = (&scenario.geometry, &scenario.silicone);
+    format!(
+        "{:?}, {:?}, {:.1} mm of {:?} with G = {:.0} Pa, nu = {:.3}, {:.1} J",
+        geometry.formulation,
+        scenario.core.interface,
+        1e3 * geometry.layer_thickness(),
+        material.law,
+        material.shear_modulus_inf(),
+        material.poissons_ratio,
+        scenario.impactor.drop_energy
+    )
+}

@@ -1,0 +1,84 @@
+//! Plausible drops go through with the step that is chosen for them. `plausible-drops` tries as many as one likes.
+
+use softanvil_kernel::scenario::{Motion, StepBy};
+use softanvil_kernel::stability::critical_time_step;
+use softanvil_kernel::{Simulation, StepInput, preset};
+use softanvil_verification::deformation::Samples;
+use softanvil_verification::plausible::{outcome, scenario, summary};
+use softanvil_verification::scenes::neo_hookean;
+use softanvil_verification::tolerance::{PLAUSIBLE_RESIDUAL, STEPS_OVER_HINDSIGHT};
+
+/// Drops that are tried.
+const COUNT: usize = 40;
+
+#[test]
+fn random_drops_go_through_with_few_steps_too_many() {
+    let mut samples = Samples::new(2_718);
+    let mut ratios = Vec::new();
+    for _ in 0..COUNT {
+        let scenario = scenario(&mut samples);
+        let outcome = outcome(&scenario).unwrap_or_else(|error| panic!("{error}: {}", summary(&scenario)));
+        assert!(outcome.residual < PLAUSIBLE_RESIDUAL, "{}: {}", outcome.residual, summary(&scenario));
+        ratios.push(outcome.steps_over_hindsight);
+    }
+    ratios.sort_by(f64::total_cmp);
+    assert!(ratios[COUNT / 2] <= STEPS_OVER_HINDSIGHT, "{ratios:?}");
+}
+
+/// A layer of c10 = 100 kPa at the study's energy, presets far beyond it, and a fine press.
+#[test]
+fn drops_that_a_fixed_design_refused_go_through() {
+    let mut soft = preset::study();
+    soft.silicone = neo_hookean(0.2e6, 0.2e6 * 2.0 * 1.48 / (3.0 * 0.04));
+    let hard = |energy: f64| {
+        let mut scenario = preset::study();
+        scenario.impactor = scenario.impactor.with_energy(energy);
+        scenario
+    };
+    let mut press = preset::study();
+    press.impactor.motion = Motion::Prescribed;
+    (press.impactor.prescribed_depth, press.impactor.prescribed_speed) = (5e-3, 1.0);
+    press.mesh.element_size = 0.75e-3;
+    for scenario in [soft, hard(50.0), hard(200.0), hard(1e3), press] {
+        outcome(&scenario).unwrap_or_else(|error| panic!("{error}: {}", summary(&scenario)));
+    }
+}
+
+/// A driven face may go as deep as the scenario says, whatever its path.
+#[test]
+fn a_driven_face_may_go_as_deep_as_the_design_says() {
+    for compression in [0.2, 0.4, 0.6] {
+        let mut driven = preset::study();
+        driven.impactor.motion = Motion::Driven;
+        driven.time.design_compression = compression;
+        let mut simulation = Simulation::new(&driven).expect("a legal scenario");
+        let (gap, depth) = (driven.impactor.gap, compression * driven.geometry.layer_thickness());
+        let steps = simulation.constants().steps_in(8e-3);
+        for step in 1..=steps {
+            // Down in a half wave and up again.
+            let part = 0.5 * (1.0 - (std::f64::consts::TAU * step as f64 / steps as f64).cos());
+            let driven_position = gap - (gap + depth) * part;
+            let input = StepInput { driven_position, ..StepInput::default() };
+            simulation.step(1, &input).unwrap_or_else(|error| panic!("{compression}: {error}"));
+        }
+    }
+}
+
+/// The step that an error names carries the drop past it, and a larger safety factor would not have.
+#[test]
+fn the_step_that_an_error_names_is_enough() {
+    let mut scenario = preset::study();
+    scenario.impactor = scenario.impactor.with_energy(200.0);
+    let mut chosen = Simulation::new(&scenario).expect("a legal scenario");
+    let at_rest = chosen.with(|model, state| critical_time_step(model, state).0).expect("memory of the right size");
+    (scenario.time.step_by, scenario.time.step) = (StepBy::Given, 0.95 * at_rest);
+    let mut given = Simulation::new(&scenario).expect("a legal step");
+    let steps = given.constants().steps_in(scenario.time.duration);
+    let error = given.step(steps, &StepInput::default()).expect_err("too large a step").to_string();
+    let named: f64 = error.split(": ").nth(1).and_then(|rest| rest.split(' ').next()).unwrap().parse().unwrap();
+    let failed_at = given.time();
+    scenario.time.step = named;
+    let mut mended = Simulation::new(&scenario).expect("a legal step");
+    let steps = mended.constants().steps_in(failed_at);
+    mended.step(steps, &StepInput::default()).unwrap_or_else(|later| panic!("{error}; then {later}"));
+}
