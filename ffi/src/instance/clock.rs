@@ -27,9 +27,11 @@ impl Clock {
         Self { point: start, ahead: 0.0 }
     }
 
-    /// The kernel's time in the master's terms, s.
-    pub fn kernel_time(&self) -> f64 {
-        self.point - self.ahead
+    /// The kernel's time by this clock, s; `kernel` is the same by the start of the experiment, and what it is unless the
+    /// master counts otherwise.
+    pub fn kernel_time(&self, dt: f64, kernel: f64) -> f64 {
+        let own = self.point - self.ahead;
+        if (own - kernel).abs() <= SAME * dt { kernel } else { own }
     }
 
     /// How far `other` and the point can be apart by rounding alone, s.
@@ -84,9 +86,8 @@ impl Clock {
         Self { point: self.point + self.until(count, dt), ahead: 0.0 }.at_step(dt, kernel)
     }
 
-    /// On a kernel step the master's time is the kernel's, unless the master counts otherwise.
+    /// On a kernel step the master's time is the kernel's.
     fn at_step(self, dt: f64, kernel: f64) -> Self {
-        let is_same = self.ahead == 0.0 && (self.point - kernel).abs() <= SAME * dt;
-        if is_same { Self::at(kernel) } else { self }
+        if self.ahead == 0.0 { Self::at(self.kernel_time(dt, kernel)) } else { self }
     }
 }

@@ -66,6 +66,12 @@ impl Instance {
         self.clock.point
     }
 
+    /// The kernel's time in the master's terms, s.
+    pub fn kernel_time(&self) -> f64 {
+        let Some(simulation) = self.simulation_at_work() else { return self.clock.point };
+        self.clock.kernel_time(simulation.constants().dt, self.experiment.start + simulation.time())
+    }
+
     /// Advances from `point` by `step`, s.
     ///
     /// # Errors

@@ -85,7 +85,7 @@ impl Instance {
     fn quantity(&mut self, source: Source) -> Result<f64, Error> {
         match source {
             Source::Time => Ok(self.time()),
-            Source::KernelTime => Ok(self.clock.kernel_time()),
+            Source::KernelTime => Ok(self.kernel_time()),
             Source::Parameter(parameter) => Ok(parameter.get(&self.scenario)),
             Source::Input(input) => Ok(*(input.field)(&mut self.inputs)),
             Source::Output(output) => {
