@@ -123,6 +123,8 @@ enum SoftanvilStatus
     SOFTANVIL_STATUS_UNSTABLE = 301,
     /** The input of a step is not a finite number. */
     SOFTANVIL_STATUS_ILLEGAL_INPUT = 302,
+    /** The time to run to is not a number, is past, or is too far ahead. */
+    SOFTANVIL_STATUS_ILLEGAL_TIME = 303,
     /** The bytes are not a snapshot of this format version. */
     SOFTANVIL_STATUS_SNAPSHOT_FORMAT = 400,
     /** The snapshot belongs to a different scenario. */
@@ -968,6 +970,23 @@ SoftanvilStatus softanvil_run(SoftanvilSimulation *simulation,
                               double duration,
                               const SoftanvilInput *input,
                               SoftanvilError *error);
+
+/**
+ * Makes the steps to the one nearest to a time, of two equally near to the later; none if the simulation is there. So it is
+ * never more than half a step away from the time asked for, and makes the same steps however time is cut. The external
+ * force is held; a driven face moves evenly from where it is to `driven_position`, which it reaches with the last step, at
+ * the time that `softanvil_time` tells then.
+ *
+ * @param simulation The simulation.
+ * @param time Time since the start of the drop, s: from half a step before the present to 100 s after it.
+ * @param input What acts on the impactor, or NULL for the input of `softanvil_input_default` at the call.
+ * @param error Details of a failure, or NULL.
+ * @return As `softanvil_step`, and ILLEGAL_TIME.
+ */
+SoftanvilStatus softanvil_run_until(SoftanvilSimulation *simulation,
+                                    double time,
+                                    const SoftanvilInput *input,
+                                    SoftanvilError *error);
 
 /**
  * Reads an output at the current time.

@@ -349,6 +349,13 @@ public:
             [&](SoftanvilError *error) { return softanvil_run(simulation_, duration, input, error); });
     }
 
+    /** Makes the steps to the one nearest to `time`, s since the start of the drop; a driven face moves evenly. */
+    Result<void> run_until(double time, const SoftanvilInput *input = nullptr)
+    {
+        return detail::explained(
+            [&](SoftanvilError *error) { return softanvil_run_until(simulation_, time, input, error); });
+    }
+
     /**
      * As `run`, and calls `trace(const Reader &)` after every sample. It may return false to end the run there; what it
      * throws ends the run and is thrown from here.

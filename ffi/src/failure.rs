@@ -55,6 +55,7 @@ pub(crate) enum Failure {
     UnknownId { argument: &'static str, id: u32, count: usize },
     UnknownName { argument: &'static str },
     ReservedSlot { array: &'static str, slot: usize, value: f64 },
+    Time { time: f64, min: f64, max: f64 },
     Scenario(ScenarioError),
     Model(ModelError),
     Step(StepError),
@@ -115,6 +116,10 @@ impl fmt::Display for Failure {
                 let value = Decimal(*value);
                 write!(f, "{array}[{slot}] = {value} is refused: it has no meaning in this version, legal is 0")
             }
+            Self::Time { time, min, max } => {
+                let [time, min, max] = [*time, *min, *max].map(Decimal);
+                write!(f, "time {time} s is refused: legal is {min} s, half a step before the present, to {max} s")
+            }
             Self::Scenario(error) => error.fmt(f),
             Self::Model(error) => error.fmt(f),
             Self::Step(error) => error.fmt(f),
@@ -146,6 +151,7 @@ impl Failure {
             Self::UnknownId { .. } => Status::UnknownId,
             Self::UnknownName { .. } => Status::UnknownName,
             Self::ReservedSlot { .. } => Status::ReservedSlot,
+            Self::Time { .. } => Status::IllegalTime,
             Self::Scenario(error) | Self::Model(ModelError::Scenario(error)) => scenario_status(error),
             Self::Model(ModelError::TooManyCells { .. }) => Status::TooManyCells,
             Self::Model(ModelError::StepTooSmall { .. }) => Status::StepTooSmall,
@@ -171,6 +177,7 @@ impl Failure {
             Self::Long { given, .. } => [given as f64, NAN, isize::MAX as f64],
             Self::UnknownId { id, count, .. } => [f64::from(id), 0.0, count.saturating_sub(1) as f64],
             Self::ReservedSlot { value, .. } => [value, 0.0, 0.0],
+            Self::Time { time, min, max } => [time, min, max],
             Self::Scenario(ScenarioError::Parameter(ParameterError { value, min, max, .. })) => [value, min, max],
             Self::Scenario(ScenarioError::PronySum { sum, .. }) => [sum, 0.0, 1.0],
             Self::Scenario(ScenarioError::ShearModulus { modulus, .. }) => [modulus, 0.0, NAN],

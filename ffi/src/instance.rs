@@ -3,6 +3,7 @@
 //! A call that is refused changes nothing. The only exception is a step that the kernel cannot complete: it leads to
 //! [`Mode::Failed`], from which the instance can be reset or restored.
 
+mod clock;
 mod error;
 mod mode;
 mod saved;
@@ -15,6 +16,7 @@ use softanvil_kernel::{Scenario, Simulation, preset};
 
 use crate::variables::{Inputs, Table, Version, profile, same_bits};
 
+use clock::Clock;
 pub use error::Error;
 pub use mode::{Function, Mode};
 pub use saved::SavedState;
@@ -52,6 +54,7 @@ pub struct Instance {
     scenario: Scenario,
     inputs: Inputs,
     experiment: Experiment,
+    clock: Clock,
     /// The model that was built last, which may be older than the scenario until the drop starts.
     simulation: Option<Simulation>,
 }
@@ -68,6 +71,7 @@ impl Instance {
             scenario: preset::study(),
             inputs: Inputs::start(),
             experiment: Experiment { start: 0.0, stop: None },
+            clock: Clock::at(0.0),
             simulation: None,
         }
     }
@@ -94,6 +98,7 @@ impl Instance {
             return Err(Error::StopTime { stop, start });
         }
         self.experiment = Experiment { start, stop };
+        self.clock = Clock::at(start);
         Ok(())
     }
 
@@ -148,6 +153,11 @@ impl Instance {
     pub fn reset(&mut self) {
         let simulation = self.simulation.take();
         *self = Self { simulation, event_mode_used: self.event_mode_used, ..Self::new(self.version) };
+    }
+
+    /// The version of the standard that the master speaks.
+    pub fn version(&self) -> Version {
+        self.version
     }
 
     /// Whether the last step could not be completed.

@@ -3,6 +3,7 @@
 //! * `environment`: the floating-point environment of every call.
 //! * `c_api` and what it stands on (`ids`, `status`, `failure`, `ptr`, `block`): the functions of `include/softanvil.h`.
 //! * `variables`, `instance`, `session`, `log`: the variable table and the instance behind both FMI versions, with its log.
+//! * `whole_steps`: how a time becomes a number of kernel steps, in both.
 //! * `foreign`, `fmi2`, `fmi3`: the pointers of the FMI functions, and the functions of each version.
 //! * `bare`: what stands in for the standard library in the binary of an FMU.
 //!
@@ -45,3 +46,4 @@ mod session;
 pub mod status;
 #[cfg(not(target_os = "none"))]
 pub mod variables;
+mod whole_steps;

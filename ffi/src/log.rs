@@ -6,22 +6,28 @@ use core::fmt::{self, Display, Write};
 
 use crate::session::Status;
 
-/// Log categories of the standard that the model description declares.
-pub mod category {
-    use core::ffi::CStr;
-
-    /// Changes of mode.
-    pub const EVENTS: &CStr = c"logEvents";
-    /// Refused calls and failed steps.
-    pub const ERROR: &CStr = c"logStatusError";
-    /// What a status function cannot tell.
-    pub const DISCARD: &CStr = c"logStatusDiscard";
-    /// All of them.
-    pub const ALL: &CStr = c"logAll";
+/// A log category of the standard that the model description declares: its name, and the messages in it.
+pub struct Category {
+    name: &'static CStr,
+    /// One bit for each kind of message.
+    pub bits: u8,
 }
 
-/// Every category.
-pub const CATEGORIES: [&CStr; 4] = [category::EVENTS, category::ERROR, category::DISCARD, category::ALL];
+impl Category {
+    /// Changes of mode.
+    const EVENTS: Self = Self { name: c"logEvents", bits: 1 };
+    /// Refused calls and failed steps.
+    const ERROR: Self = Self { name: c"logStatusError", bits: 2 };
+    /// Refused steps that may be tried otherwise (FMI 3.0), and what a status function cannot tell (FMI 2.0).
+    const DISCARD: Self = Self { name: c"logStatusDiscard", bits: 4 };
+    /// All of them.
+    pub const ALL: Self = Self { name: c"logAll", bits: 7 };
+
+    /// The category called `name`.
+    pub fn find(name: &CStr) -> Option<Self> {
+        [Self::EVENTS, Self::ERROR, Self::DISCARD, Self::ALL].into_iter().find(|category| category.name == name)
+    }
+}
 
 /// `fmi2CallbackLogger`, which takes a format and what it names.
 pub type FormatLogger = unsafe extern "C" fn(
@@ -51,36 +57,49 @@ pub enum Logger {
 pub struct Log {
     logger: Logger,
     environment: *mut c_void,
-    /// Whether changes of mode are told, too.
-    pub events: bool,
+    /// Bits of the categories that are told.
+    told: u8,
 }
 
 impl Log {
-    /// A log that hands `environment` back to `logger`.
-    pub fn new(logger: Logger, environment: *mut c_void, events: bool) -> Self {
-        Self { logger, environment, events }
+    /// A log that hands `environment` back to `logger`, and tells of everything if it is `on`.
+    pub fn new(logger: Logger, environment: *mut c_void, on: bool) -> Self {
+        Self { logger, environment, told: if on { Category::ALL.bits } else { 0 } }
     }
 
-    /// A refused call or failed step; never kept back.
+    /// Switches the categories of `bits` on or off; the others stay as they are.
+    pub fn switch(&mut self, on: bool, bits: u8) {
+        self.told = if on { self.told | bits } else { self.told & !bits };
+    }
+
+    /// A refused call or failed step. FMI 2.0 switches what helps to debug, which leaves errors; FMI 3.0 says that with
+    /// logging off "the callback function must not be called by the FMU".
     pub fn error(&self, function: &str, error: &dyn Display) {
-        self.write(Status::ERROR, category::ERROR, &format_args!("{function}: {error}"));
+        if self.tells(&Category::ERROR) || matches!(self.logger, Logger::Format(..)) {
+            self.write(Status::ERROR, &Category::ERROR, &format_args!("{function}: {error}"));
+        }
     }
 
-    /// A question that cannot be answered.
-    pub fn discard(&self, function: &str, what: &str) {
-        if self.events {
-            self.write(Status::DISCARD, category::DISCARD, &format_args!("{function}: {what}"));
+    /// A step that may be tried otherwise, or a question that cannot be answered.
+    pub fn discard(&self, function: &str, what: &dyn Display) {
+        if self.tells(&Category::DISCARD) {
+            self.write(Status::DISCARD, &Category::DISCARD, &format_args!("{function}: {what}"));
         }
     }
 
     /// A change of mode.
     pub fn event(&self, message: &dyn Display) {
-        if self.events {
-            self.write(Status::OK, category::EVENTS, message);
+        if self.tells(&Category::EVENTS) {
+            self.write(Status::OK, &Category::EVENTS, message);
         }
     }
 
-    fn write(&self, status: Status, category: &CStr, message: &dyn Display) {
+    fn tells(&self, category: &Category) -> bool {
+        self.told & category.bits != 0
+    }
+
+    fn write(&self, status: Status, category: &Category, message: &dyn Display) {
+        let category = category.name;
         match &self.logger {
             Logger::Silent => {}
             Logger::Format(logger, name) => {

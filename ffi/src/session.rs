@@ -7,7 +7,8 @@ use crate::environment::neutral;
 use crate::fmi3::types::IntermediateUpdate;
 use crate::foreign::{Array, Handle, Room, Slot, Text};
 use crate::instance::{Error, Function, HASH_DIGITS, Instance, SavedState};
-use crate::log::{CATEGORIES, Log, category};
+use crate::log::{Category, Log};
+use crate::variables::Version;
 
 /// `fmi2Status` and `fmi3Status`, whose numbers agree.
 #[repr(transparent)]
@@ -17,7 +18,7 @@ pub struct Status(c_int);
 impl Status {
     /// All well.
     pub const OK: Self = Self(0);
-    /// There is no answer.
+    /// Nothing was done, and the master may try otherwise; or there is no answer.
     pub const DISCARD: Self = Self(2);
     /// Refused, or a step that could not be completed.
     pub const ERROR: Self = Self(3);
@@ -59,30 +60,23 @@ impl Session {
         CStr::from_bytes_until_nul(&self.trace_hash).unwrap_or_default()
     }
 
-    /// Switches the messages about changes of mode, if the categories name them or there are none; errors are always
-    /// told.
+    /// Switches the categories that are named, or all if there are none.
     pub fn switch_log(&mut self, on: bool, n_categories: usize, categories: &Array<Text>) -> Result<(), Error> {
-        let categories = categories.items(n_categories).ok_or(Error::Null { argument: "categories" })?;
-        let mut names_events = categories.is_empty();
-        for (index, name) in categories.iter().enumerate() {
+        let names = categories.items(n_categories).ok_or(Error::Null { argument: "categories" })?;
+        let mut chosen = if names.is_empty() { Category::ALL.bits } else { 0 };
+        for (index, name) in names.iter().enumerate() {
             let name = name.get().ok_or(Error::Null { argument: "categories" })?;
-            if !CATEGORIES.contains(&name) {
-                return Err(Error::Argument { argument: "the name of category", value: index as i64 });
-            }
-            names_events |= name == category::EVENTS || name == category::ALL;
+            let unknown = Error::Argument { argument: "the name of category", value: index as i64 };
+            chosen |= Category::find(name).ok_or(unknown)?.bits;
         }
-        if names_events {
-            self.log.events = on;
-        }
+        self.log.switch(on, chosen);
         Ok(())
     }
 
     /// Builds the model.
     pub fn exit_initialization(&mut self) -> Result<(), Error> {
         self.instance.exit_initialization()?;
-        if self.log.events {
-            self.log.event(&self.instance.summary());
-        }
+        self.log.event(&self.instance.summary());
         Ok(())
     }
 
@@ -162,9 +156,21 @@ pub fn enter(
     let Some(session) = handle.get() else { return Status::ERROR };
     match neutral(|| session.instance.check_call(function).and_then(|()| body(session))) {
         Ok(()) => Status::OK,
+        Err(error) if is_discarded(session, &error) => {
+            session.log.discard(function.name, &error);
+            Status::DISCARD
+        }
         Err(error) => {
             session.log.error(function.name, &error);
             Status::ERROR
         }
     }
+}
+
+/// Whether the master may go on after `error`: in FMI 3.0, where a call is discarded that leaves the state as before, a
+/// step that another point or size would make legal. Not one past the stop time, for which both versions ask for an error;
+/// and in FMI 2.0 none, where a discarded step is one of which a part was computed.
+fn is_discarded(session: &Session, error: &Error) -> bool {
+    let is_step = matches!(error, Error::CommunicationPoint { .. } | Error::StepSize { .. });
+    is_step && session.instance.version() == Version::Fmi3
 }

@@ -55,6 +55,8 @@ pub enum SoftanvilStatus {
     Unstable = 301,
     /// The input of a step is not a finite number.
     IllegalInput = 302,
+    /// The time to run to is not a number, is past, or is too far ahead.
+    IllegalTime = 303,
     /// The bytes are not a snapshot of this format version.
     SnapshotFormat = 400,
     /// The snapshot belongs to a different scenario.
@@ -69,7 +71,7 @@ use SoftanvilStatus as S;
 
 impl SoftanvilStatus {
     /// Every status.
-    pub const ALL: [Self; 27] = [
+    pub const ALL: [Self; 28] = [
         S::Ok,
         S::NullPointer,
         S::Misaligned,
@@ -93,6 +95,7 @@ impl SoftanvilStatus {
         S::Inverted,
         S::Unstable,
         S::IllegalInput,
+        S::IllegalTime,
         S::SnapshotFormat,
         S::SnapshotForeign,
         S::SnapshotCorrupt,
@@ -125,6 +128,7 @@ impl SoftanvilStatus {
             S::Inverted => c"element inverted or not finite",
             S::Unstable => c"time step above the current stability limit",
             S::IllegalInput => c"input of a step not finite",
+            S::IllegalTime => c"time to run to past, too far ahead, or no number",
             S::SnapshotFormat => c"not a snapshot of this format version",
             S::SnapshotForeign => c"snapshot of a different scenario",
             S::SnapshotCorrupt => c"snapshot corrupt",

@@ -105,7 +105,7 @@ fn log_categories(xml: &mut Xml) -> io::Result<()> {
     let categories = [
         ("logEvents", "changes of mode"),
         ("logStatusError", "refused calls and failed steps"),
-        ("logStatusDiscard", "status inquiries that have no answer"),
+        ("logStatusDiscard", "steps that may be tried otherwise, and status inquiries that have no answer"),
         ("logAll", "all of them"),
     ];
     xml.create_element("LogCategories").write_inner_content(|xml| {

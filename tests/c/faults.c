@@ -297,6 +297,7 @@ static void illegal_scenarios(void)
         EXPLAIN(STATUS, softanvil_step((s), 1, NULL, &error));                            \
         EXPLAIN(STATUS, softanvil_step_to_sample((s), NULL, &error));                     \
         EXPLAIN(STATUS, softanvil_run((s), 1e-3, NULL, &error));                          \
+        EXPLAIN(STATUS, softanvil_run_until((s), 1e-3, NULL, &error));                    \
         EXPLAIN(STATUS, softanvil_run_traced((s), 1e-3, NULL, unreachable, NULL, &error)); \
         EXPLAIN(STATUS, softanvil_snapshot_restore((s), snapshot, sizeof snapshot, &error)); \
     } while (0)
@@ -369,6 +370,20 @@ static void stepping(SoftanvilSimulation *good)
     EXPLAIN(ILLEGAL_VALUE, softanvil_run(good, (double)NAN, NULL, &error));
     EXPLAIN(ILLEGAL_VALUE, softanvil_run(good, -1.0, NULL, &error));
     EXPLAIN(ILLEGAL_VALUE, softanvil_run(good, 1e300, NULL, &error));
+    double now = 0.0, dt = 0.0;
+    MUST(softanvil_time(good, &now));
+    MUST(softanvil_dt(good, &dt));
+    EXPLAIN(ILLEGAL_TIME, softanvil_run_until(good, (double)NAN, NULL, &error));
+    EXPLAIN(ILLEGAL_TIME, softanvil_run_until(good, (double)INFINITY, NULL, &error));
+    EXPLAIN(ILLEGAL_TIME, softanvil_run_until(good, now - 0.6 * dt, NULL, &error));
+    EXPLAIN(ILLEGAL_TIME, softanvil_run_until(good, now + 100.1, NULL, &error));
+    softanvil_run_until(good, now + 100.1, NULL, &error);
+    if (error.value != now + 100.1 || error.min > now || error.max < now + 99.0) {
+        fail("softanvil_run_until", "the error does not tell what is legal");
+    }
+    memset(&error, PATTERN, sizeof error);
+    EXPLAIN(UNINITIALISED, softanvil_run_until(good, now, &out.input, &error));
+    MUST(softanvil_run_until(good, now - 0.4 * dt, NULL, NULL));
     EXPLAIN(NULL_POINTER, softanvil_run_traced(good, 1e-3, NULL, NULL, NULL, &error));
     EXPLAIN(UNINITIALISED, softanvil_run_traced(good, 1e-3, &out.input, unreachable, NULL, &error));
     EXPLAIN(ILLEGAL_VALUE, softanvil_run_traced(good, (double)NAN, NULL, unreachable, NULL, &error));
@@ -395,6 +410,69 @@ static void snapshots(SoftanvilSimulation *good)
     SoftanvilSimulation *foreign = build(spare, &other);
     EXPLAIN(SNAPSHOT_FOREIGN, softanvil_snapshot_restore(foreign, snapshot, size, &error));
     MUST(softanvil_close(foreign));
+}
+
+/* To absolute times, whatever lies between them: as one run, never more than half a step away, with no step for the
+ * shortest; a tie goes up. A driven face moves evenly. */
+static void times(void)
+{
+    const double lengths[] = {1.0 / 60.0, 30e-6, 1e-6, 1.4142135623730951e-5, 3.141592653589793e-6, 15e-3 / 500};
+    const SoftanvilScenario falling = study();
+    const SoftanvilScenario driven = with(SOFTANVIL_PARAMETER_IMPACTOR_MOTION, SOFTANVIL_IMPACTOR_MOTION_DRIVEN);
+    SoftanvilSimulation *simulation = build(spare, &falling);
+    SoftanvilInput input;
+    double dt, time, height;
+    uint64_t wanted, found;
+    MUST(softanvil_dt(simulation, &dt));
+    MUST(softanvil_run(simulation, 15e-3, NULL, NULL));
+    MUST(softanvil_trace_hash(simulation, &wanted));
+    for (size_t i = 0; i <= sizeof lengths / sizeof *lengths; i++) {
+        /* Last, lengths without a pattern. */
+        uint32_t dice = 1;
+        double asked = 0.0;
+        MUST(softanvil_reset(simulation));
+        while (asked < 15e-3) {
+            dice = 1664525u * dice + 1013904223u;
+            asked += i < sizeof lengths / sizeof *lengths ? lengths[i] : 3e-5 * (double)dice / 4294967296.0;
+            asked = asked < 15e-3 ? asked : 15e-3;
+            MUST(softanvil_run_until(simulation, asked, NULL, &error));
+            MUST(softanvil_time(simulation, &time));
+            if (!(fabs(time - asked) <= 0.5 * dt + 1e-14)) {
+                fail("softanvil_run_until", "more than half a step away");
+            }
+        }
+        MUST(softanvil_trace_hash(simulation, &found));
+        if (found != wanted || time != 15e-3) {
+            fail("softanvil_run_until", "another trace than that of one run");
+        }
+    }
+    MUST(softanvil_reset(simulation));
+    MUST(softanvil_run_until(simulation, 0.49 * dt, NULL, NULL));
+    MUST(softanvil_step_index(simulation, &found));
+    MUST(softanvil_run_until(simulation, 1.5 * dt, NULL, NULL));
+    MUST(softanvil_step_index(simulation, &wanted));
+    if (found != 0 || wanted != 2) {
+        fail("softanvil_run_until", "not the nearest step, or a tie that goes down");
+    }
+    MUST(softanvil_close(simulation));
+    simulation = build(spare, &driven);
+    MUST(softanvil_input_default(simulation, &input));
+    const double top = input.driven_position;
+    for (int i = 1; i <= 100; i++) {
+        /* The position belongs to the step that is nearest. */
+        const double nearest = floor(i * 30e-6 / dt + 0.5) * dt;
+        input.driven_position = top - nearest;
+        MUST(softanvil_run_until(simulation, i * 30e-6, &input, NULL));
+        MUST(softanvil_output(simulation, SOFTANVIL_OUTPUT_IMPACTOR_POSITION, &height));
+        if (!(fabs(height - (top - nearest)) < 1e-15)) {
+            fail("softanvil_run_until", "the face is not where it was driven to");
+        }
+        MUST(softanvil_output(simulation, SOFTANVIL_OUTPUT_IMPACTOR_VELOCITY, &height));
+        if (i > 1 && !(fabs(height + 1.0) < 1e-6)) {
+            fail("softanvil_run_until", "the face did not move evenly");
+        }
+    }
+    MUST(softanvil_close(simulation));
 }
 
 /* A step that fails stops the simulation until it is restored. */
@@ -449,6 +527,7 @@ int main(void)
     reading(simulation);
     stepping(simulation);
     snapshots(simulation);
+    times();
     failed_step();
     if (trace(simulation) != undisturbed) {
         fail("trace", "refused calls have changed the simulation");

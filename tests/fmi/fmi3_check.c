@@ -8,7 +8,7 @@
 #include "fmi3Functions.h"
 #include "load.h"
 
-static int errors_logged = 0;
+static int errors_logged = 0, discards_logged = 0, messages_logged = 0;
 
 /* A pointer of the header's type for every function, filled from the library by name. */
 #define FUNCTIONS(X) \
@@ -46,7 +46,7 @@ static void load(const char *path)
 enum {
     TIME = 0, SHAPE = 1000, MOTION = 1100, MASS = 1101, GAP = 1103, SAFETY = 1601, N_POINTS = 1900, PUSH = 2000, HEIGHT = 2001, SPEED = 2002, FORCE = 3000,
     FILTERED = 3003, POSITION = 3200,
-    PEAK = 3300, STEP = 4000, ELEMENTS = 4001, ACTIVE = 5000, HASH = 5001, PROFILE = 6001, PRESSURE = 6002, UNKNOWN = 999
+    PEAK = 3300, KERNEL_TIME = 3500, STEP = 4000, ELEMENTS = 4001, ACTIVE = 5000, HASH = 5001, PROFILE = 6001, PRESSURE = 6002, UNKNOWN = 999
 };
 
 static const double SAMPLE = 50e-6;
@@ -55,6 +55,8 @@ static void logger(fmi3InstanceEnvironment environment, fmi3Status status, fmi3S
 {
     CHECK(environment == (void *)&failures && category != NULL && message[0] != '\0');
     errors_logged += status == fmi3Error;
+    discards_logged += status == fmi3Discard;
+    messages_logged++;
 }
 
 /* What the last step told. */
@@ -63,8 +65,13 @@ static struct {
     fmi3Float64 time;
 } told;
 
+/* The communication step on its way, with the rounding of its end, and the last time that was shown. */
+static double step_from, step_to, shown;
+
 static fmi3Status step(fmi3Instance c, double point, double size)
 {
+    step_from = shown = point;
+    step_to = point + size + 1e-15;
     return fmu.fmi3DoStep(c, point, size, fmi3True, &told.event, &told.terminate, &told.early, &told.time);
 }
 
@@ -99,7 +106,7 @@ static void start(fmi3Instance c)
 
 static fmi3Instance plain(const char *token, fmi3Boolean events, fmi3Boolean early, fmi3IntermediateUpdateCallback update)
 {
-    fmi3Instance c = fmu.fmi3InstantiateCoSimulation("impact", token, "/no where/", fmi3False, fmi3False, events, early, NULL,
+    fmi3Instance c = fmu.fmi3InstantiateCoSimulation("impact", token, "/no where/", fmi3False, fmi3True, events, early, NULL,
                                                      0, &failures, logger, update);
     CHECK(c != NULL);
     if (c == NULL) exit(1);
@@ -107,6 +114,7 @@ static fmi3Instance plain(const char *token, fmi3Boolean events, fmi3Boolean ear
 }
 
 static char expected[17];
+static double expected_peak;
 
 static void whole_life(const char *token)
 {
@@ -135,6 +143,7 @@ static void whole_life(const char *token)
     CHECK(fmu.fmi3SerializeFMUState(c, state, bytes, size) == fmi3OK);
     run(c, 60, 300, SAMPLE);
     snprintf(expected, sizeof expected, "%s", text(c));
+    expected_peak = real(c, PEAK);
     CHECK(strlen(expected) == 16);
     CHECK(fmu.fmi3DeserializeFMUState(c, bytes, size, &copy) == fmi3OK && fmu.fmi3SetFMUState(c, copy) == fmi3OK);
     run(c, 60, 300, SAMPLE);
@@ -160,7 +169,6 @@ static void whole_life(const char *token)
 static int updates = 0;
 static fmi3Instance updating = NULL;
 static double return_at = INFINITY;
-
 /* Reads in the middle of a step, and is refused what is not legal there. */
 static void update(fmi3InstanceEnvironment environment, fmi3Float64 time, fmi3Boolean set, fmi3Boolean get,
                    fmi3Boolean finished, fmi3Boolean early, fmi3Boolean *requested, fmi3Float64 *until)
@@ -168,8 +176,14 @@ static void update(fmi3InstanceEnvironment environment, fmi3Float64 time, fmi3Bo
     (void)early;
     CHECK(environment == (void *)&failures && !set && get && finished);
     CHECK(real(updating, TIME) == time);
+    CHECK(time > step_from && time <= step_to && time >= shown);
+    /* Within the step it is the kernel's time; at the end the kernel is up to half a step away. */
+    CHECK(fabs(real(updating, KERNEL_TIME) - time) <= (time < step_to - 2e-15 ? 1e-15 : 0.5 * real(updating, STEP) + 1e-15));
+    shown = time;
     if (updates++ == 0) {
+        const double from = step_from, to = step_to;
         CHECK(step(updating, time, SAMPLE) == fmi3Error && fmu.fmi3Reset(updating) == fmi3Error);
+        step_from = from, step_to = to;
         fmu.fmi3FreeInstance(updating);
         CHECK(real(updating, TIME) == time);
     }
@@ -196,7 +210,8 @@ static int march(fmi3Instance c, double from, double size)
     double time = from;
     do {
         CHECK(step(c, time, from + size - time) == fmi3OK);
-        CHECK(told.time > time && told.early == (told.time < from + size - 1e-9));
+        CHECK(told.time > time && told.early == (told.time < from + size - 1e-9) && real(c, TIME) == told.time);
+        CHECK(fabs(real(c, KERNEL_TIME) - told.time) <= (told.early ? 1e-15 : 0.5 * real(c, STEP) + 1e-15));
         time = told.time;
         if (told.event) {
             events++;
@@ -210,18 +225,20 @@ static int march(fmi3Instance c, double from, double size)
 /* However a step is interrupted, the result is the same. */
 static void interrupted(const char *token)
 {
-    for (int kind = 0; kind < 6; kind++) {
-        const fmi3Boolean events = kind & 1, early = kind >= 2;
+    for (int kind = 0; kind < 12; kind++) {
+        const fmi3Boolean events = kind & 1, early = kind % 6 >= 2, looks = kind % 6 >= 4;
+        /* The second round is in steps that are no whole number of kernel steps. */
+        const int count = kind < 6 ? 15 : 301;
         const int before = updates;
-        fmi3Instance c = updating = plain(token, events, early, kind >= 4 ? update : NULL);
+        fmi3Instance c = updating = plain(token, events, early, looks ? update : NULL);
         int found = 0;
         start(c);
         if (events) step_mode(c);
         return_at = early ? 1.23e-3 : INFINITY;
-        for (int i = 0; i < 15; i++) found += march(c, i * 1e-3, 1e-3);
-        CHECK(strcmp(text(c), expected) == 0);
+        for (int i = 0; i < count; i++) found += march(c, i * (15e-3 / count), 15e-3 / count);
+        CHECK(strcmp(text(c), expected) == 0 && real(c, PEAK) == expected_peak);
         CHECK(events ? found >= 2 : found == 0);
-        CHECK(kind < 4 || updates - before == (int)(0.015 / real(c, STEP) + 0.5));
+        CHECK(!looks || updates - before == (int)(0.015 / real(c, STEP) + 0.5));
         CHECK(fmu.fmi3Terminate(c) == fmi3OK);
         fmu.fmi3FreeInstance(c);
     }
@@ -245,6 +262,34 @@ static void pushed(const char *token)
         CHECK(kind == 0 || strcmp(text(c), hash) == 0);
         snprintf(hash, sizeof hash, "%s", text(c));
         CHECK(strcmp(hash, expected) != 0 && real(c, PEAK) > 1e3 && real(c, PEAK) < 5.2e3);
+        fmu.fmi3FreeInstance(c);
+    }
+}
+
+/* Steps of any length, in a whole drop that ends at its stop time, whatever time it starts at and whether the master adds up
+ * its times or not: the same trace, the kernel never more than half a step away. */
+static void any_steps(const char *token)
+{
+    static const struct { double start, size; } RUNS[] = {
+        {0.0, 1.0 / 60.0}, {0.0, 30e-6}, {0.0, 1e-6}, {0.0, 1.4142135623730951e-5}, {0.0, 3.141592653589793e-6}, {0.0, 15e-3 / 500},
+        {1e7, 50e-6}, {1e7, 30e-6}, {1.7e9, 50e-6}, {1.7e9, 100e-6}, {1.7e9, 30e-6}, {-1.7e9, 3.3e-6},
+    };
+    for (size_t i = 0; i < 2 * sizeof RUNS / sizeof *RUNS; i++) {
+        const double start = RUNS[i / 2].start, size = RUNS[i / 2].size, stop = start + 0.015;
+        const int count = (int)(0.015 / size + 1e-9), accumulates = i & 1;
+        fmi3Instance c = plain(token, fmi3False, fmi3False, NULL);
+        CHECK(fmu.fmi3EnterInitializationMode(c, fmi3False, 0.0, start, fmi3True, stop) == fmi3OK);
+        CHECK(fmu.fmi3ExitInitializationMode(c) == fmi3OK);
+        const double half = 0.5 * real(c, STEP) + 1e-14 + 4e-16 * fabs(start);
+        double time = start;
+        for (int j = 0; j < count; j++) {
+            CHECK(step(c, time, size) == fmi3OK && !told.early && !told.event && !told.terminate);
+            time = accumulates ? time + size : start + (j + 1) * size;
+            CHECK(fabs(told.time - time) <= 1e-14 + 4e-16 * fabs(start) && fabs(real(c, KERNEL_TIME) - time) <= half);
+        }
+        const double rest = 0.015 - count * size;
+        CHECK(rest < 1e-12 || step(c, time, rest) == fmi3OK);
+        CHECK(strcmp(text(c), expected) == 0 && real(c, PEAK) == expected_peak);
         fmu.fmi3FreeInstance(c);
     }
 }
@@ -355,9 +400,12 @@ static const struct { fmi3ValueReference reference; double value; } REALS[] = {
     {PUSH, NAN}, {PUSH, INFINITY}, {PUSH, -INFINITY}, {PUSH, 1e300}, {HEIGHT, 2.0}, {MASS, 4.0}, {FORCE, 1.0}, {TIME, 1.0},
     {SHAPE, 1.0}, {ELEMENTS, 1.0}, {UNKNOWN, 1.0}, {PROFILE, 1.0}, {UINT32_MAX, 0.0},
 };
-static const struct { double point, size; } STEPS[] = {
-    {0.0, 50e-6}, {NAN, 50e-6}, {INFINITY, 50e-6}, {1.0, 50e-6}, {3e-3, NAN}, {3e-3, INFINITY}, {3e-3, -INFINITY}, {3e-3, 0.0},
-    {3e-3, -50e-6}, {3e-3, 1e-12}, {3e-3, 1e300}, {3e-3, 20e-3}, {3e-3, 51.3e-6},
+static const struct { double point, size; fmi3Status status; } STEPS[] = {
+    {0.0, 50e-6, fmi3Discard}, {NAN, 50e-6, fmi3Discard}, {INFINITY, 50e-6, fmi3Discard}, {1.0, 50e-6, fmi3Discard},
+    {3e-3, NAN, fmi3Discard}, {3e-3, INFINITY, fmi3Discard}, {3e-3, -INFINITY, fmi3Discard}, {3e-3, 0.0, fmi3Discard},
+    {3e-3, -50e-6, fmi3Discard}, {3e-3, 1e300, fmi3Discard}, {3.01e-3, 50e-6, fmi3Discard}, {2.99e-3, 50e-6, fmi3Discard},
+    /* The standard has a rule of its own for the stop time. */
+    {3e-3, 20e-3, fmi3Error}, {3e-3, 12.001e-3, fmi3Error},
 };
 
 static size_t saved(fmi3Instance c, fmi3Byte **bytes)
@@ -398,8 +446,9 @@ static void refusals(const char *token)
         CHECK(fmu.fmi3SetFloat64(c, &REALS[i].reference, 1, &REALS[i].value, 1) == fmi3Error && errors_logged == logged + 1);
     }
     for (size_t i = 0; i < sizeof STEPS / sizeof *STEPS; i++) {
-        const int logged = errors_logged;
-        CHECK(step(c, STEPS[i].point, STEPS[i].size) == fmi3Error && errors_logged == logged + 1);
+        const int logged = errors_logged, discarded = discards_logged, is_error = STEPS[i].status == fmi3Error;
+        CHECK(step(c, STEPS[i].point, STEPS[i].size) == STEPS[i].status);
+        CHECK(errors_logged == logged + is_error && discards_logged == discarded + !is_error);
         CHECK(fabs(told.time - 3e-3) < 1e-12 && !told.early && !told.event);
     }
     CHECK(fmu.fmi3SetFloat64(c, push, 2, pair, 2) == fmi3Error);
@@ -437,16 +486,61 @@ static void unstable(const char *token)
     fmu.fmi3FreeInstance(c);
 }
 
+/* Start values, and what follows from them, before initialization. */
+static void new_instance(const char *token)
+{
+    const fmi3ValueReference points = N_POINTS, profile = PROFILE, active = ACTIVE, elements = ELEMENTS, shape = SHAPE;
+    fmi3Float64 values[25];
+    fmi3UInt64 n = 0;
+    fmi3Boolean boolean = fmi3True;
+    fmi3Int32 count = 0;
+    fmi3Int64 choice = -1;
+    fmi3Instance c = plain(token, fmi3False, fmi3False, NULL);
+    CHECK(real(c, TIME) == 0.0 && real(c, KERNEL_TIME) == 0.0 && real(c, MASS) == 5.0 && real(c, PUSH) == 0.0);
+    CHECK(real(c, POSITION) == real(c, GAP) && real(c, FORCE) == 0.0 && real(c, STEP) > 0.0 && strlen(text(c)) == 16);
+    CHECK(fmu.fmi3GetUInt64(c, &points, 1, &n, 1) == fmi3OK && n == 25);
+    CHECK(fmu.fmi3GetFloat64(c, &profile, 1, values, 25) == fmi3OK && values[0] == 0.0);
+    CHECK(fmu.fmi3GetBoolean(c, &active, 1, &boolean, 1) == fmi3OK && !boolean);
+    CHECK(fmu.fmi3GetInt32(c, &elements, 1, &count, 1) == fmi3OK && count > 0);
+    CHECK(fmu.fmi3GetInt64(c, &shape, 1, &choice, 1) == fmi3OK && choice == 0);
+    start(c);
+    run(c, 0, 300, SAMPLE);
+    CHECK(strcmp(text(c), expected) == 0);
+    fmu.fmi3FreeInstance(c);
+}
+
+/* With logging off the logger is not called, whatever happens; of categories, those that are on. */
+static void logging(const char *token)
+{
+    const fmi3String error[] = {"logStatusError"}, all[] = {"logAll"}, wrong[] = {"logEvents", "log"};
+    fmi3Instance c = fmu.fmi3InstantiateCoSimulation("impact", token, NULL, 0, fmi3False, 0, 0, NULL, 0, &failures, logger, NULL);
+    messages_logged = 0;
+    CHECK(fmu.fmi3InstantiateCoSimulation("impact", "{}", NULL, 0, fmi3False, 0, 0, NULL, 0, &failures, logger, NULL) == NULL);
+    CHECK(fmu.fmi3Terminate(c) == fmi3Error);
+    start(c);
+    CHECK(step(c, 1.0, SAMPLE) == fmi3Discard && fmu.fmi3EnterStepMode(c) == fmi3Error && messages_logged == 0);
+    CHECK(fmu.fmi3SetDebugLogging(c, fmi3True, 1, error) == fmi3OK && messages_logged == 0);
+    CHECK(fmu.fmi3EnterStepMode(c) == fmi3Error && messages_logged == 1);
+    CHECK(step(c, 1.0, SAMPLE) == fmi3Discard && messages_logged == 1);
+    CHECK(fmu.fmi3SetDebugLogging(c, fmi3True, 0, NULL) == fmi3OK && step(c, 1.0, SAMPLE) == fmi3Discard && messages_logged == 2);
+    CHECK(fmu.fmi3SetDebugLogging(c, fmi3False, 1, error) == fmi3OK && fmu.fmi3EnterStepMode(c) == fmi3Error);
+    CHECK(messages_logged == 2 && step(c, 1.0, SAMPLE) == fmi3Discard && messages_logged == 3);
+    CHECK(fmu.fmi3SetDebugLogging(c, fmi3False, 2, wrong) == fmi3Error && fmu.fmi3SetDebugLogging(c, fmi3False, 1, all) == fmi3OK);
+    CHECK(step(c, 1.0, SAMPLE) == fmi3Discard && fmu.fmi3Terminate(c) == fmi3OK && fmu.fmi3Reset(c) == fmi3OK);
+    CHECK(messages_logged == 3);
+    fmu.fmi3FreeInstance(c);
+}
+
 static void no_instances(const char *token)
 {
     const fmi3ValueReference unknown = UNKNOWN;
 #define MAKE(name, token, required, n) \
-    fmu.fmi3InstantiateCoSimulation(name, token, NULL, 0, 0, 0, 0, required, n, &failures, logger, NULL)
+    fmu.fmi3InstantiateCoSimulation(name, token, NULL, 0, fmi3True, 0, 0, required, n, &failures, logger, NULL)
     CHECK(MAKE(NULL, token, NULL, 0) == NULL && MAKE("", token, NULL, 0) == NULL);
     CHECK(MAKE("impact", NULL, NULL, 0) == NULL && MAKE("impact", "{}", NULL, 0) == NULL);
     CHECK(MAKE("impact", token, NULL, 1) == NULL && MAKE("impact", token, &unknown, 1) == NULL);
-    CHECK(fmu.fmi3InstantiateModelExchange("impact", token, NULL, 0, 0, &failures, logger) == NULL);
-    CHECK(fmu.fmi3InstantiateScheduledExecution("impact", token, NULL, 0, 0, &failures, logger, NULL, NULL, NULL) == NULL);
+    CHECK(fmu.fmi3InstantiateModelExchange("impact", token, NULL, 0, fmi3True, &failures, logger) == NULL);
+    CHECK(fmu.fmi3InstantiateScheduledExecution("impact", token, NULL, 0, fmi3True, &failures, logger, NULL, NULL, NULL) == NULL);
     CHECK(errors_logged == 8);
     with_nulls(NULL);
     fmu.fmi3FreeInstance(NULL);
@@ -468,6 +562,9 @@ int main(int argc, char **argv)
     no_instances(argv[2]);
     errors_logged = 0;
     whole_life(argv[2]);
+    new_instance(argv[2]);
+    logging(argv[2]);
+    if (argc == 3) any_steps(argv[2]);
     if (argc == 3) interrupted(argv[2]);
     if (argc == 3) pushed(argv[2]);
     if (argc == 3) driven(argv[2]);

@@ -118,7 +118,7 @@ static void version_3(const char *token)
     for (int i = 0; i < 300; i++) {
         CHECK(fmu.fmi3DoStep(c, i * 50e-6, 50e-6, fmi3True, told, told + 1, told + 2, &time) == fmi3OK);
     }
-    CHECK(fmu.fmi3DoStep(c, 0.0, -1.0, fmi3True, told, told + 1, told + 2, &time) == fmi3Error);
+    CHECK(fmu.fmi3DoStep(c, 0.0, -1.0, fmi3True, told, told + 1, told + 2, &time) == fmi3Discard);
     CHECK(fmu.fmi3GetString(c, &HASH, 1, &hash, 1) == fmi3OK && left == 0);
     left = -1;
     printf("%d %s\n", refused, hash);

@@ -97,6 +97,25 @@ def test_fmpy_fmi3(fmu3, kernel, energy, events, early_return):
 
 
 @pytest.mark.parametrize("version", ["fmu", "fmu3"])
+def test_fmpys_defaults(request, kernel, version):
+    """The default experiment as the importer runs it by itself, and in 500 steps."""
+    path = request.getfixturevalue(version)
+    for options in ({}, {"output_interval": 15e-3 / 500}):
+        rows = simulate_fmu(path, output=["result.peak_force", "result.impulse"], **options)
+        assert [rows["result.peak_force"][-1], rows["result.impulse"][-1]] == numbers(kernel, 14.7)
+
+
+@pytest.mark.parametrize("size", [30e-6, 1 / 60, 1e-6 * 2**0.5])
+@pytest.mark.parametrize("events, early_return", [(False, False), (True, False), (True, True)])
+def test_fmpy_fmi3_in_steps_of_any_length(fmu3, kernel, size, events, early_return):
+    stop = round(16e-3 / size + 0.5) * size
+    rows = simulate_fmu(fmu3, output_interval=size, stop_time=stop, output=["result.peak_force", "model.time"],
+                        use_event_mode=events, early_return_allowed=early_return)
+    assert rows["result.peak_force"][-1] == kernel(14.7)["peak_force"]
+    assert max(abs(rows["model.time"] - rows["time"])) <= 0.5 * kernel(14.7)["dt"] + 1e-14
+
+
+@pytest.mark.parametrize("version", ["fmu", "fmu3"])
 def test_checkers_find_nothing(request, version):
     path = request.getfixturevalue(version)
     assert validate_fmu(path) == []

@@ -25,15 +25,18 @@ def mixed(slave):
 IN_MID_IMPACT = {
     "step is NaN": (lambda s: step(s, size=NAN), "communication step NaN s"),
     "step is infinite": (lambda s: step(s, size=INFINITY), "communication step inf s"),
-    "step is negative": (lambda s: step(s, size=-50e-6), "whole multiples of model.time_step"),
-    "step is zero": (lambda s: step(s, size=0.0), "whole multiples of model.time_step"),
-    "step is no multiple": (lambda s: step(s, size=50.1e-6 + 0.4 * s.real("model.time_step")), "whole multiples"),
-    "step is too small": (lambda s: step(s, size=0.2 * s.real("model.time_step")), "whole multiples"),
-    "step is huge": (lambda s: step(s, size=1e300), "whole multiples"),
+    "step is negative": (lambda s: step(s, size=-50e-6), "communication step -0.00005 s is refused: legal is above 0 s up to 100 s"),
+    "step is zero": (lambda s: step(s, size=0.0), "legal is above 0 s up to 100 s"),
+    "step is huge": (lambda s: step(s, size=1e300), "legal is above 0 s up to 100 s"),
     "step past the stop time": (lambda s: step(s, size=20e-3), "stop time of 0.015 s"),
     "point is NaN": (lambda s: step(s, point=NAN), "communication point NaN s"),
     "point is in the past": (lambda s: step(s, point=0.0), "where the instance is"),
     "point is in the future": (lambda s: step(s, point=1.0), "where the instance is"),
+    "point is half a kernel step early": (
+        lambda s: step(s, point=s.real("time") - 0.51 * s.real("model.time_step")), "where the instance is, within"),
+    "point is half a kernel step late": (
+        lambda s: step(s, point=s.real("time") + 0.51 * s.real("model.time_step")), "where the instance is, within"),
+    "step just past the stop time": (lambda s: step(s, size=12.001e-3), "stop time of 0.015 s"),
     "parameter after initialization": (lambda s: s.set(impactor__mass=4.0), "impactor.mass = 4 [kg]"),
     "choice after initialization": (lambda s: s.set(impactor__motion=1), "impactor.motion = 1"),
     "input is NaN": (lambda s: s.set(impactor__external_force=NAN), "impactor.external_force = NaN N is refused"),

@@ -1,5 +1,9 @@
 """The FMU computes what the kernel computes, to the last bit, however it is used."""
 
+import math
+import random
+from math import pi
+
 import pytest
 from fmpy import simulate_fmu
 
@@ -73,9 +77,48 @@ def test_single_kernel_steps_change_nothing(slave, kernel):
     assert slave.trace_hash() == kernel(14.7)["trace_hash"]
 
 
+def any_length(name, dt):
+    """Communication steps that no kernel step divides, as a function of their number."""
+    dice = random.Random(name)
+    return {
+        "60 Hz": lambda: 1 / 60, "30 us": lambda: 30e-6, "1 us": lambda: 1e-6, "root of 2": lambda: 2**0.5 * 1e-5,
+        "pi us": lambda: pi * 1e-6, "half kernel steps": lambda: 0.5 * dt, "500 steps": lambda: 15e-3 / 500,
+        "random": lambda: dice.uniform(0, 200e-6), "random and short": lambda: dice.uniform(0, 2 * dt),
+    }[name]
+
+
+@pytest.mark.parametrize("start", [0.0, 1e7, 1.7e9])
+@pytest.mark.parametrize("name", ["60 Hz", "30 us", "1 us", "root of 2", "pi us", "half kernel steps", "500 steps", "random",
+                                  "random and short"])
+def test_steps_of_any_length_give_the_same(slave, kernel, name, start):
+    """Up to the end of the drop, by a master that adds up its times; the kernel is at the step nearest to each of them."""
+    slave.start(start_time=start)
+    dt, time, elapsed = slave.real("model.time_step"), start, 0.0
+    length, rounding = any_length(name, dt), 1e-14 + 4e-16 * start
+    while elapsed < 15e-3 - 1e-15:
+        size = min(length(), 15e-3 - elapsed)
+        slave.fmu.doStep(currentCommunicationPoint=time, communicationStepSize=size)
+        time, elapsed = time + size, elapsed + size
+        assert slave.real("time") == pytest.approx(time, abs=rounding)
+        assert abs(slave.real("model.time") - time) <= 0.5 * dt + rounding
+    assert slave.trace_hash() == kernel(14.7)["trace_hash"]
+    assert {key: slave.real(name) for key, name in SAME.items()} == {key: kernel(14.7)[key] for key in SAME}
+
+
+@pytest.mark.parametrize("interval", [1 / 60, 30e-6, 15e-3 / 500, 0.7e-3, 1e-6])
+def test_fmpys_own_simulation_takes_any_interval(fmu, kernel, interval):
+    rows = simulate_fmu(fmu, output=["result.peak_force", "result.impulse", "model.time"], output_interval=interval,
+                        stop_time=math.ceil(15e-3 / interval - 1e-9) * interval)
+    assert rows["result.peak_force"][-1] == kernel(14.7)["peak_force"]
+    assert max(abs(rows["model.time"] - rows["time"])) <= 0.5 * kernel(14.7)["dt"] + 1e-14
+
+
 @pytest.mark.parametrize("start", [-3.0, 1e3, 0.1])
 def test_a_start_time_only_shifts_time(slave, kernel, start):
-    slave.start(start_time=start).run(steps_of(kernel(14.7)))
+    steps = steps_of(kernel(14.7))
+    slave.start(start_time=start)
+    for i in range(steps):
+        slave.fmu.doStep(currentCommunicationPoint=start + i * STEP, communicationStepSize=STEP)
     assert slave.trace_hash() == kernel(14.7)["trace_hash"]
     assert slave.real("time") == pytest.approx(start + kernel(14.7)["steps"] * kernel(14.7)["dt"], abs=1e-12)
 
@@ -106,6 +149,22 @@ def test_a_driven_impactor_follows_its_inputs_and_returns_the_force(slave):
         position += velocity * STEP
         assert slave.real("impactor.position") == pytest.approx(position, abs=1e-15)
     assert slave.boolean("contact.active")
+    assert slave.real("contact.force") > 100
+
+
+@pytest.mark.parametrize("size", [30e-6, 1e-6, 2**0.5 * 1e-5, 0.7e-3])
+def test_a_driven_impactor_heads_for_where_its_inputs_place_it_when_the_kernel_gets_there(slave, size):
+    slave.start(impactor__motion=1)
+    start, speed, before = slave.real("impactor.position"), -1.0, 0.0
+    for i in range(int(5e-3 / size)):
+        slave.set(impactor__driven_position=start + speed * i * size, impactor__driven_velocity=speed)
+        slave.run(1, size)
+        kernel = slave.real("model.time")
+        assert slave.real("impactor.position") == pytest.approx(start + speed * kernel, abs=1e-14)
+        # The face starts from rest.
+        if kernel > before > 0:
+            assert slave.real("impactor.velocity") == pytest.approx(speed, rel=1e-6)
+        before = kernel
     assert slave.real("contact.force") > 100
 
 

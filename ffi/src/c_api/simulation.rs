@@ -10,6 +10,7 @@ use crate::c_api::tables::{find_output, output_row};
 use crate::failure::{Failure, SoftanvilError, report, status};
 use crate::ptr;
 use crate::status::SoftanvilStatus;
+use crate::whole_steps::{SAME, nearest};
 
 /// What acts on the impactor from outside during steps. It always comes from `softanvil_input_default`.
 #[repr(C)]
@@ -249,6 +250,59 @@ pub unsafe extern "C" fn softanvil_run(
     unsafe { advance(simulation, input, error, |model, _| steps_in(model.constants, duration)) }
 }
 
+/// Makes the steps to the one nearest to a time, of two equally near to the later; none if the simulation is there. So it is
+/// never more than half a step away from the time asked for, and makes the same steps however time is cut. The external
+/// force is held; a driven face moves evenly from where it is to `driven_position`, which it reaches with the last step, at
+/// the time that `softanvil_time` tells then.
+///
+/// @param simulation The simulation.
+/// @param time Time since the start of the drop, s: from half a step before the present to 100 s after it.
+/// @param input What acts on the impactor, or NULL for the input of `softanvil_input_default` at the call.
+/// @param error Details of a failure, or NULL.
+/// @return As `softanvil_step`, and ILLEGAL_TIME.
+///
+/// # Safety
+/// The conventions of the header.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn softanvil_run_until(
+    simulation: *mut SoftanvilSimulation,
+    time: f64,
+    input: *const SoftanvilInput,
+    error: *mut SoftanvilError,
+) -> SoftanvilStatus {
+    // SAFETY: C keeps the conventions of the header.
+    report(unsafe { ptr::optional_out(error, "error") }, || {
+        // SAFETY: as above.
+        let (block, input) = unsafe { (ptr::block(simulation), ptr::optional_shared(input, "input")) };
+        let input = input?;
+        block::with(block?, |model, state| {
+            let input = SoftanvilInput::or_hold(input, state.scalars)?;
+            let steps = steps_until(model.constants, state.scalars.step_index, time)?;
+            let from = state.scalars.impactor.position;
+            let made = (1..=steps).try_for_each(|made| {
+                let part = made as f64 / steps as f64;
+                let driven_position = from + (input.driven_position - from) * part;
+                step(model, state, &StepInput { driven_position, ..input })
+            });
+            made.map_err(Failure::from)
+        })
+    })
+}
+
+/// Longest time that a run may cover, s: that of the table of parameters.
+const LONGEST_RUN: f64 = 100.0;
+
+/// Steps from `step_index` to the one nearest to `time`, if it is legal.
+fn steps_until(constants: &Constants, step_index: u64, time: f64) -> Result<i64, Failure> {
+    let (dt, present) = (constants.dt, constants.time(step_index));
+    let (min, max) = (present - 0.5 * dt, present + LONGEST_RUN);
+    let is_legal = time >= min - SAME * dt && time <= max;
+    if !is_legal {
+        return Err(Failure::Time { time, min, max });
+    }
+    Ok(nearest(time / dt - step_index as i64 as f64))
+}
+
 /// Steps that cover `duration`, if it is legal.
 pub(crate) fn steps_in(constants: &Constants, duration: f64) -> Result<u64, Failure> {
     Parameter::find("time.duration").map_or(Ok(()), |row| row.check(duration))?;
@@ -427,4 +481,14 @@ unsafe fn tell<T>(
         value.write(read(header)?);
         Ok(())
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_longest_run_is_that_of_the_table() {
+        assert_eq!(Parameter::find("time.duration").unwrap().range().1, LONGEST_RUN);
+    }
 }

@@ -23,7 +23,7 @@ pub extern "C" fn fmi2GetVersion() -> *const c_char {
     c"2.0".as_ptr()
 }
 
-/// Switches the messages about changes of mode; errors are always told.
+/// Switches categories of messages; errors are always told.
 #[unsafe(no_mangle)]
 pub extern "C" fn fmi2SetDebugLogging(
     mut component: types::Component,

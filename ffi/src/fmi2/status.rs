@@ -27,7 +27,7 @@ fn answer<T: Copy>(
                 value.write(answer);
             }
             None => {
-                component.log.discard(function.name, "there is no such status");
+                component.log.discard(function.name, &"there is no such status");
                 discarded = true;
             }
         }

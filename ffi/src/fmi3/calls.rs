@@ -15,7 +15,8 @@ const FAILED: u8 = Mode::Failed as u8;
 
 const SAVABLE: u8 = INSTANTIATED | CONFIGURATION | INITIALIZATION | EVENT | STEP | TERMINATED;
 const ALWAYS: u8 = SAVABLE | FAILED;
-const READABLE: u8 = INITIALIZATION | EVENT | STEP | INTERMEDIATE_UPDATE | TERMINATED | FAILED;
+/// After instantiation the start values can be read, and what follows from them.
+const READABLE: u8 = INSTANTIATED | INITIALIZATION | EVENT | STEP | INTERMEDIATE_UPDATE | TERMINATED | FAILED;
 const SETTABLE: u8 = INSTANTIATED | CONFIGURATION | INITIALIZATION | EVENT | STEP;
 
 const fn function(name: &'static str, legal: u8) -> Function {

@@ -20,7 +20,7 @@ pub extern "C" fn fmi3GetVersion() -> *const c_char {
     c"3.0".as_ptr()
 }
 
-/// Switches the messages about changes of mode; errors are always told.
+/// Switches categories of messages, errors included.
 #[unsafe(no_mangle)]
 pub extern "C" fn fmi3SetDebugLogging(
     mut instance: types::Instance,

@@ -1,7 +1,8 @@
 //! The functions of FMI 3.0 for co-simulation: a thin translation between the standard's C types and
 //! [`crate::instance`]. Nothing here knows physics.
 //!
-//! A refused call is logged and returns `fmi3Error`; it changes nothing. What belongs to model exchange, scheduled
+//! A refused call is logged and returns `fmi3Error`; it changes nothing. A step that is refused for its point or its size
+//! returns `fmi3Discard`, so that the master may go on with another. What belongs to model exchange, scheduled
 //! execution, clocks or derivatives is refused always (`absent`).
 
 mod absent;

@@ -74,8 +74,9 @@ impl Places<'_> {
     }
 }
 
-/// Advances the simulation: to the end of the step, or to the first kernel step at whose end the master, who allows early
-/// returns, wants to look at an event or has asked for a return.
+/// Advances the simulation: to the kernel step nearest to the end of the step, or to the first kernel step at whose end the master, who allows early
+/// returns, wants to look at an event or has asked for a return. The last successful time is the end of a step that is
+/// complete, else the time of the kernel.
 #[unsafe(no_mangle)]
 pub extern "C" fn fmi3DoStep(
     mut instance: types::Instance,
@@ -122,12 +123,15 @@ fn make(session: &mut Session, advance: &mut Advance) -> Result<bool, Error> {
 fn make_watched(instance: &mut types::Instance, answer: &mut Answer, mut advance: Advance) -> Status {
     let mut event_handling_needed = false;
     loop {
+        let had_none_left = advance.is_complete();
         let status = enter(instance, &calls::DO_STEP, |session| {
             event_handling_needed |= make(session, &mut advance)?;
             Ok(())
         });
-        let returns =
-            status != Status::OK || wants_return(instance, &advance, event_handling_needed) || advance.is_complete();
+        let returns = status != Status::OK
+            || had_none_left
+            || wants_return(instance, &advance, event_handling_needed)
+            || advance.is_complete();
         if returns {
             return finish(instance, answer, &advance, event_handling_needed, status);
         }

@@ -95,13 +95,13 @@ pub enum Error {
         given: f64,
         /// Time of the instance, s.
         expected: f64,
+        /// Half a kernel step, s.
+        half: f64,
     },
-    /// The communication step is not a whole number of kernel steps.
+    /// The communication step is not positive, or too long.
     StepSize {
         /// Step given, s.
         given: f64,
-        /// Kernel step, s.
-        step: f64,
         /// Largest communication step, s.
         largest: f64,
     },
@@ -186,14 +186,13 @@ impl Error {
             Self::StopTime { stop, start } => {
                 write!(f, "stop time {stop} s is refused: legal is a finite time from the start at {start} s on")
             }
-            Self::CommunicationPoint { given, expected } => {
-                write!(f, "communication point {given} s is refused: legal is {expected} s, where the instance is")
-            }
-            Self::StepSize { given, step, largest } => write!(
+            Self::CommunicationPoint { given, expected, half } => write!(
                 f,
-                "communication step {given} s is refused: legal are whole multiples of model.time_step = {step} s, \
-                 such as 5e-5 s, up to {largest} s"
+                "communication point {given} s is refused: legal is {expected} s, where the instance is, within {half} s"
             ),
+            Self::StepSize { given, largest } => {
+                write!(f, "communication step {given} s is refused: legal is above 0 s up to {largest} s")
+            }
             Self::PastStop { end, stop } => {
                 write!(f, "the step leads to {end} s: legal is up to the stop time of {stop} s")
             }

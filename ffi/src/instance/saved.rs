@@ -1,15 +1,17 @@
 //! Saved states: bytes without pointers that mean the same on every platform.
 //!
 //! Format: little-endian 64-bit words. Magic, format version, digest of the variable table, length of the whole in
-//! bytes; mode, start, whether there is a stop, stop, points of the profiles; the inputs; the parameters in the order of the kernel's table; the
-//! kernel's own snapshot, which is empty before the first step can be made; last the FNV-1a digest of everything before.
+//! bytes; mode, start, whether there is a stop, stop, communication point, by how much it is ahead of the kernel, points of
+//! the profiles; the inputs; the parameters in the order of the kernel's table; the kernel's own snapshot, which is empty
+//! before the first step can be made; last the FNV-1a digest of everything before.
 
 use alloc::vec::Vec;
 
 use softanvil_kernel::digest::Digest;
 use softanvil_kernel::snapshot::{restore, save, snapshot_size};
-use softanvil_kernel::{PARAMETERS, Scenario, Simulation, SnapshotError, preset};
+use softanvil_kernel::{PARAMETERS, SAMPLING_INTERVAL, Scenario, Simulation, SnapshotError, preset};
 
+use super::clock::Clock;
 use super::{Error, Experiment, Instance, Mode};
 use crate::variables::profile::POINTS;
 use crate::variables::{INPUTS, Inputs, Version, same_bits};
@@ -17,7 +19,7 @@ use crate::variables::{INPUTS, Inputs, Version, same_bits};
 /// "SOFTAFMU" in ASCII, least significant byte first.
 const MAGIC: u64 = u64::from_le_bytes(*b"SOFTAFMU");
 /// Changes with the format.
-const VERSION: u64 = 2;
+const VERSION: u64 = 3;
 
 /// A saved state, checked to be whole and of this version.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -27,6 +29,7 @@ pub struct SavedState(Vec<u8>);
 struct Content<'a> {
     mode: Mode,
     experiment: Experiment,
+    clock: Clock,
     points: u64,
     inputs: Inputs,
     scenario: Scenario,
@@ -47,19 +50,22 @@ impl SavedState {
         let mode = Mode::from_code(next()).ok_or(corrupt)?;
         let (start, has_stop, stop) = (f64::from_bits(next()), next() != 0, f64::from_bits(next()));
         let experiment = Experiment { start, stop: has_stop.then_some(stop) };
+        let clock = Clock { point: f64::from_bits(next()), ahead: f64::from_bits(next()) };
         let points = next();
         let (inputs, scenario) = (read_inputs(&mut rest)?, read_scenario(&mut rest)?);
         let snapshot = rest.len().checked_sub(8).and_then(|end| rest.get(..end)).ok_or(corrupt)?;
         let is_stepping = matches!(mode, Mode::Step | Mode::Event | Mode::Terminated);
-        if snapshot.is_empty() == is_stepping || !start.is_finite() || points < POINTS.0 || points > POINTS.1 {
+        // A clock is at most a kernel step away from the kernel, and no kernel step is longer than a sampling interval.
+        let has_clock = start.is_finite() && clock.point.is_finite() && clock.ahead.abs() <= SAMPLING_INTERVAL;
+        if snapshot.is_empty() == is_stepping || !has_clock || points < POINTS.0 || points > POINTS.1 {
             return Err(corrupt);
         }
-        Ok(Content { mode, experiment, points, inputs, scenario, snapshot })
+        Ok(Content { mode, experiment, clock, points, inputs, scenario, snapshot })
     }
 }
 
 /// Words before the inputs.
-const HEADER_WORDS: usize = 9;
+const HEADER_WORDS: usize = 11;
 
 /// The header's words, if the bytes claim to be of this format and of their length.
 fn header(bytes: &[u8]) -> Option<[u64; 4]> {
@@ -125,7 +131,7 @@ impl Instance {
         [MAGIC, VERSION, self.table.digest(), length as u64].into_iter().for_each(&mut put);
         put(self.mode as u64);
         [start.to_bits(), u64::from(stop.is_some()), stop.unwrap_or_default().to_bits()].into_iter().for_each(&mut put);
-        put(self.points);
+        [self.clock.point.to_bits(), self.clock.ahead.to_bits(), self.points].into_iter().for_each(&mut put);
         INPUTS.iter().for_each(|input| put((input.field)(&mut self.inputs).to_bits()));
         PARAMETERS.iter().for_each(|parameter| put(parameter.get(&self.scenario).to_bits()));
         bytes.extend_from_slice(&snapshot);
@@ -183,6 +189,7 @@ impl Instance {
         }
         self.mode = content.mode;
         self.experiment = content.experiment;
+        self.clock = content.clock;
         self.points = content.points;
         self.inputs = content.inputs;
         self.scenario = content.scenario;

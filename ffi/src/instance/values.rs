@@ -15,9 +15,9 @@ impl Instance {
         if self.mode as u8 & Mode::BEFORE_WORK != 0 { None } else { self.simulation.as_ref() }
     }
 
-    /// The simulation whose results are current; in initialization mode that of the scenario as it stands.
+    /// The simulation whose results are current; before the first step can be made, that of the scenario as it stands.
     fn results(&mut self) -> Result<&Simulation, Error> {
-        if self.mode == Mode::Initialization {
+        if self.mode as u8 & Mode::BEFORE_WORK != 0 {
             return self.prepare().map(|simulation| &*simulation);
         }
         self.simulation_at_work().ok_or(Error::Call { mode: self.mode })
@@ -85,6 +85,7 @@ impl Instance {
     fn quantity(&mut self, source: Source) -> Result<f64, Error> {
         match source {
             Source::Time => Ok(self.time()),
+            Source::KernelTime => Ok(self.kernel_time()),
             Source::Parameter(parameter) => Ok(parameter.get(&self.scenario)),
             Source::Input(input) => Ok(*(input.field)(&mut self.inputs)),
             Source::Output(output) => {

@@ -98,6 +98,8 @@ pub enum Source {
     Input(&'static Input),
     /// A result of the kernel.
     Output(&'static Output),
+    /// Time that the kernel has reached.
+    KernelTime,
     /// Time step of the kernel.
     TimeStep,
     /// Number of elements.
@@ -163,7 +165,8 @@ pub static INPUTS: &[Input] = &[
         unit: "N",
         range: (-1e6, 1e6),
         field: |inputs| &mut inputs.external_force,
-        description: "upward force on a falling impactor besides gravity and contact, held over a communication step",
+        description: "upward force on a falling impactor besides gravity and contact, held over the kernel \
+                      steps of a communication step",
     },
     Input {
         reference: references::DRIVEN_POSITION,
@@ -179,8 +182,8 @@ pub static INPUTS: &[Input] = &[
         unit: "m/s",
         range: (-100.0, 100.0),
         field: |inputs| &mut inputs.driven_velocity,
-        description: "upward velocity of a driven impactor, which moves evenly to driven_position + driven_velocity h \
-                      over a communication step h",
+        description: "upward velocity of a driven impactor, which moves evenly to driven_position + driven_velocity t \
+                      over the kernel steps of a communication step, t being the time from its start to their end",
     },
 ];
 
@@ -198,14 +201,18 @@ impl Variable {
             Source::Input(_) => "input",
             Source::Points => "structuralParameter",
             Source::TimeStep | Source::Elements | Source::SurfaceNodes => "calculatedParameter",
-            Source::Output(_) | Source::Profile(_) | Source::ContactActive | Source::TraceHash => "output",
+            Source::Output(_) | Source::KernelTime | Source::Profile(_) | Source::ContactActive | Source::TraceHash => {
+                "output"
+            }
         }
     }
 
     /// FMI's name for when the value can change.
     pub fn variability(&self) -> &'static str {
         match self.source {
-            Source::Time | Source::Input(_) | Source::Output(_) | Source::Profile(_) => "continuous",
+            Source::Time | Source::Input(_) | Source::Output(_) | Source::KernelTime | Source::Profile(_) => {
+                "continuous"
+            }
             Source::Parameter(_) | Source::Points | Source::TimeStep | Source::Elements | Source::SurfaceNodes => {
                 "fixed"
             }
@@ -271,17 +278,24 @@ impl Variable {
 static TIME: Variable = Variable {
     reference: references::TIME,
     name: "time",
-    description: "simulated time",
+    description: "time of the communication point",
     value: ValueType::Real { unit: "s", range: None },
     source: Source::Time,
 };
 
 /// What an instance knows about its model and state besides the kernel's outputs.
-static MODEL: [Variable; 5] = [
+static MODEL: [Variable; 6] = [
+    Variable {
+        reference: references::KERNEL_TIME,
+        name: "model.time",
+        description: "time that the kernel has reached: that of its step nearest to time, to which all outputs belong",
+        value: ValueType::Real { unit: "s", range: None },
+        source: Source::KernelTime,
+    },
     Variable {
         reference: references::TIME_STEP,
         name: "model.time_step",
-        description: "time step of the kernel; a communication step is a whole multiple of it",
+        description: "time step of the kernel, which goes to the step nearest to each communication point",
         value: ValueType::Real { unit: "s", range: None },
         source: Source::TimeStep,
     },

@@ -26,6 +26,9 @@ pub const DRIVEN_POSITION: u32 = 2001;
 /// Velocity of a driven impactor.
 pub const DRIVEN_VELOCITY: u32 = 2002;
 
+/// The kernel's time.
+pub const KERNEL_TIME: u32 = 3500;
+
 /// The kernel's time step.
 pub const TIME_STEP: u32 = 4000;
 /// Number of elements of the mesh.
@@ -203,7 +206,7 @@ pub static OUTPUTS: &[(&str, u32)] = &[
     ("energy.residual", 3409),
     ("energy.viscous_dissipation", 3410),
     ("energy.tear", 3411),
-    ("model.design_stretch", 3500),
+    ("model.design_stretch", 3501),
 ];
 
 /// The number that `list` has for `name`.

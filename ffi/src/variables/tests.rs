@@ -29,7 +29,7 @@ fn references_lie_in_the_range_of_their_kind() {
             Source::Time => 0..1,
             Source::Parameter(_) | Source::Points => 1000..2000,
             Source::Input(_) => 2000..3000,
-            Source::Output(_) => 3000..4000,
+            Source::Output(_) | Source::KernelTime => 3000..4000,
             Source::TimeStep | Source::Elements | Source::SurfaceNodes => 4000..5000,
             Source::ContactActive | Source::TraceHash => 5000..6000,
             Source::Profile(_) => 6000..7000,

@@ -223,6 +223,10 @@ pub fn calls(data: &[u8]) {
                 4 => drop(softanvil_scenario_get(&scenario, u32::from(input.byte()), &mut value)),
                 5 => drop(explained(|e| softanvil_step(simulation, u64::from(input.byte() % 8), step_input, e))),
                 6 => drop(explained(|error| softanvil_step_to_sample(simulation, step_input, error))),
+                7 if input.byte() % 2 == 0 => {
+                    let time = input.number().clamp(-1.0, 1e-4);
+                    explained(|error| softanvil_run_until(simulation, time, step_input, error));
+                }
                 7 => drop(explained(|e| softanvil_run(simulation, input.number().clamp(-1.0, 1e-4), step_input, e))),
                 8 => drop(softanvil_input_default(simulation, given.as_mut_ptr())),
                 9 => (*given.as_mut_ptr()).driven_position = input.number(),

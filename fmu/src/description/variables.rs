@@ -72,7 +72,7 @@ fn write_fmi2(xml: &mut Xml, variable: &Variable) -> io::Result<()> {
 fn write_fmi3(xml: &mut Xml, variable: &Variable) -> io::Result<()> {
     let mut attributes = role(variable);
     attributes.extend(value(variable));
-    if matches!(variable.source, Source::Output(_) | Source::Profile(_)) {
+    if matches!(variable.source, Source::Output(_) | Source::KernelTime | Source::Profile(_)) {
         attributes.push(("intermediateUpdate", "true".to_owned()));
     }
     let element = xml.create_element(variable.value.name(Version::Fmi3)).with_attributes(borrowed(&attributes));

@@ -34,12 +34,9 @@ Drop *begin(double energy)
     return drop;
 }
 
-void advance(Drop *drop, int made, int count, int samples)
+void advance(Drop *drop, int made, int count, double size)
 {
-    uint64_t per_sample;
-    (void)made;
-    MUST(ok(softanvil_steps_per_sample(drop->simulation, &per_sample)));
-    for (int i = 0; i < count; i++) MUST(ok(softanvil_step(drop->simulation, per_sample * (uint64_t)samples, NULL, NULL)));
+    for (int i = made; i < made + count; i++) MUST(ok(softanvil_run_until(drop->simulation, (i + 1) * size, NULL, NULL)));
 }
 
 unsigned char *save(Drop *drop, size_t *size)

@@ -53,9 +53,8 @@ Drop *begin(double energy)
     return drop;
 }
 
-void advance(Drop *drop, int made, int count, int samples)
+void advance(Drop *drop, int made, int count, double size)
 {
-    const double size = samples * 50e-6;
     for (int i = made; i < made + count; i++) MUST(fmu.fmi2DoStep(drop->c, i * size, size, fmi2True) == fmi2OK);
 }
 

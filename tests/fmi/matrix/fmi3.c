@@ -49,9 +49,8 @@ Drop *begin(double energy)
     return drop;
 }
 
-void advance(Drop *drop, int made, int count, int samples)
+void advance(Drop *drop, int made, int count, double size)
 {
-    const double size = samples * 50e-6;
     fmi3Boolean event, terminate, early;
     fmi3Float64 time;
     for (int i = made; i < made + count; i++) {

@@ -19,8 +19,8 @@ void prepare(const char *library, const char *token);
 /* A drop with `energy`, J, ready for its first step; ends the program if there is none. */
 Drop *begin(double energy);
 
-/* Makes `count` communication steps of `samples` times 50 us, of which `made` have been made. */
-void advance(Drop *drop, int made, int count, int samples);
+/* Makes `count` communication steps of `size` s, where `made` have been made. */
+void advance(Drop *drop, int made, int count, double size);
 
 /* The whole state as bytes of malloc. */
 unsigned char *save(Drop *drop, size_t *size);
