@@ -7,7 +7,8 @@ use softanvil_kernel::preset::{PRESETS, Preset};
 use softanvil_kernel::{FIELDS, Field, OUTPUTS, Output, PARAMETERS, Parameter};
 
 /// Presets by number.
-pub static PRESET_BY_ID: [&Preset; 2] = [preset_row("study"), preset_row("study-14.7")];
+pub static PRESET_BY_ID: [&Preset; 3] =
+    [preset_row("study"), preset_row("study-14.7"), preset_row("study-incompressible")];
 
 /// Parameters by number, which is also their slot in a `SoftanvilScenario`.
 pub static PARAMETER_BY_ID: [&Parameter; 120] = [

@@ -12,6 +12,7 @@ mod layers;
 mod maxwell;
 mod ogden;
 mod patch;
+mod presets;
 mod problems;
 mod sections;
 mod single;
