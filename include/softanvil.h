@@ -206,10 +206,12 @@ const char *softanvil_status_text(int32_t status);
 
 /** Ready-made scenarios. */
 enum SoftanvilPreset {
-    /** the soft anvil of the study, one set of parameters for 4.9, 9.8 and 14.7 J */
+    /** the study's soft anvil, 5 parameters fitted to the 12 numbers of its 3 drops */
     SOFTANVIL_PRESET_STUDY = 0,
-    /** the soft anvil of the study, tuned at 14.7 J alone, as its own model was */
-    SOFTANVIL_PRESET_STUDY_14_7 = 1
+    /** the study's soft anvil, 4 parameters fitted to the 4 numbers of 14.7 J alone */
+    SOFTANVIL_PRESET_STUDY_14_7 = 1,
+    /** the study's soft anvil, incompressible, 5 parameters fitted to the 12 numbers */
+    SOFTANVIL_PRESET_STUDY_INCOMPRESSIBLE = 2
 };
 
 /** Parameters of a scenario: name, unit, legal range, meaning. */
