@@ -41,7 +41,7 @@ pub fn notes(validation: &Validation) -> String {
         let threshold = validation.reading.threshold.unwrap_or(scenario);
         notes += &format!(
             "Softanvil: preset {}, {} triangles; {};\nimpact duration at forces from {threshold} on.\n\
-             The preset is {}.\n",
+             The preset is\n{}.\n",
             validation.preset.name,
             run.constants.grid.n_elem(),
             validation.reading,
