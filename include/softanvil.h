@@ -208,10 +208,12 @@ const char *softanvil_status_text(int32_t status);
 
 /** Ready-made scenarios. */
 enum SoftanvilPreset {
-    /** the soft anvil of the study, one set of parameters for 4.9, 9.8 and 14.7 J */
+    /** the study's soft anvil, 5 parameters fitted to the 12 numbers of its 3 drops */
     SOFTANVIL_PRESET_STUDY = 0,
-    /** the soft anvil of the study, tuned at 14.7 J alone, as its own model was */
-    SOFTANVIL_PRESET_STUDY_14_7 = 1
+    /** the study's soft anvil, 4 parameters fitted to the 4 numbers of 14.7 J alone */
+    SOFTANVIL_PRESET_STUDY_14_7 = 1,
+    /** the study's soft anvil, incompressible, 5 parameters fitted to the 12 numbers */
+    SOFTANVIL_PRESET_STUDY_INCOMPRESSIBLE = 2
 };
 
 /** Parameters of a scenario: name, unit, legal range, meaning. */
@@ -617,8 +619,6 @@ enum SoftanvilOutput {
     SOFTANVIL_OUTPUT_ENERGY_RESIDUAL = 24,
     /** contact.half_width, m: half of the width over which the face touches the anvil (radius if axisymmetric). */
     SOFTANVIL_OUTPUT_CONTACT_HALF_WIDTH = 25,
-    /** energy.viscous_dissipation, J: dissipation of the dashpots by the moduli at rest, not a term of the sum: exact for additive terms and small strains, too high where a quasi-linear law stiffens. */
-    SOFTANVIL_OUTPUT_ENERGY_VISCOUS_DISSIPATION = 26,
     /** energy.tear, J: energy dissipated by tearing. */
     SOFTANVIL_OUTPUT_ENERGY_TEAR = 27,
     /** contact.force_filtered, N: contact.force after the forward pass of the channel filter measurement.channel_class, which lags as any running filter does; the standards' figure without lag needs a second pass backwards over the whole record. */
@@ -707,7 +707,7 @@ typedef struct SoftanvilOutputInfo {
 /** Number of parameters of the library that is running; their numbers are 0 to this less one. */
 uint32_t softanvil_parameter_count(void);
 
-/** Number of outputs of the library that is running; their numbers are 0 to this less one. */
+/** Outputs are numbered from 0 to this less one in the library that is running; a retired number is refused. */
 uint32_t softanvil_output_count(void);
 
 /**

@@ -52,19 +52,17 @@ pub fn laws() -> [(&'static str, Material); 4] {
     ]
 }
 
-/// The study's elastic law with 0, 2 and 5 Prony terms, without and with the slider.
+/// A law of five coefficients with 0, 2 and 5 Prony terms, without and with the slider.
 pub fn overlays() -> Vec<(String, Material)> {
-    let study = preset::study().silicone;
-    let series = [[0.0; 5], study.prony_g, [0.3, 0.25, 0.2, 0.15, 0.05]];
+    let series = [[0.0; 5], [0.94, 0.04, 0.0, 0.0, 0.0], [0.3, 0.25, 0.2, 0.15, 0.05]];
     let mut overlays = Vec::new();
     for prony_g in series {
         let terms = prony_g.iter().filter(|g| **g > 0.0).count();
         for slider in [false, true] {
-            let (stiffness, limit) =
-                if slider { (study.slider_stiffness, study.slider_yield_stress) } else { (0.0, 0.0) };
+            let (stiffness, limit) = if slider { (0.6e6, 1.3e3) } else { (0.0, 0.0) };
             let material = Material {
                 prony_g,
-                prony_tau: [study.prony_tau[0], 1e-3, 10e-3, 0.1, 1.0],
+                prony_tau: [0.3e-3, 1e-3, 10e-3, 0.1, 1.0],
                 slider_stiffness: stiffness,
                 slider_yield_stress: limit,
                 c10: 0.15e6,

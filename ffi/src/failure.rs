@@ -53,6 +53,7 @@ pub(crate) enum Failure {
     Long { argument: &'static str, given: usize },
     Uninitialised { argument: &'static str },
     UnknownId { argument: &'static str, id: u32, count: usize },
+    RetiredId { argument: &'static str, id: u32 },
     UnknownName { argument: &'static str },
     ReservedSlot { array: &'static str, slot: usize, value: f64 },
     Time { time: f64, min: f64, max: f64 },
@@ -111,6 +112,7 @@ impl fmt::Display for Failure {
             Self::UnknownId { argument, id, count } => {
                 write!(f, "{argument} {id} is unknown: legal is 0 to {}", count.saturating_sub(1))
             }
+            Self::RetiredId { argument, id } => write!(f, "{argument} {id} is retired: legal is any other number"),
             Self::UnknownName { argument } => write!(f, "{argument} is not in the table"),
             Self::ReservedSlot { array, slot, value } => {
                 let value = Decimal(*value);
@@ -148,7 +150,7 @@ impl Failure {
             Self::Misaligned { .. } => Status::Misaligned,
             Self::Short { .. } | Self::Long { .. } => Status::ShortBuffer,
             Self::Uninitialised { .. } => Status::Uninitialised,
-            Self::UnknownId { .. } => Status::UnknownId,
+            Self::UnknownId { .. } | Self::RetiredId { .. } => Status::UnknownId,
             Self::UnknownName { .. } => Status::UnknownName,
             Self::ReservedSlot { .. } => Status::ReservedSlot,
             Self::Time { .. } => Status::IllegalTime,
@@ -176,6 +178,7 @@ impl Failure {
             Self::Short { given, needed, .. } => [given as f64, needed as f64, NAN],
             Self::Long { given, .. } => [given as f64, NAN, isize::MAX as f64],
             Self::UnknownId { id, count, .. } => [f64::from(id), 0.0, count.saturating_sub(1) as f64],
+            Self::RetiredId { id, .. } => [f64::from(id), NAN, NAN],
             Self::ReservedSlot { value, .. } => [value, 0.0, 0.0],
             Self::Time { time, min, max } => [time, min, max],
             Self::Scenario(ScenarioError::Parameter(ParameterError { value, min, max, .. })) => [value, min, max],

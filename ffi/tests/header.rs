@@ -120,7 +120,10 @@ fn numbers() -> String {
             text += &enumeration(&type_name(row.name), &format!("{}: {}.", row.name, row.description), &variants);
         }
     }
-    let outputs = OUTPUT_BY_ID.map(|row| (row.name, format!("{}{}: {}.", row.name, unit(row.unit), row.description)));
+    let outputs = OUTPUT_BY_ID.map(|row| match row {
+        Some(row) => (row.name, format!("{}{}: {}.", row.name, unit(row.unit), row.description)),
+        None => ("", String::new()),
+    });
     text += &enumeration("SoftanvilOutput", "Outputs of a simulation: name, unit, meaning.", &outputs);
     let fields = FIELD_BY_ID.map(|row| {
         let components = if row.components == 1 { String::new() } else { format!(", {} components", row.components) };
@@ -162,7 +165,8 @@ fn enumeration(name: &str, about: &str, rows: &[(&str, String)]) -> String {
         c => text + &c.to_uppercase().to_string(),
     });
     let mut text = format!("\n/** {about} */\nenum {name} {{\n");
-    for (number, (row, meaning)) in rows.iter().enumerate() {
+    // A retired number has no name.
+    for (number, (row, meaning)) in rows.iter().enumerate().filter(|(_, (row, _))| !row.is_empty()) {
         if !meaning.is_empty() {
             text += &format!("    /** {meaning} */\n");
         }

@@ -113,8 +113,6 @@ pub struct ElementEnergy {
     pub slider_stored: Lane,
     /// Work done on the viscous overstress in this step.
     pub viscous_increment: Lane,
-    /// Power dissipated by the dashpots after this step, W.
-    pub viscous_power: Lane,
     /// Energy dissipated by the sliders in this step.
     pub slider_increment: Lane,
     /// Energy dissipated by tearing in this step.
@@ -129,7 +127,6 @@ impl ElementEnergy {
         elastic: ZERO,
         slider_stored: ZERO,
         viscous_increment: ZERO,
-        viscous_power: ZERO,
         slider_increment: ZERO,
         tear_increment: ZERO,
         inverted: ZERO,

@@ -108,13 +108,6 @@ pub static OUTPUTS: &[Output] = &[
         |_, s| s.energy.viscous,
         "work done on the viscous overstress, dissipated or still in its springs",
     ),
-    output(
-        "energy.viscous_dissipation",
-        "J",
-        |_, s| s.energy.viscous_dissipation,
-        "dissipation of the dashpots by the moduli at rest, not a term of the sum: exact for additive terms and small \
-         strains, too high where a quasi-linear law stiffens",
-    ),
     output("energy.slider_stored", "J", |_, s| s.energy.slider_stored, "energy in the damping springs"),
     output("energy.slider_dissipation", "J", |_, s| s.energy.slider_dissipation, "energy dissipated by the sliders"),
     output("energy.tear", "J", |_, s| s.energy.tear, "energy dissipated by tearing"),

@@ -21,22 +21,27 @@ pub static PRESETS: &[Preset] = &[
     Preset {
         name: "study",
         scenario: study,
-        description: "the soft anvil of the study, one set of parameters for 4.9, 9.8 and 14.7 J",
+        description: "the study's soft anvil, 5 parameters fitted to the 12 numbers of its 3 drops",
     },
     Preset {
         name: "study-14.7",
         scenario: study_14_7,
-        description: "the soft anvil of the study, tuned at 14.7 J alone, as its own model was",
+        description: "the study's soft anvil, 4 parameters fitted to the 4 numbers of 14.7 J alone",
+    },
+    Preset {
+        name: "study-incompressible",
+        scenario: study_incompressible,
+        description: "the study's soft anvil, incompressible, 5 parameters fitted to the 12 numbers",
     },
 ];
 
 /// The soft anvil of "Finite element model to simulate impact on a soft tissue simulant", Sports Engineering (2023),
 /// doi 10.1007/s12283-023-00407-7, dropped on with 14.7 J.
 ///
-/// Geometry, impactor, density, friction under the face and element size are the paper's; the core is bonded, as in its
-/// experiment. The coefficients of its material models are not published: [`study_silicone`] and the effective length
-/// (the largest out-of-plane thickness) were identified with this kernel from the twelve numbers of its measured drops.
-/// The force threshold of the impact duration, which the paper does not state, is just under 1 % of its smallest peak.
+/// Geometry, impactor, density, friction under the face and on the core, and element size are those of the paper's model.
+/// The coefficients of its material models are not published: [`study_silicone`] was identified with this kernel from the
+/// twelve numbers of its measured drops. The force threshold of the impact duration, which the paper does not state, is
+/// just under 1 % of its smallest peak.
 pub fn study() -> Scenario {
     Scenario {
         geometry: Geometry {
@@ -67,7 +72,7 @@ pub fn study() -> Scenario {
         },
         silicone: study_silicone(),
         skin: chamois(),
-        core: CoreInterface { interface: Interface::Bonded, friction_coefficient: 0.3 },
+        core: CoreInterface { interface: Interface::Frictional, friction_coefficient: 0.3 },
         face: FaceInterface { friction_coefficient: 0.3 },
         mesh: Mesh { element_size: 3e-3 },
         time: Time {
@@ -81,65 +86,90 @@ pub fn study() -> Scenario {
     }
 }
 
-/// The silicone of [`study`]: the best of `calibration/all.toml`, rounded, for all twelve numbers of Table 1, with a step
-/// of at least an eighth of a sampling interval.
+/// The silicone of [`study`], near the best of `calibration/all.toml`. Five parameters were fitted to twelve numbers: three
+/// coefficients of the law, and overstress and relaxation time of one Prony term. Poisson's ratio was chosen.
 ///
-/// `docs/protocols.md` says what the numbers pin. The fast Prony term does nearly all of the damping, and the damping
-/// spring and slider little, although the paper uses them; the slow one acts as elasticity in an impact and relaxes in
-/// seconds. Poisson's ratio is low because it also stands for what flows out of the plane of the section.
-/// It is a fit to impacts: with so low a bulk modulus the quadratic law gives way where the volume is halved, and a free
-/// cylinder pressed at 0.67 1/s has no equilibrium beyond 46 % strain. [`study_14_7`] has one.
+/// The best itself has at 4.9 J a peak 4.4 % below that on a mesh twice as fine, at which one more node touches; this set, nearby
+/// with more overstress for a shorter time, is within 3 % of it. `docs/protocols.md` has the errors, and says what the numbers
+/// pin. The Prony term is a dashpot in an impact, and does nearly all of the damping.
+///
+/// Beside the paper's material tests: the shear modulus at rest is 0.50 MPa, between the 0.6 MPa that its relaxation test has
+/// after the ramp and the 0.33 MPa that it has after a second; Young's modulus is 1.5 MPa where the ramp has 1.1 MPa, and
+/// the 0.18 MPa with which its compression at 0.67 1/s begins is far below either. Relaxation slower than an impact is not
+/// here. The stiffening with strain that the impacts ask for is not that of the tests: at 50 % of compression the secant
+/// shear modulus is 3.2 MPa, fully relaxed. At once the shear modulus is 15 MPa, which no test of
+/// the paper is fast enough to see.
+///
+/// Poisson's ratio is 0.49 in the long term, the largest that the study considers, and 0.25 at once, of the bulk modulus
+/// and the shear modulus of the overstress unrelaxed; more takes a higher bulk modulus, and so a shorter step.
+/// [`study_incompressible`] has 0.47, for two thirds more steps.
 fn study_silicone() -> Material {
-    // Instantaneous overstress of the two Prony terms over the long-term stress.
-    let overstress = [83.5, 4.0];
-    let instantaneous = 1.0 + overstress[0] + overstress[1];
+    // Instantaneous overstress of the Prony term over the long-term stress.
+    let overstress = 28.7;
     Material {
         density: 1072.0,
         law: ElasticLaw::MooneyRivlin,
         moduli: Moduli::LongTerm,
-        c10: 97.8e3,
-        c01: 5.6e3,
-        c11: 0.22e3,
-        c20: 2.04e3,
-        c02: 10.8e3,
+        c10: 148e3,
+        c01: 104e3,
+        c11: 0.0,
+        c20: 132e3,
+        c02: 0.0,
         c30: 0.0,
         ogden_mu: [0.0; 3],
         ogden_alpha: [2.0, -2.0, 4.0],
         volumetric_law: VolumetricLaw::Quadratic,
         volumetric_by: VolumetricBy::PoissonsRatio,
-        bulk_modulus: 0.448e6,
-        poissons_ratio: 0.30,
-        prony_g: [overstress[0] / instantaneous, overstress[1] / instantaneous, 0.0, 0.0, 0.0],
-        prony_tau: [0.284e-3, 3.0, 1.0, 1.0, 1.0],
+        bulk_modulus: 25.0e6,
+        poissons_ratio: 0.49,
+        prony_g: [overstress / (1.0 + overstress), 0.0, 0.0, 0.0, 0.0],
+        prony_tau: [0.0871e-3, 1.0, 1.0, 1.0, 1.0],
         maxwell_g: [0.0; 5],
         maxwell_beta: [1e3; 5],
-        slider_stiffness: 0.585e6,
-        slider_yield_stress: 1.34e3,
+        slider_stiffness: 0.0,
+        slider_yield_stress: 0.0,
         tear_stretch: 0.0,
         tear_width: 0.1,
         tear_residual: 0.0,
     }
 }
 
-/// [`study`] with five parameters from the four numbers at 14.7 J alone: the best of `calibration/only-14.7.toml`, rounded.
+/// [`study`] with four parameters from the four numbers at 14.7 J alone: the best of `calibration/only-14.7.toml`, rounded.
 ///
-/// One fast Prony term on a law of two coefficients (I1 - 3 and the square of I2 - 3) meets all four; 9.8 and 4.9 J are
-/// predictions. Poisson's ratio comes out near the paper's 0.48.
+/// Two coefficients of the law and one Prony term; 9.8 and 4.9 J are predictions. The shear modulus at rest is 0.31 MPa, where
+/// the paper's relaxation test has 0.33 MPa after a second, and 2.4 MPa at once; Poisson's ratio is 0.49 in the long term
+/// and 0.43 at once.
 pub fn study_14_7() -> Scenario {
     let study = study();
-    let overstress = 47.9;
+    let overstress = 6.79;
     let silicone = Material {
-        c10: 57.3e3,
+        c10: 155e3,
         c01: 0.0,
-        c11: 0.0,
-        c20: 0.0,
-        c02: 29.6e3,
-        bulk_modulus: 1.51e6,
-        poissons_ratio: 0.463,
+        c20: 64.8e3,
+        bulk_modulus: 15.4e6,
         prony_g: [overstress / (1.0 + overstress), 0.0, 0.0, 0.0, 0.0],
-        prony_tau: [0.561e-3, 1.0, 1.0, 1.0, 1.0],
-        slider_stiffness: 0.0,
-        slider_yield_stress: 0.0,
+        prony_tau: [0.448e-3, 1.0, 1.0, 1.0, 1.0],
+        ..study.silicone
+    };
+    Scenario { silicone, ..study }
+}
+
+/// [`study`] with a silicone that keeps its volume at every rate: the best of `calibration/incompressible.toml`, rounded.
+///
+/// The five parameters of [`study`], fitted once more with a bulk modulus of 200 MPa: Poisson's ratio is 0.499 in the long term
+/// and 0.47 at once. The shear modulus at rest is 0.56 MPa, and 11.2 MPa at once. It meets the twelve numbers as well, so they
+/// do not ask for a silicone that gives way; what it costs is a shorter step, too short for real time on one core.
+pub fn study_incompressible() -> Scenario {
+    let study = study();
+    let overstress = 18.9;
+    let silicone = Material {
+        c10: 30.2e3,
+        c01: 251e3,
+        c20: 116e3,
+        volumetric_by: VolumetricBy::BulkModulus,
+        bulk_modulus: 200e6,
+        prony_g: [overstress / (1.0 + overstress), 0.0, 0.0, 0.0, 0.0],
+        prony_tau: [0.117e-3, 1.0, 1.0, 1.0, 1.0],
         ..study.silicone
     };
     Scenario { silicone, ..study }
@@ -158,8 +188,6 @@ fn chamois() -> Material {
         c02: 0.0,
         poissons_ratio: 0.45,
         prony_g: [0.0; 5],
-        slider_stiffness: 0.0,
-        slider_yield_stress: 0.0,
         ..study_silicone()
     }
 }

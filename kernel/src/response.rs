@@ -16,7 +16,6 @@ pub(crate) type Response<V> = (Deviator<V>, Density<V>);
 pub(crate) struct Density<V> {
     elastic: V,
     viscous_increment: V,
-    viscous_power: V,
     slider_stored: V,
     slider_increment: V,
     tear_increment: V,
@@ -36,7 +35,6 @@ impl<V: Vector> Density<V> {
         Self {
             elastic: stored,
             viscous_increment: overstress.double_mean(elastic).half_contract(strain_increment),
-            viscous_power: overstress.power,
             slider_stored: springs.stored,
             slider_increment: springs.dissipation,
             tear_increment: set.splat(0.0),
@@ -56,7 +54,6 @@ impl<V: Vector> Density<V> {
         set.add(volume * self.elastic, &mut sums.elastic, chunk);
         if laws.n_term() > 0 {
             set.add(volume * self.viscous_increment, &mut sums.viscous_increment, chunk);
-            set.add(volume * self.viscous_power, &mut sums.viscous_power, chunk);
         }
         if laws.slider.active() {
             set.add(volume * self.slider_stored, &mut sums.slider_stored, chunk);
@@ -200,7 +197,6 @@ fn tear<S: Instructions>(
     density.tear_increment = lost;
     density.elastic = after * density.elastic;
     density.viscous_increment = mean * density.viscous_increment;
-    density.viscous_power = after * density.viscous_power;
     density.slider_stored = after * density.slider_stored;
     density.slider_increment = mean * density.slider_increment;
     stress.scaled(after)

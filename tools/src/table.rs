@@ -41,10 +41,12 @@ pub fn notes(validation: &Validation) -> String {
         let scenario = Threshold::Force(run.constants.scenario.measurement.force_threshold);
         let threshold = validation.reading.threshold.unwrap_or(scenario);
         notes += &format!(
-            "Softanvil: preset {}, {} triangles; {};\nimpact duration at forces from {threshold} on.\n",
+            "Softanvil: preset {}, {} triangles; {};\nimpact duration at forces from {threshold} on.\n\
+             The preset is\n{}.\n",
             validation.preset.name,
             run.constants.grid.n_elem(),
-            validation.reading
+            validation.reading,
+            validation.preset.description,
         );
         notes += &core_peaks(validation);
     }

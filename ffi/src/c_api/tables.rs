@@ -63,7 +63,7 @@ pub extern "C" fn softanvil_parameter_count() -> u32 {
     PARAMETER_BY_ID.len() as u32
 }
 
-/// Number of outputs of the library that is running; their numbers are 0 to this less one.
+/// Outputs are numbered from 0 to this less one in the library that is running; a retired number is refused.
 #[unsafe(no_mangle)]
 pub extern "C" fn softanvil_output_count() -> u32 {
     OUTPUT_BY_ID.len() as u32
@@ -202,7 +202,8 @@ pub(crate) fn parameter_row(id: u32) -> Result<&'static Parameter, Failure> {
 /// Row of an output.
 pub(crate) fn output_row(id: u32) -> Result<&'static Output, Failure> {
     let count = OUTPUT_BY_ID.len();
-    OUTPUT_BY_ID.get(id as usize).copied().ok_or(Failure::UnknownId { argument: "output", id, count })
+    let row = OUTPUT_BY_ID.get(id as usize).ok_or(Failure::UnknownId { argument: "output", id, count })?;
+    row.ok_or(Failure::RetiredId { argument: "output", id })
 }
 
 /// Row of a field.
@@ -219,7 +220,7 @@ pub(crate) fn find_parameter(name: &Name) -> Result<(u32, &'static Parameter), F
 
 /// Number and row of an output.
 pub(crate) fn find_output(name: &Name) -> Result<(u32, &'static Output), Failure> {
-    let found = (0..).zip(OUTPUT_BY_ID).find(|(_, row)| name.is(row.name));
+    let found = (0..).zip(OUTPUT_BY_ID).find_map(|(id, row)| Some((id, row.filter(|row| name.is(row.name))?)));
     found.ok_or(Failure::UnknownName { argument: "name" })
 }
 

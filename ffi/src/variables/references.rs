@@ -204,7 +204,6 @@ pub static OUTPUTS: &[(&str, u32)] = &[
     ("energy.contact", 3407),
     ("energy.external", 3408),
     ("energy.residual", 3409),
-    ("energy.viscous_dissipation", 3410),
     ("energy.tear", 3411),
     ("model.design_stretch", 3501),
 ];

@@ -28,7 +28,7 @@ impl Maxwell {
         let mut maxwell = Self { branches: Branches::NONE, shear_modulus: 0.0 };
         for (g, beta) in material.maxwell_g.iter().zip(material.maxwell_beta) {
             if *g > 0.0 {
-                maxwell.branches.push(2.0 * g, dt * beta, beta / g);
+                maxwell.branches.push(2.0 * g, dt * beta);
                 maxwell.shear_modulus += g;
             }
         }

@@ -3,9 +3,10 @@
 //! H_k' = -H_k / tau_k + (g_k / g_inf) tau_iso', overstress = sum H_k,
 //!
 //! where tau_iso is the long-term Kirchhoff stress in the unrotated frame and g_inf + sum g_k = 1. The recurrence is that
-//! of [`crate::material::relaxation`]. For the dissipation the springs count with the shear modulus at rest,
-//! G_k = (g_k / g_inf) G_inf; on a law that stiffens this makes the dissipation too large at large
-//! strain (see [`crate::energy`]).
+//! of [`crate::material::relaxation`].
+//!
+//! At finite strain no energy belongs to such a branch: its work cannot be told into stored and dissipated (see
+//! [`crate::energy`]).
 
 use crate::lanes::Deviator;
 use crate::material::relaxation::{Branches, MAX_BRANCHES, Overstress};
@@ -28,11 +29,10 @@ impl Prony {
     pub fn new(material: &Material, dt: Real) -> Self {
         let mut prony = Self { branches: Branches::NONE, overstress: 0.0 };
         let g_inf = material.prony_g_inf();
-        let shear_modulus = material.shear_modulus_inf();
         for (g, tau) in material.prony_g.iter().zip(material.prony_tau) {
             if *g > 0.0 {
                 let ratio = g / g_inf;
-                prony.branches.push(ratio, dt / tau, 1.0 / (ratio * shear_modulus * tau));
+                prony.branches.push(ratio, dt / tau);
                 prony.overstress += ratio;
             }
         }

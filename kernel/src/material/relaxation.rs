@@ -1,11 +1,9 @@
 //! Branches of one spring and one dashpot each: the recurrence that [`crate::material::prony`] and
-//! [`crate::material::maxwell`] share, and the energy that it dissipates.
+//! [`crate::material::maxwell`] share.
 //!
 //! A branch holds the overstress H' = -H / tau + q', where q is what drives it. Over a step in which q changes linearly
 //! the solution is exact (Taylor, Pister and Goudreau 1970):
 //! H <- e^(-dt/tau) H + (1 - e^(-dt/tau)) / (dt/tau) delta q.
-//!
-//! Its dashpot has the viscosity G tau and dissipates the power H : H / (2 G tau), which no history makes negative.
 
 use crate::lanes::Deviator;
 use crate::math;
@@ -21,18 +19,14 @@ pub struct Branches {
     n_term: usize,
     decay: [Real; MAX_BRANCHES],
     gain: [Real; MAX_BRANCHES],
-    /// 1 / (G tau), 1/(Pa s).
-    fluidity: [Real; MAX_BRANCHES],
 }
 
-/// Stress of neighbouring triangles with their overstress, and what the overstress does in a step.
+/// Stress of neighbouring triangles with their overstress.
 pub struct Overstress<V> {
     /// Stress after the step with the sum over the branches, Pa.
     pub total: Deviator<V>,
     /// Sum over the branches before the step, Pa.
     pub before: Deviator<V>,
-    /// Power that the dashpots dissipate after the step, W/m3.
-    pub power: V,
 }
 
 impl<V: Vector> Overstress<V> {
@@ -40,7 +34,7 @@ impl<V: Vector> Overstress<V> {
     #[inline(always)]
     pub fn beside<S: Instructions<Vector = V>>(set: S, rest: Deviator<V>) -> Self {
         let zero = set.splat(0.0);
-        Self { total: rest, before: Deviator { mean: zero, difference: zero, shear: zero }, power: zero }
+        Self { total: rest, before: Deviator { mean: zero, difference: zero, shear: zero } }
     }
 
     /// Sum over the branches before and after the step, Pa, beside the stress `rest`.
@@ -52,18 +46,14 @@ impl<V: Vector> Overstress<V> {
 
 impl Branches {
     /// No branch.
-    pub const NONE: Self =
-        Self { n_term: 0, decay: [0.0; MAX_BRANCHES], gain: [0.0; MAX_BRANCHES], fluidity: [0.0; MAX_BRANCHES] };
+    pub const NONE: Self = Self { n_term: 0, decay: [0.0; MAX_BRANCHES], gain: [0.0; MAX_BRANCHES] };
 
-    /// Adds a branch: `ratio` of what drives it, Pa per its unit, `steps` = dt / tau, fluidity 1 / (G tau).
-    pub(crate) fn push(&mut self, ratio: Real, steps: Real, fluidity: Real) {
+    /// Adds a branch: `ratio` of what drives it, Pa per its unit, `steps` = dt / tau.
+    pub(crate) fn push(&mut self, ratio: Real, steps: Real) {
         let decay = math::exp(-steps);
-        if let (Some(d), Some(g), Some(f)) =
-            (self.decay.get_mut(self.n_term), self.gain.get_mut(self.n_term), self.fluidity.get_mut(self.n_term))
-        {
+        if let (Some(d), Some(g)) = (self.decay.get_mut(self.n_term), self.gain.get_mut(self.n_term)) {
             *d = decay;
             *g = ratio * (1.0 - decay) / steps;
-            *f = fluidity;
             self.n_term += 1;
         }
     }
@@ -84,16 +74,14 @@ impl Branches {
         [first, second]: [&mut [Deviator]; 2],
         overstress: &mut [Overstress<S::Vector>; 2],
     ) {
-        let constants = self.decay.iter().zip(&self.gain).zip(&self.fluidity);
-        for ((first, second), ((decay, gain), fluidity)) in first.iter_mut().zip(second).zip(constants) {
+        let constants = self.decay.iter().zip(&self.gain);
+        for ((first, second), (decay, gain)) in first.iter_mut().zip(second).zip(constants) {
             for (t, history) in [first, second].into_iter().enumerate() {
                 let (sum, before) = (&mut overstress[t], set.load_deviator(history, chunk));
                 let stress = before.scaled(set.splat(*decay)) + increment[t].scaled(set.splat(*gain));
                 set.store_deviator(&stress, history, chunk);
                 sum.before = sum.before + before;
                 sum.total = sum.total + stress;
-                // Half of H : H.
-                sum.power = sum.power + stress.half_contract(&stress).times(*fluidity);
             }
         }
     }

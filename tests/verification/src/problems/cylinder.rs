@@ -31,10 +31,9 @@ pub fn viscoelastic() -> Material {
     }
 }
 
-/// The silicone of the study, as tuned at 14.7 J: without a slider, which the reference below does not know.
-/// That of all energies has no homogeneous state beyond 46 % at the fastest rate: its jacobian has no root.
+/// The silicone of the study; without a slider, which the reference below does not know.
 pub fn study_silicone() -> Material {
-    Material { slider_stiffness: 0.0, slider_yield_stress: 0.0, ..preset::study_14_7().silicone }
+    preset::study().silicone
 }
 
 /// Nominal stresses of a homogeneous uniaxial compression at the times and strains of `curve`, compression positive, Pa.

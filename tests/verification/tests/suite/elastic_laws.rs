@@ -123,7 +123,7 @@ fn the_shear_tangent_bounds_that_of_a_plane_compression() {
     }
 }
 
-/// Source: conservation of energy, in the study's drop on a silicone of each law with the study's memory and damping.
+/// Source: conservation of energy, in the study's drop on a silicone of each law with the study's memory, and a slider.
 #[test]
 fn energy_closes_in_a_drop_with_every_law() {
     let study = preset::study();
@@ -133,14 +133,14 @@ fn energy_closes_in_a_drop_with_every_law() {
             scenario.silicone = Material {
                 volumetric_law,
                 prony_g: study.silicone.prony_g,
-                slider_stiffness: study.silicone.slider_stiffness,
-                slider_yield_stress: study.silicone.slider_yield_stress,
+                slider_stiffness: 1e6,
+                slider_yield_stress: 10e3,
                 ..law
             };
             let ledger = run(&scenario).scalars().energy;
             let error = ledger.residual().abs() / ledger.external;
             assert!(error < ENERGY_RESIDUAL, "{name}, {volumetric_law:?}: {error:e}");
-            assert!(ledger.elastic > 0.0 && ledger.viscous_dissipation > 0.0, "{name}: {ledger:?}");
+            assert!(ledger.elastic > 0.0 && ledger.viscous > 0.0, "{name}: {ledger:?}");
         }
     }
 }

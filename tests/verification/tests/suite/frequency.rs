@@ -123,7 +123,7 @@ impl Body {
         let masses = self.masses();
         for i in 0..2 * NODES {
             for j in 0..2 * NODES {
-                let fixed = |k: usize| k % (2 * (N + 1)) == 0;
+                let fixed = |k: usize| k.is_multiple_of(2 * (N + 1));
                 let weight = if fixed(i) || fixed(j) { 0.0 } else { 1.0 / (masses[i / 2] * masses[j / 2]).sqrt() };
                 stiffness[(i, j)] *= weight;
             }

@@ -13,6 +13,8 @@ fn coinciding(layers: Layers) -> Scenario {
     scenario.geometry.silicone_thickness = 12e-3;
     scenario.geometry.skin_thickness = 3e-3;
     scenario.geometry.layers = layers;
+    // The preset has no slider.
+    (scenario.silicone.slider_stiffness, scenario.silicone.slider_yield_stress) = (1e6, 10e3);
     scenario.skin = scenario.silicone;
     scenario
 }

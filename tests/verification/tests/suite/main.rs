@@ -14,6 +14,7 @@ mod maxwell;
 mod ogden;
 mod patch;
 mod plausible;
+mod presets;
 mod problems;
 mod sections;
 mod single;

@@ -64,12 +64,12 @@ fn the_ledger_closes_with_memory_and_damping() {
 /// Source: conservation of energy, in a drop that tears the skin, and in one that tears the silicone.
 #[test]
 fn energy_closes_in_a_drop_that_tears() {
-    for (layers, tear) in [(Layers::Two, 1.1), (Layers::One, 1.02)] {
-        // The preset whose silicone keeps its volume, so that it stretches where it is pressed.
-        let mut scenario = preset::study_14_7();
+    // Torn silicone keeps half of its stress, or the mass would press it flat.
+    for (layers, tear, residual) in [(Layers::Two, 1.1, 0.05), (Layers::One, 1.02, 0.5)] {
+        let mut scenario = preset::study();
         scenario.geometry.layers = layers;
         let layer = if layers == Layers::Two { &mut scenario.skin } else { &mut scenario.silicone };
-        (layer.tear_stretch, layer.tear_width, layer.tear_residual) = (tear, 0.1, 0.05);
+        (layer.tear_stretch, layer.tear_width, layer.tear_residual) = (tear, 0.1, residual);
         let mut simulation = Simulation::new(&scenario).expect("a legal scenario");
         let mut torn = 0.0;
         for _ in 0..simulation.constants().steps_in(scenario.time.duration) {
