@@ -1,19 +1,20 @@
 #!/usr/bin/env bash
 # Installs what the tests need and runs them all. What cannot be installed without root is skipped by name and counted;
-# with CI=true a skip is a failure.
+# with CI=true a skip is a failure. What this processor cannot run is not applicable, which never is one.
 set -uo pipefail
 cd "$(dirname "$0")"
 
-passed=0 failed=0 skipped=0
+passed=0 failed=0
 failures=()
+# What the scripts below did not run, a line each.
+export SOFTANVIL_NOT_RUN
+SOFTANVIL_NOT_RUN=$(mktemp)
+trap 'rm -f "$SOFTANVIL_NOT_RUN"' EXIT
 
 pass() { passed=$((passed + 1)); }
 fail() { failed=$((failed + 1)); failures+=("$1"); printf 'FAILED: %s\n' "$1" >&2; }
-skip() {
-    if [ "${CI:-}" = true ]; then fail "$1 (skipped: $2)"; else
-        skipped=$((skipped + 1)); printf 'SKIPPED: %s (%s)\n' "$1" "$2" >&2
-    fi
-}
+skip() { if [ "${CI:-}" = true ]; then fail "$1 (skipped: $2)"; else hand_up SKIPPED "$@"; fi; }
+not_applicable() { hand_up 'NOT APPLICABLE' "$@"; }
 
 # run NAME COMMAND...: one test, and the seconds it took.
 run() {
@@ -33,6 +34,7 @@ told() {
 }
 
 . tests/need.sh
+. tests/processor.sh
 
 # drop_hashes CLI: the trace hashes of the three drops.
 drop_hashes() {
@@ -64,6 +66,10 @@ run "clippy" cargo clippy -q --workspace --all-targets -- -D warnings
 run "build, release" cargo build -q --release --workspace
 run "build, debug" cargo build -q -p softanvil -p softanvil-ffi
 run "kernel alone, no_std" kernel_alone
+run "processors that lack something" tests/targets/processors.sh
+# They take every instruction set that the processor has.
+runs "Rust tests with AVX2" x86-64-v3
+runs "Rust tests with AVX-512" x86-64-v4
 run "Rust tests" cargo test -q --profile checked --workspace --no-fail-fast
 run "same trace in debug and release" same_hashes
 run "main job" main_job
@@ -131,7 +137,12 @@ fi
 
 if [ -n "${debug_rigs:-}" ]; then run "C and C++ rigs, debug library" told "$debug_rigs" "$debug_rigs_id"; fi
 
+# not_run KIND: how many of these there are.
+not_run() { grep -c "^$1: " "$SOFTANVIL_NOT_RUN"; }
+
 printf '\n'
+cat "$SOFTANVIL_NOT_RUN"
 [ ${#failures[@]} -gt 0 ] && printf 'FAILED: %s\n' "${failures[@]}"
-printf '%d passed, %d failed, %d skipped\n' "$passed" "$failed" "$skipped"
+printf '%d passed, %d failed, %d skipped, %d not applicable\n' "$passed" "$failed" "$(not_run SKIPPED)" \
+    "$(not_run 'NOT APPLICABLE')"
 [ "$failed" = 0 ]
