@@ -1,38 +1,37 @@
 #!/usr/bin/env bash
 # Installs what the tests need and runs them all. What cannot be installed without root is skipped by name and counted;
-# with CI=true a skip is a failure.
+# with CI=true a skip is a failure. What this processor cannot run is not applicable, which never is one.
 set -uo pipefail
 cd "$(dirname "$0")"
 
-passed=0 failed=0 skipped=0
-failures=()
+# How every test ended, a line each; the scripts below add what they did not run.
+export SOFTANVIL_NOT_RUN
+SOFTANVIL_NOT_RUN=$(mktemp)
+endings=$SOFTANVIL_NOT_RUN
+trap 'rm -f "$endings"' EXIT
 
-pass() { passed=$((passed + 1)); }
-fail() { failed=$((failed + 1)); failures+=("$1"); printf 'FAILED: %s\n' "$1" >&2; }
-skip() {
-    if [ "${CI:-}" = true ]; then fail "$1 (skipped: $2)"; else
-        skipped=$((skipped + 1)); printf 'SKIPPED: %s (%s)\n' "$1" "$2" >&2
-    fi
-}
+pass() { printf 'PASSED: %s\n' "$1" >>"$endings"; }
+fail() { printf 'FAILED: %s\n' "$1" | tee -a "$endings" >&2; }
+skip() { if [ "${CI:-}" = true ]; then fail "$1 (skipped: $2)"; else hand_up SKIPPED "$@"; fi; }
+not_applicable() { hand_up 'NOT APPLICABLE' "$@"; }
 
 # run NAME COMMAND...: one test, and the seconds it took.
 run() {
     local name=$1 start=$SECONDS; shift
     printf '\n== %s\n' "$name"
-    if "$@"; then pass; else fail "$name"; fi
+    if "$@"; then pass "$name"; else fail "$name"; fi
     printf -- '-- %s: %d s\n' "$name" $((SECONDS - start))
 }
 
-# told FILE ID: waits for a test that was started before, and gives what it printed into FILE.
-told() {
-    local status
-    wait "$2"
-    status=$?
-    cat "$1" && rm "$1"
-    return $status
+# beside GROUP: a function of tests, of which as many run side by side as there are processors: most of them keep one busy.
+# What a group prints comes when it is done.
+beside() {
+    while [ "$(jobs -rp | wc -l)" -ge "$(nproc)" ]; do wait -n; done
+    { printed=$(mktemp) && "$1" >"$printed" 2>&1; cat "$printed" && rm "$printed"; } &
 }
 
 . tests/need.sh
+. tests/processor.sh
 
 # drop_hashes CLI: the trace hashes of the three drops.
 drop_hashes() {
@@ -62,48 +61,39 @@ kernel_alone() { cargo build -q --release -p softanvil-kernel --no-default-featu
 run "format" cargo fmt --all --check
 run "clippy" cargo clippy -q --workspace --all-targets -- -D warnings
 run "build, release" cargo build -q --release --workspace
+run "build, library" cargo build -q --profile library -p softanvil-ffi -p softanvil-bench
 run "build, debug" cargo build -q -p softanvil -p softanvil-ffi
 run "kernel alone, no_std" kernel_alone
-run "Rust tests" cargo test -q --profile checked --workspace --no-fail-fast
-run "same trace in debug and release" same_hashes
 run "main job" main_job
-
-# A Cortex-M7 without an operating system, in QEMU.
-if command -v rustup >/dev/null && need arm-none-eabi-gcc gcc-arm-none-eabi && need qemu-system-arm qemu-system-arm; then
-    run "firmware on a Cortex-M7" tests/firmware/run.sh
-    if need readelf binutils; then run "footprint" tests/footprint/run.sh; else skip "footprint" "readelf is missing"; fi
-else
-    skip "firmware on a Cortex-M7" "rustup, arm-none-eabi-gcc or qemu-system-arm is missing and cannot be installed"
-    skip "footprint" "rustup, arm-none-eabi-gcc or qemu-system-arm is missing and cannot be installed"
-fi
-
-run "same digests on every target" tests/targets/run.sh
+run "same trace in debug and release" same_hashes
+run "processors that lack something" tests/targets/processors.sh
 
 export SOFTANVIL_CLI=$PWD/target/release/softanvil
-if need gcc gcc libc6-dev && need g++ g++ && need valgrind valgrind libc6-dbg; then
-    # The debug library takes its time on one core: what follows does not wait for it.
-    debug_rigs=$(mktemp)
-    tests/c/run.sh target/debug >"$debug_rigs" 2>&1 &
-    debug_rigs_id=$!
-    run "C and C++ rigs, release library" tests/c/run.sh target/release
-    run "instructions of a step" bench/instructions.sh target/release
-    if need cmake cmake && need pkg-config pkg-config; then
-        run "installed package" tests/c/package.sh
-    else
-        skip "installed package" "cmake or pkg-config is missing and cannot be installed"
-    fi
-else
-    skip "C and C++ rigs" "gcc, g++ or valgrind is missing and cannot be installed"
-    skip "installed package" "gcc, g++ or valgrind is missing and cannot be installed"
-fi
+export SOFTANVIL_VENV=${SOFTANVIL_VENV:-$PWD/.venv}
 
-# have_venv: whether python3 makes virtual environments, which Debian packs apart.
-have_venv() { python3 -c 'import ensurepip' 2>/dev/null || { need no-such-command python3-venv; python3 -c 'import ensurepip'; }; }
-
-# have_tbb: whether the library of the importer ecos is there.
+# What the groups need is installed before they start: two installations at once are refused.
+have_board() {
+    command -v rustup >/dev/null && need arm-none-eabi-gcc gcc-arm-none-eabi && need qemu-system-arm qemu-system-arm
+}
+have_c() { need gcc gcc libc6-dev && need g++ g++ && need valgrind valgrind libc6-dbg; }
+# Debian packs virtual environments apart.
+have_venv() {
+    python3 -c 'import ensurepip' 2>/dev/null || { need no-such-command python3-venv; python3 -c 'import ensurepip'; }
+}
+have_python() { need python3 python3 && have_venv && need gcc gcc libc6-dev; }
+# A library of the importer ecos.
 have_tbb() { PATH=$PATH:/usr/sbin:/sbin ldconfig -p | grep 'libtbb\.so\.12' >/dev/null; }
 
-if need python3 python3 && have_venv && need gcc gcc libc6-dev; then
+groups=(rust_tests)
+rust_tests() {
+    # They take every instruction set that the processor has.
+    runs "Rust tests with AVX2" x86-64-v3
+    runs "Rust tests with AVX-512" x86-64-v4
+    run "Rust tests" cargo test -q --profile checked --workspace --no-fail-fast
+}
+
+if have_python; then
+    groups+=(python_tests)
     # Other platforms, and a library of the importer ecos; without them their tests are skipped.
     need aarch64-linux-gnu-gcc gcc-aarch64-linux-gnu libc6-dev-arm64-cross && need qemu-aarch64 qemu-user \
         || skip "FMU on aarch64" "the cross compiler or qemu is missing and cannot be installed"
@@ -111,27 +101,66 @@ if need python3 python3 && have_venv && need gcc gcc libc6-dev; then
         || skip "FMU on Windows" "mingw or wine is missing and cannot be installed"
     have_tbb || { need no-such-command libtbb12; have_tbb; } \
         || skip "FMU in ecos" "libtbb12 is missing and cannot be installed"
-    export SOFTANVIL_VENV=${SOFTANVIL_VENV:-$PWD/.venv}
+    page=(test_page.py)
+    need chromium chromium || { page=(); skip "report in a browser" "chromium is missing and cannot be installed"; }
+else
+    for name in "FMU in other tools" "programs and picture of the README" "fitted material files in other tools" \
+        "report in a browser, series for ParaView"; do
+        skip "$name" "python3 with venv, or gcc, is missing and cannot be installed"
+    done
+fi
+# One after the other, because the first makes the virtual environment.
+python_tests() {
     run "FMU in other tools, release library" tests/fmi/run.sh target/release
     run "FMU in other tools, debug library" tests/fmi/run.sh target/debug test_results.py -k "last_bit"
     run "programs and picture of the README" tests/readme.sh target/release "$SOFTANVIL_VENV"
     run "fitted material files in other tools" tests/identify/run.sh target/release "$SOFTANVIL_VENV"
-    if need chromium chromium; then
-        run "report in a browser, series for ParaView" tests/report/run.sh target/release "$SOFTANVIL_VENV"
-    else
-        skip "report in a browser" "chromium is missing and cannot be installed"
-        run "series for ParaView" tests/report/run.sh target/release "$SOFTANVIL_VENV" test_series.py
-    fi
-else
-    skip "FMU in other tools" "python3 with venv, or gcc, is missing and cannot be installed"
-    skip "programs and picture of the README" "python3 with venv, or gcc, is missing and cannot be installed"
-    skip "fitted material files in other tools" "python3 with venv, or gcc, is missing and cannot be installed"
-    skip "report in a browser, series for ParaView" "python3 with venv, or gcc, is missing and cannot be installed"
-fi
+    run "report in a browser, series for ParaView" tests/report/run.sh target/release "$SOFTANVIL_VENV" \
+        "${page[@]}" test_series.py
+}
 
-if [ -n "${debug_rigs:-}" ]; then run "C and C++ rigs, debug library" told "$debug_rigs" "$debug_rigs_id"; fi
+groups+=(target_tests)
+target_tests() { run "same digests on every target" tests/targets/run.sh; }
+
+if have_c; then
+    groups+=(c_debug_tests c_release_tests)
+else
+    skip "C and C++ rigs" "gcc, g++ or valgrind is missing and cannot be installed"
+fi
+if have_c && need cmake cmake && need pkg-config pkg-config; then
+    groups+=(package_tests)
+else
+    skip "installed package" "gcc, g++, valgrind, cmake or pkg-config is missing and cannot be installed"
+fi
+c_debug_tests() { run "C and C++ rigs, debug library" tests/c/run.sh target/debug; }
+c_release_tests() {
+    run "C and C++ rigs, library as installed" tests/c/run.sh target/library
+    run "instructions of a step" bench/instructions.sh target/library
+}
+package_tests() { run "installed package" tests/c/package.sh; }
+
+# A Cortex-M7 without an operating system, in QEMU; the footprint takes its RAM and stack from there.
+if have_board; then
+    groups+=(board_tests)
+    footprint=1
+    need readelf binutils || { footprint=; skip "footprint" "readelf is missing"; }
+else
+    skip "firmware on a Cortex-M7" "rustup, arm-none-eabi-gcc or qemu-system-arm is missing and cannot be installed"
+    skip "footprint" "rustup, arm-none-eabi-gcc or qemu-system-arm is missing and cannot be installed"
+fi
+board_tests() {
+    run "firmware on a Cortex-M7" tests/firmware/run.sh
+    [ -z "$footprint" ] || run "footprint" tests/footprint/run.sh
+}
+
+for group in "${groups[@]}"; do beside "$group"; done
+wait
+
+# ended KIND: how many tests ended so.
+ended() { grep -c "^$1: " "$endings"; }
 
 printf '\n'
-[ ${#failures[@]} -gt 0 ] && printf 'FAILED: %s\n' "${failures[@]}"
-printf '%d passed, %d failed, %d skipped\n' "$passed" "$failed" "$skipped"
-[ "$failed" = 0 ]
+grep -v '^PASSED: ' "$endings"
+printf '%d not applicable to this processor\n' "$(ended 'NOT APPLICABLE')"
+printf '%d passed, %d failed, %d skipped\n' "$(ended PASSED)" "$(ended FAILED)" "$(ended SKIPPED)"
+[ "$(ended FAILED)" = 0 ]

@@ -6,7 +6,12 @@
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 program=$(cd "${1:?usage: instructions.sh BUILD_FOLDER}" && pwd)/softanvil-bench
-[ "$(uname -m)" = x86_64 ] || { echo "skipped: the limits are those of x86-64"; exit 0; }
+. "$here/../tests/processor.sh"
+
+not_applicable() { hand_up 'NOT APPLICABLE' "$@"; }
+skip() { hand_up FAILED "$@"; exit 1; }
+
+runs "instructions of a step" x86-64 || exit 0
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
@@ -27,8 +32,9 @@ count() {
 
 counted=$work/counted.csv
 echo "instruction set,instructions per triangle and step,dearest step over cheapest" >"$counted"
-for set in Baseline Avx2; do
-    if [ "$set" = Avx2 ] && ! grep -qw avx2 /proc/cpuinfo; then echo "Avx2: skipped, as the processor lacks it"; continue; fi
+for row in 'Baseline x86-64' 'Avx2 x86-64-v3'; do
+    read -r set level <<<"$row"
+    runs "instructions of a step, $set" "$level" || continue
     figures=$(count "$set")
     read -r triangles steps update ratio <<<"$figures"
     printf '%s: %s instructions per triangle and step, dearest step %s times the cheapest (%s triangles, %s steps)\n' \

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Shows on the release library what the functions of softanvil.h cannot reach: a panic, the heap, files, locale, errno.
+# Shows on the library as it is installed what the functions of softanvil.h cannot reach: a panic, the heap, files, locale, errno.
 # Every function is linked from LIBDIR/libsoftanvil.a into a program, the linker drops what none of them refers to, and
 # what is left holds none of these.
 #

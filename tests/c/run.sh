@@ -2,9 +2,9 @@
 # Builds the rigs in C and C++ against the library in LIBDIR, static and shared, and runs them: their traces agree with
 # each other and, if SOFTANVIL_CLI names the command line program, with its own. Unless the library is one for debugging,
 # which is linked in one way only, the rig of faults also runs under valgrind and under the address and
-# undefined-behaviour sanitizers, the sweep over threads under helgrind and the thread sanitizer. For a release library it
-# also compares the ABI with the last release and looks for paths to a panic. package.sh does the same from an installed
-# package.
+# undefined-behaviour sanitizers, the sweep over threads under helgrind and the thread sanitizer. For that of the profile
+# `library`, which is installed, it also compares the ABI with the last release and looks for paths to a panic. package.sh
+# does the same from an installed package.
 #
 #     tests/c/run.sh LIBDIR
 set -euo pipefail
@@ -132,7 +132,7 @@ if [ -n "${SOFTANVIL_CLI:-}" ]; then
     done
 fi
 
-if [ "$(basename "$libdir")" = release ]; then
+if [ "$(basename "$libdir")" = library ]; then
     check "ABI of the last release" "$tests/c/abi/compare.sh" "$libdir"
     sed 's/softanvil_dt(const SoftanvilSimulation/softanvil_dt(SoftanvilSimulation/' "$tests/../include/softanvil.h" \
         >"$work/changed.h"

@@ -12,12 +12,12 @@ rustup target add "$target" >/dev/null 2>&1
 export CARGO_TARGET_THUMBV7EM_NONE_EABIHF_RUSTFLAGS='-C target-cpu=cortex-m7'
 
 # In C: the static library of the C ABI, and a program that links it.
-cargo rustc -q --release -p softanvil-ffi --crate-type staticlib --target "$target" --target-dir "$out"
+cargo rustc -q --profile library -p softanvil-ffi --crate-type staticlib --target "$target" --target-dir "$out"
 awk '!/^#/ { printf "    { %su, %s, %s, 0x%su },\n", $1, $2, $3, $4 }' tests/golden/traces/drop-14.7-J.txt >"$out/golden.inc"
 arm-none-eabi-gcc -std=c11 -Wall -Wextra -Werror -O2 -ffp-contract=off -ffreestanding -ffunction-sections -fdata-sections \
     -mcpu=cortex-m7 -mthumb -mfpu=fpv5-d16 -mfloat-abi=hard -I include -I "$out" tests/firmware/c/*.c \
     -nostdlib -T tests/firmware/c/board.ld -Wl,--gc-sections -Wl,--no-warn-rwx-segments \
-    "$out/$target/release/libsoftanvil.a" -lgcc -o "$out/drop-c.elf"
+    "$out/$target/library/libsoftanvil.a" -lgcc -o "$out/drop-c.elf"
 
 # In Rust: the kernel itself.
 (cd tests/firmware/rust && cargo build -q --release --target "$target" --target-dir "$OLDPWD/$out")

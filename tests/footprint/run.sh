@@ -63,7 +63,7 @@ measured=$out/measured.txt
             echo "$name $(sections "$elf" R)"
         done
     done
-    library=$firmware/thumbv7em-none-eabihf/release/libsoftanvil.a
+    library=$firmware/thumbv7em-none-eabihf/library/libsoftanvil.a
     for source in include/softanvil.h tests/firmware/c/drop.c; do
         name=c-abi-thumbv7em && [ $source = include/softanvil.h ] || name+=-used
         mapfile -t wanted < <(grep -oE '\bsoftanvil_[a-z_]+\(' $source | tr -d '(' | sort -u | sed 's/^/--undefined=/')

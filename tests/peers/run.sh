@@ -13,14 +13,14 @@ need ccx calculix-ccx || { echo "ccx is missing and cannot be installed" >&2; ex
 [ -x "$venv/bin/python" ] || python3 -m venv "$venv"
 "$venv/bin/python" -m pip install --quiet --disable-pip-version-check -r "$here/requirements.txt"
 cd "$root"
-cargo build -q --release -p softanvil-ffi
+cargo build -q --profile library -p softanvil-ffi
 
 export OMP_NUM_THREADS=1 PYTHONDONTWRITEBYTECODE=1
 results=$(mktemp -d)
 trap 'rm -rf "$results"' EXIT
 # MuJoCo writes its log where it runs.
 cd "$results"
-python3 "$here/softanvil_peer.py" "$results/peers.csv" "$target/release/libsoftanvil.so"
+python3 "$here/softanvil_peer.py" "$results/peers.csv" "$target/library/libsoftanvil.so"
 for peer in akantu mujoco kratos calculix; do
     "$venv/bin/python" "$here/${peer}_peer.py" "$results/peers.csv" >log 2>&1 || { cat log >&2; exit 1; }
     tail -n 1 log

@@ -2,7 +2,7 @@
 # Builds the golden traces' runner (tests/golden) for every kind of target, runs the scenes there, carries a snapshot
 # there and back, and prints the digests as a table: all must be equal. The rows are made side by side, as many as there
 # are processors. Installs what it needs if it may; what it cannot have is skipped by name (with CI=true a skip is a
-# failure).
+# failure), what this processor cannot run is not applicable (never a failure).
 #
 #     tests/targets/run.sh [WORD]    only rows whose name contains WORD
 set -uo pipefail
@@ -10,6 +10,7 @@ cd "$(dirname "$0")/../.."
 root=$PWD out=$PWD/target/targets only=${1:-}
 table=$out/table.txt rows=$out/rows
 . tests/need.sh
+. tests/processor.sh
 rm -rf "$rows" && mkdir -p "$rows"
 { rustc --version && echo; } >"$table"
 printf '%-44s %-6s  %-16s  %-16s  %s\n' target scenes 'until 2.5 ms' 'whole scenes' 'snapshot there and back' >>"$table"
@@ -20,10 +21,13 @@ count=0 home=()
 
 wanted() { [[ $1 == *"$only"* ]]; }
 
-# Each row has a folder to work in, whose name keeps the order, and leaves its line there, marked same, failed or skipped.
+# Each row has a folder to work in, whose name keeps the order, and leaves its line there, in a file that says how it ended.
 next_row() { count=$((count + 1)); work=$rows/$(printf %02d $count); mkdir "$work"; }
 line() { printf '%s\n' "$2" | tee "$work/$1"; }
-skip() { next_row; line skipped "$(printf '%-44s skipped: %s' "$1" "$2")"; }
+# not_run FILE KIND NAME REASON
+not_run() { next_row; printf '%-44s %s: %s\n' "$3" "${2,,}" "$4" >"$work/$1"; hand_up "${@:2}"; }
+skip() { not_run skipped SKIPPED "$@"; }
+not_applicable() { not_run not_applicable 'NOT APPLICABLE' "$@"; }
 fail() { line failed "$(printf '%-44s FAILED: %s' "$1" "$2")"; }
 
 # beside COMMAND...: makes a row while others are made.
@@ -156,26 +160,13 @@ features=softanvil-kernel/alloc,softanvil-kernel/dispatch
 native "features as in the workspace" features release --features $features
 wanted "8 threads" && beside row "8 threads" check "${home[@]}" --threads 8
 RUSTFLAGS='-C no-vectorize-loops -C no-vectorize-slp' native "scalar" scalar release
-if [ "$(uname -m)" = x86_64 ]; then
-    RUSTFLAGS='-C target-cpu=x86-64' native "SSE2" sse2 release
-    for set in 'avx2 v3 AVX2' 'avx512f v4 AVX-512'; do
-        read -r flag level name <<<"$set"
-        if grep -qw "$flag" /proc/cpuinfo; then
-            RUSTFLAGS="-C target-cpu=x86-64-$level" native "$name" "$flag" release
-        else
-            skip "$name" "the processor does not have it"
-        fi
-    done
-    # Chosen at run time, each made to be: one program with all of them.
-    for set in baseline avx2 avx512f; do
-        if [ $set = baseline ] || grep -qw $set /proc/cpuinfo; then
-            name="chosen at run time, ${set%f}"
-            wanted "$name" && beside chosen "$name" "${set%f}"
-        else
-            skip "chosen at run time, ${set%f}" "the processor does not have it"
-        fi
-    done
-fi
+# Instruction sets: the compiler may use one anywhere, or the program with all of them is made to choose it.
+for set in 'SSE2 x86-64 baseline' 'AVX2 x86-64-v3 avx2' 'AVX-512 x86-64-v4 avx512'; do
+    read -r name level word <<<"$set"
+    wanted "$name" && runs "$name" "$level" && RUSTFLAGS="-C target-cpu=$level" native "$name" "$level" release
+    name="chosen at run time, $name"
+    wanted "$name" && runs "$name" "$level" && beside chosen "$name" "$word"
+done
 
 # Compilers that are installed beside this one.
 compilers=$(rustc --version)
@@ -194,6 +185,8 @@ else
         export CARGO_TARGET_I686_UNKNOWN_LINUX_MUSL_RUSTFLAGS='-C linker=rust-lld -C linker-flavor=ld.lld'
         foreign "x86, 32 bit, SSE2" i686-unknown-linux-musl check ''
         wanted "x87 is refused" && beside refused "x87 is refused"
+    else
+        not_applicable "x86, 32 bit, SSE2" "the processor is no x86-64"
     fi
     export CARGO_TARGET_AARCH64_UNKNOWN_LINUX_MUSL_RUSTFLAGS='-C linker=rust-lld -C linker-flavor=ld.lld'
     if need qemu-aarch64 qemu-user; then
@@ -261,10 +254,11 @@ fi
 
 wait
 verdict() { find "$rows" -name "$1" | wc -l; }
-for row in "$rows"/*/; do cat "$row"/{same,failed,skipped} 2>/dev/null; done >>"$table"
+for row in "$rows"/*/; do cat "$row"/{same,failed,skipped,not_applicable} 2>/dev/null; done >>"$table"
 printf '\n'
 cat "$table"
-printf '%d rows, %d failed, %d skipped; the table is in %s\n' "$count" "$(verdict failed)" "$(verdict skipped)" \
-    "${table#"$root"/}"
-[ "$(verdict failed)" = 0 ] && [ "$(($(verdict same) + $(verdict skipped)))" = "$count" ] &&
+printf '%d rows, %d failed, %d skipped, %d not applicable; the table is in %s\n' "$count" "$(verdict failed)" \
+    "$(verdict skipped)" "$(verdict not_applicable)" "${table#"$root"/}"
+[ "$(verdict failed)" = 0 ] &&
+    [ "$(($(verdict same) + $(verdict skipped) + $(verdict not_applicable)))" = "$count" ] &&
     { [ "${CI:-}" != true ] || [ "$(verdict skipped)" = 0 ]; }

@@ -4,7 +4,7 @@
 //!
 //! 1. [`cli`] is the command line; each file of [`commands`] is one subcommand, [`failure`] how one ends badly.
 //! 2. [`report`] writes the report folder; [`plot`], [`section`], [`table`] and [`trace`] draw, print and store results,
-//!    [`staging`] keeps half-written files away.
+//!    pictures in a [`picture_format`], [`staging`] keeps half-written files away.
 //! 3. [`validation`] compares runs with the [`paper`], by the four [`quantity`]s of its table, [`comparison`] with a
 //!    measured trace, [`calibration`] searches; a [`reading`] is what a laboratory's instruments see of a run.
 //! 4. [`studies`] change one thing of a drop at a time, beside what the paper says of it.
@@ -23,6 +23,7 @@ pub mod identification;
 pub mod interrupt;
 pub mod json;
 pub mod paper;
+pub mod picture_format;
 pub mod place;
 pub mod plot;
 pub mod presets;

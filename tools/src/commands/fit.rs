@@ -23,6 +23,7 @@ use crate::identification::files::{Curves, Reading, Source};
 use crate::identification::material::{Identified, given};
 use crate::identification::trial::Trial;
 use crate::identification::{Identification, Request, json, table};
+use crate::picture_format::PictureFormat;
 use crate::{json as text_json, plot, scenario_file, staging};
 
 /// Fit hyperelastic laws and Prony series to material tests, and write the material
@@ -59,6 +60,9 @@ pub struct Options {
     /// Write material files and pictures to this folder
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
+    /// Format of the pictures in that folder
+    #[arg(long, value_enum, default_value = "svg")]
+    pictures: PictureFormat,
     /// Print JSON in SI units instead of the tables
     #[arg(long)]
     json: bool,
@@ -215,7 +219,9 @@ pub fn carry_out(options: &Options) -> Result<String, Failure> {
     if options.out.is_some() {
         let identified = Identified::new(&identification, &given)?;
         let mut files = identified.files()?;
-        files.extend(plot::identification(&identification)?.into_iter().map(|(name, svg)| (name, svg.into_bytes())));
+        for (name, svg) in plot::identification(&identification)? {
+            files.push((format!("{name}.{}", options.pictures.extension()), options.pictures.file(svg)?));
+        }
         files.push(("fit.json".into(), text_json::text(&json::of_identification(&identification)).into_bytes()));
         let written = options.write(files)? + &options.try_out(&identified)?;
         if !options.json {

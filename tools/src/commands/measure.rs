@@ -31,8 +31,8 @@ pub struct Options {
     /// Write the force as it is read, in SI units
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
-    /// Write the force over time, and the measured one over it, as an SVG picture
-    #[arg(long, value_name = "FILE.svg")]
+    /// Write the force over time, and the measured one over it, as a picture, SVG or PNG by the name
+    #[arg(long, value_name = "FILE.svg|FILE.png")]
     plot: Option<PathBuf>,
     /// Print JSON in SI units instead of the tables
     #[arg(long)]
@@ -96,7 +96,7 @@ impl Options {
             if let Some(comparison) = comparison {
                 curves.push(("measured".into(), comparison.measured.since_onset(comparison.threshold)));
             }
-            files.push((path.as_path(), plot::forces("Force over time", curves)?.into_bytes()));
+            files.push((path.as_path(), output_files::picture(path, plot::forces("Force over time", curves)?)?));
         }
         Ok(files)
     }

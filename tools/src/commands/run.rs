@@ -24,8 +24,8 @@ pub struct Options {
     /// Write the trace, a line per 50 us force sample, in SI units
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
-    /// Write force over time and over deformation as an SVG picture
-    #[arg(long, value_name = "FILE.svg")]
+    /// Write force over time and over deformation as a picture, SVG or PNG by the name
+    #[arg(long, value_name = "FILE.svg|FILE.png")]
     plot: Option<PathBuf>,
     /// Write the section as a series for ParaView into this folder, impact.pvd and its VTU files, in SI units; a series that
     /// stands there is replaced
@@ -77,7 +77,7 @@ impl Options {
         }
         if let Some(path) = &self.plot {
             let shown = Shown { label: label(run), run, experiment: None };
-            files.push((path.as_path(), plot::force_time_and_deformation(&[shown])?.into_bytes()));
+            files.push((path.as_path(), output_files::picture(path, plot::force_time_and_deformation(&[shown])?)?));
         }
         Ok(files)
     }

@@ -11,6 +11,7 @@ use softanvil_kernel::Scenario;
 
 use super::drop_options::DropOptions;
 use crate::failure::Failure;
+use crate::picture_format::PictureFormat;
 use crate::run::Drop;
 use crate::studies::case::Case;
 use crate::studies::page::{Page, overview};
@@ -37,6 +38,9 @@ pub struct Options {
     /// Write table, CSV and picture to this folder; every simulation is a line of the CSV as soon as it is done
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
+    /// Format of the picture in that folder
+    #[arg(long, value_enum, default_value = "svg")]
+    pictures: PictureFormat,
     /// Threads [default: one per core]
     #[arg(long, value_name = "N", default_value_t = 0, hide_default_value = true)]
     threads: usize,
@@ -111,7 +115,7 @@ impl Options {
         let journal = csv.as_deref().map(|path| Journal::new(path, study)).transpose()?;
         let page = Page::new(sweep(study, scenario, cases, stop, journal)?, subject(scenario));
         if let Some(folder) = &self.out {
-            write(folder, &page)?;
+            write(folder, &page, self.pictures)?;
         }
         Ok(page)
     }
@@ -127,7 +131,7 @@ impl Options {
                 _ => json::text(&Value::Array(pages.iter().map(Page::json).collect())),
             });
         }
-        let texts = pages.iter().map(|page| if self.markdown { page.markdown() } else { page.text() });
+        let texts = pages.iter().map(|page| if self.markdown { page.markdown(self.pictures) } else { page.text() });
         let mut text = texts.collect::<Vec<_>>().join("\n");
         if let (Some(folder), false) = (&self.out, self.markdown) {
             let _ = writeln!(text, "written: {}", folder.display());
@@ -154,13 +158,13 @@ fn subject(scenario: &Scenario) -> String {
 }
 
 /// Writes the files of a study.
-fn write(folder: &Path, page: &Page) -> Result<(), Failure> {
+fn write(folder: &Path, page: &Page, pictures: PictureFormat) -> Result<(), Failure> {
     let name = |extension: &str| folder.join(format!("{}.{extension}", page.name()));
     let csv = page.csv().map_err(|error| Failure::writing(&name("csv"), error))?;
     // In order now, whichever simulation ended first.
     put(&name("csv"), csv)?;
-    put(&name("svg"), page.svg()?.into_bytes())?;
-    put(&name("md"), page.markdown().into_bytes())
+    put(&name(pictures.extension()), pictures.file(page.svg()?)?)?;
+    put(&name("md"), page.markdown(pictures).into_bytes())
 }
 
 fn put(path: &Path, content: Vec<u8>) -> Result<(), Failure> {

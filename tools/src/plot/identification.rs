@@ -54,14 +54,13 @@ struct Line {
 ///
 /// # Errors
 /// What the drawing library refuses.
-pub fn pictures(identification: &Identification) -> Result<Vec<(String, String)>, PlotError> {
+pub fn pictures(identification: &Identification) -> Result<Vec<(&'static str, String)>, PlotError> {
     let mut pictures = Vec::new();
     for curves in &identification.curves {
-        let name = format!("{}.svg", curves.data.mode.name());
-        pictures.push((name, draw(&of_curves(identification, curves))?));
+        pictures.push((curves.data.mode.name(), draw(&of_curves(identification, curves))?));
     }
     if let Some(relaxed) = &identification.relaxed {
-        pictures.push(("relaxation.svg".into(), draw(&of_relaxation(relaxed))?));
+        pictures.push(("relaxation", draw(&of_relaxation(relaxed))?));
     }
     Ok(pictures)
 }

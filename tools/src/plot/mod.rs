@@ -38,9 +38,16 @@ pub struct Shown<'a> {
 #[error("the picture cannot be drawn: {0}")]
 pub struct PlotError(String);
 
+impl PlotError {
+    /// The reason that a library gives.
+    pub(crate) fn new(reason: impl ToString) -> Self {
+        Self(reason.to_string())
+    }
+}
+
 impl<E: std::error::Error + Send + Sync> From<plotters::drawing::DrawingAreaErrorKind<E>> for PlotError {
     fn from(error: plotters::drawing::DrawingAreaErrorKind<E>) -> Self {
-        Self(error.to_string())
+        Self::new(error)
     }
 }
 

@@ -8,6 +8,7 @@ use std::path::Path;
 use serde_json::{Value, json};
 
 use crate::failure::Failure;
+use crate::picture_format::PictureFormat;
 use crate::place::{Kind, Place};
 use crate::plot::{self, Shown};
 use crate::section::picture::{self, Shot};
@@ -42,12 +43,12 @@ pub struct Content<'a> {
     pub films: &'a [Film],
 }
 
-/// Writes the report at `place`, complete or not at all; returns the names of its files.
+/// Writes the report at `place`, complete or not at all, its pictures in this format; returns the names of its files.
 ///
 /// # Errors
 /// A file that cannot be written.
-pub fn write(content: &Content, place: Place) -> Result<Vec<String>, Failure> {
-    let files = files(content)?;
+pub fn write(content: &Content, pictures: PictureFormat, place: Place) -> Result<Vec<String>, Failure> {
+    let files = files(content, pictures)?;
     let failed = |error: std::io::Error| Failure::writing(place.path(), error);
     let staged = staging::stage_folder(place.path()).map_err(failed)?;
     for (name, content) in &files {
@@ -58,10 +59,12 @@ pub fn write(content: &Content, place: Place) -> Result<Vec<String>, Failure> {
 }
 
 /// Names and contents of the files.
-fn files(content: &Content) -> Result<Vec<(String, Vec<u8>)>, Failure> {
+fn files(content: &Content, format: PictureFormat) -> Result<Vec<(String, Vec<u8>)>, Failure> {
     let validation = content.validation;
     let mut files = vec![("report.html".into(), page::html(content)?)];
-    files.extend(pictures(content)?.into_iter().map(|(name, svg)| (format!("{name}.svg"), svg.into_bytes())));
+    for (name, svg) in pictures(content)? {
+        files.push((format!("{name}.{}", format.extension()), format.file(svg)?));
+    }
     files.push(("table.txt".into(), table::of_validation(validation).into()));
     files.push(("scenario.toml".into(), scenario_file::to_toml(&(validation.preset.scenario)()).into()));
     for case in &validation.cases {

@@ -7,6 +7,7 @@ mod levels;
 mod mesh;
 pub mod paraview;
 pub mod picture;
+mod vtu;
 
 pub use contour::nodal_means;
 pub use film::{Film, Moment, SHADES, Shade};

@@ -9,11 +9,8 @@ use quick_xml::events::{BytesDecl, BytesText, Event};
 use softanvil_kernel::field;
 use softanvil_kernel::{FIELDS, Field, ModelError, Simulation};
 use tempfile::TempDir;
-use vtkio::model::{
-    Attribute, Attributes, ByteOrder, CellType, Cells, DataArray, DataSet, ElementType, UnstructuredGridPiece, Version,
-    VertexNumbers, Vtk,
-};
 
+use super::vtu::{Array, Cell, Grid};
 use super::{Frame, Mesh};
 use crate::failure::Failure;
 use crate::place::{Kind, Place};
@@ -90,10 +87,7 @@ impl Series {
 /// Why a file could not be made.
 #[derive(Debug, thiserror::Error)]
 pub enum SeriesError {
-    /// A VTU file.
-    #[error("{0}")]
-    Vtk(#[from] vtkio::Error),
-    /// The PVD file, or the file system.
+    /// XML, or the file system.
     #[error("{0}")]
     Io(#[from] std::io::Error),
     /// The simulation's memory.
@@ -114,9 +108,9 @@ fn names(number: usize) -> [String; 2] {
 /// The files of one frame, which holds [`fields`].
 ///
 /// # Errors
-/// What the VTK library refuses.
+/// What the XML library refuses.
 fn files(mesh: &Mesh, frame: &Frame) -> Result<[Vec<u8>; 2], SeriesError> {
-    Ok([text(section(mesh, frame))?, text(impactor(mesh, frame))?])
+    Ok([section(mesh, frame).file()?, impactor(mesh, frame).file()?])
 }
 
 /// The PVD file of frames at these times, s.
@@ -158,50 +152,46 @@ fn listed_files(folder: &Path) -> Vec<String> {
     }
 }
 
-fn section(mesh: &Mesh, frame: &Frame) -> UnstructuredGridPiece {
+fn section(mesh: &Mesh, frame: &Frame) -> Grid {
     let displacement = frame.values("node.displacement").chunks_exact(2);
     let points = mesh.reference.iter().zip(displacement).flat_map(|(rest, u)| [rest[0] + u[0], rest[1] + u[1], 0.0]);
-    let mut data = Attributes::new();
+    let (mut point_data, mut cell_data) = (Vec::new(), Vec::new());
     for field in fields() {
-        let values = frame.values(field.name);
-        let (name, values) = (short(field), in_space(field, values));
-        match field.place {
-            field::Place::Node => data.point.push(array(name, values.1, values.0)),
-            field::Place::Element => data.cell.push(array(name, values.1, values.0)),
+        let (mut values, components) = in_space(field, frame.values(field.name));
+        if field.place == field::Place::Surface {
             // Inside the layer there is no contact.
-            field::Place::Surface => {
-                let mut everywhere = vec![0.0; mesh.first_of_surface() * values.1];
-                everywhere.extend(values.0);
-                data.point.push(array(name, values.1, everywhere));
-            }
+            values.splice(..0, vec![0.0; mesh.first_of_surface() * components]);
         }
+        let data = if field.place == field::Place::Element { &mut cell_data } else { &mut point_data };
+        data.push(Array { name: short(field), components, values });
     }
-    UnstructuredGridPiece {
-        points: points.collect::<Vec<f64>>().into(),
-        cells: cells(CellType::Triangle, mesh.triangles.iter().map(<[usize; 3]>::as_slice)),
-        data,
+    Grid {
+        points: points.collect(),
+        kind: Cell::Triangle,
+        cells: mesh.triangles.iter().map(|triangle| triangle.to_vec()).collect(),
+        point_data,
+        cell_data,
     }
 }
 
 /// The face as a line, with its force.
-fn impactor(mesh: &Mesh, frame: &Frame) -> UnstructuredGridPiece {
+fn impactor(mesh: &Mesh, frame: &Frame) -> Grid {
     let impactor = &mesh.constants.scenario.impactor;
     let (left, right) =
         (impactor.offset - 0.5 * impactor.face_diameter, impactor.offset + 0.5 * impactor.face_diameter);
     let left = if mesh.is_half() { 0.0 } else { left };
     let height = mesh.constants.top_height + frame.face();
-    let mut data = Attributes::new();
-    for (name, value) in [
+    let motion = [
         ("contact_force", frame.scalars.sampler.last.contact_force),
         ("velocity", frame.scalars.impactor.velocity(mesh.constants.dt)),
         ("position", frame.face()),
-    ] {
-        data.cell.push(array(name, 1, vec![value]));
-    }
-    UnstructuredGridPiece {
-        points: vec![left, height, 0.0, right, height, 0.0].into(),
-        cells: cells(CellType::Line, [[0, 1].as_slice()].into_iter()),
-        data,
+    ];
+    Grid {
+        points: vec![left, height, 0.0, right, height, 0.0],
+        kind: Cell::Line,
+        cells: vec![vec![0, 1]],
+        point_data: Vec::new(),
+        cell_data: motion.map(|(name, value)| Array { name, components: 1, values: vec![value] }).into(),
     }
 }
 
@@ -219,35 +209,4 @@ fn in_space(field: &Field, values: &[f64]) -> (Vec<f64>, usize) {
         4 => (places.flat_map(|v| [v[0], v[1], v[3], v[2], 0.0, 0.0]).collect(), 6),
         _ => (values.to_vec(), components),
     }
-}
-
-fn array(name: &str, components: usize, values: Vec<f64>) -> Attribute {
-    let elem = match components {
-        1 => ElementType::Scalars { num_comp: 1, lookup_table: None },
-        n => ElementType::Generic(n as u32),
-    };
-    Attribute::DataArray(DataArray { name: name.into(), elem, data: values.into() })
-}
-
-fn cells<'a>(kind: CellType, nodes: impl Iterator<Item = &'a [usize]>) -> Cells {
-    let (mut connectivity, mut offsets, mut types) = (Vec::new(), Vec::new(), Vec::new());
-    for nodes in nodes {
-        connectivity.extend(nodes.iter().map(|node| *node as u64));
-        offsets.push(connectivity.len() as u64);
-        types.push(kind);
-    }
-    Cells { cell_verts: VertexNumbers::XML { connectivity, offsets }, types }
-}
-
-fn text(piece: UnstructuredGridPiece) -> Result<Vec<u8>, SeriesError> {
-    let vtk = Vtk {
-        version: Version::new(),
-        title: String::new(),
-        byte_order: ByteOrder::LittleEndian,
-        data: DataSet::inline(piece),
-        file_path: None,
-    };
-    let mut text = Vec::new();
-    vtk.write_xml(&mut text)?;
-    Ok(text)
 }

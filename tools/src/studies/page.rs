@@ -7,6 +7,7 @@ use serde_json::{Map, Value, json};
 
 use super::columns::{self, COLUMNS};
 use super::results::Results;
+use crate::picture_format::PictureFormat;
 use crate::plot::{self, PlotError, StudyLine};
 use crate::table;
 
@@ -127,8 +128,8 @@ impl Page {
         text
     }
 
-    /// For the documentation; the picture is expected beside the page.
-    pub fn markdown(&self) -> String {
+    /// For the documentation; the picture is expected beside the page, in this format.
+    pub fn markdown(&self, pictures: PictureFormat) -> String {
         let study = self.results.study;
         let mut text = format!("# {}\n\n{}\n\n{}\n", study.title, study.about, self.subject);
         for sheet in self.sheets() {
@@ -140,7 +141,7 @@ impl Page {
         for note in &self.evaluation.notes {
             let _ = writeln!(text, "* {note}");
         }
-        let _ = write!(text, "\n![{}]({}.svg)\n\n", study.title, study.name);
+        let _ = write!(text, "\n![{}]({}.{})\n\n", study.title, study.name, pictures.extension());
         let _ = writeln!(
             text,
             "Every simulation is a line of [{name}.csv]({name}.csv). Made by `softanvil study {name}`.",

@@ -89,7 +89,7 @@ fn refused_readings_say_what_is_legal() {
         (&["--noise", "-3"], "--noise = -3 N is refused: legal is 0 N or more"),
         (&["--calibration-error", "nan"], "--calibration-error = NaN % is refused"),
         (&["--trace", "none.csv"], "none.csv cannot be read"),
-        (&["--plot", "a.png"], "legal is a file name that ends in .svg"),
+        (&["--plot", "a.jpg"], "legal is a file name that ends in .svg or .png"),
     ] {
         let error = fail(folder.path(), &[&["measure"], options].concat(), 2);
         assert!(error.contains(message), "{error}");

@@ -18,7 +18,7 @@ const REFUSED: &[(&[&str], &[&str])] = &[
     (&["scenario", "--preset", ""], &["--preset <NAME>", "study"]),
     (&["run", "--scenario", "missing.toml"], &["missing.toml"]),
     (&["run", "--scenario", "."], &["."]),
-    (&["run", "--plot", "force.png"], &["force.png", ".svg"]),
+    (&["run", "--plot", "force.jpg"], &["force.jpg", ".svg or .png"]),
     (&["run", "--csv", "a.svg", "--plot", "a.svg"], &["a.svg", "--csv"]),
     (&["--out", "a", "validate"], &["--out <DIR>"]),
     (&["run", "--unknown"], &["--unknown"]),
