@@ -4,76 +4,138 @@
 //! surface at the end of the step, the tangential one stops it within the limit of Coulomb's law.
 
 use crate::face::{Contact, limited};
-use crate::math;
-use crate::model::{Model, core_radius};
+use crate::lanes::{LANES, Lane, ZERO, lanes, lanes_mut, sum};
+use crate::model::{Constants, Model, core_radius};
 use crate::real::Real;
 use crate::scenario::Interface;
-use crate::state::State;
+use crate::state::{State, StateNodes};
+use crate::vector::{Instructions, Vector};
 
 /// What the core does in one step: its upward force on the section, N, and the energy it takes.
-pub(crate) fn react(model: &Model, state: &mut State) -> Contact {
-    let nodes = 0..=model.constants.grid.n_u;
-    let mut contact = Contact::default();
+#[inline(always)]
+pub(crate) fn react<S: Instructions>(set: S, model: &Model, state: &mut State) -> Contact {
     match model.constants.scenario.core.interface {
         // The core balances the forces on nodes that are fixed.
         Interface::Bonded => {
-            let forces = state.nodes.force_y.get(nodes).unwrap_or_default();
-            contact.normal_force = forces.iter().fold(0.0, |sum, force| sum - force);
+            let forces = state.nodes.force_y.get(..=model.constants.grid.n_u).unwrap_or_default();
+            Contact { normal_force: forces.iter().fold(0.0, |sum, force| sum - force), ..Contact::default() }
         }
-        Interface::Frictional | Interface::Sliding => {
-            for node in nodes {
-                touch(model, state, node, &mut contact);
+        Interface::Frictional | Interface::Sliding => match Base::of(model, &mut state.nodes) {
+            Some(mut base) => base.touch(set, model.constants),
+            None => Contact::default(),
+        },
+    }
+}
+
+/// The nodes at the core, in lanes of as many numbers each; x before y.
+struct Base<'s> {
+    mass: &'s [Lane],
+    inverse_mass: [&'s [Lane]; 2],
+    reference: [&'s [Lane]; 2],
+    displacement: [&'s [Lane]; 2],
+    velocity: [&'s [Lane]; 2],
+    force: [&'s mut [Lane]; 2],
+}
+
+/// Forces of the core on neighbouring nodes, N, its outward normal below them, and the velocities before the forces, m/s.
+struct Touch<V> {
+    pressure: V,
+    shear: V,
+    normal: [V; 2],
+    before: [V; 2],
+}
+
+impl<'s> Base<'s> {
+    /// None if a row is too short, which the sizes of [`crate::mesh::Grid`] exclude.
+    #[inline(always)]
+    fn of(model: &'s Model, nodes: &'s mut StateNodes) -> Option<Self> {
+        let (fixed, count) = (&model.nodes, model.constants.grid.stride() / LANES);
+        Some(Self {
+            mass: lanes(fixed.nodal_mass, 0, count)?,
+            inverse_mass: [lanes(fixed.inverse_mass_x, 0, count)?, lanes(fixed.inverse_mass_y, 0, count)?],
+            reference: [lanes(fixed.reference_x, 0, count)?, lanes(fixed.reference_y, 0, count)?],
+            displacement: [lanes(nodes.displacement_x, 0, count)?, lanes(nodes.displacement_y, 0, count)?],
+            velocity: [lanes(nodes.velocity_x, 0, count)?, lanes(nodes.velocity_y, 0, count)?],
+            force: [lanes_mut(nodes.force_x, 0, count)?, lanes_mut(nodes.force_y, 0, count)?],
+        })
+    }
+
+    /// Adds the forces of the core to those of nodes that may slide and, unless they are on rollers, lift.
+    #[inline(always)]
+    fn touch<S: Instructions>(&mut self, set: S, constants: &Constants) -> Contact {
+        let (mut total, mut catching, mut sliding) = (ZERO, [ZERO; 2], [ZERO; 2]);
+        let zero = set.splat(0.0);
+        for i in 0..self.mass.len() {
+            for chunk in 0..LANES / S::WIDTH {
+                let Touch { pressure, shear, normal, before } = self.forces(set, constants, i, chunk);
+                let pull = [pressure * normal[0] + shear * normal[1], pressure * normal[1] - shear * normal[0]];
+                let mut after = before;
+                for axis in 0..2 {
+                    let force = set.load(&self.force[axis][i], chunk) + pull[axis];
+                    set.store(force, &mut self.force[axis][i], chunk);
+                    after[axis] =
+                        before[axis] + (set.load(&self.inverse_mass[axis][i], chunk) * force).times(constants.dt);
+                }
+                set.add(pull[1], &mut total, chunk);
+                for (half, velocity) in [before, after].into_iter().enumerate() {
+                    let outwards = velocity[0] * normal[0] + velocity[1] * normal[1];
+                    let along = velocity[0] * normal[1] - velocity[1] * normal[0];
+                    set.add(zero - pressure * outwards, &mut catching[half], chunk);
+                    set.add(zero - shear * along, &mut sliding[half], chunk);
+                }
             }
         }
+        let energy = |lanes: [Lane; 2]| lanes.map(|lane| 0.5 * constants.dt * sum(&lane));
+        Contact { normal_force: sum(&total), catching: energy(catching), sliding: energy(sliding) }
     }
-    contact
+
+    /// The forces on some nodes of lane `i`; none on padding, which has no mass.
+    #[inline(always)]
+    fn forces<S: Instructions>(&self, set: S, constants: &Constants, i: usize, chunk: usize) -> Touch<S::Vector> {
+        let (core, inverse_dt) = (&constants.scenario.core, 1.0 / constants.dt);
+        let rollers = core.interface == Interface::Sliding;
+        let (zero, mass) = (set.splat(0.0), set.load(&self.mass[i], chunk));
+        let inverse = self.inverse_mass.map(|row| set.load(&row[i], chunk));
+        let before = self.velocity.map(|row| set.load(&row[i], chunk));
+        let (x, y) = (self.place(set, 0, i, chunk), self.place(set, 1, i, chunk));
+        let (normal, depth) = surface_normal(set, core_radius(&constants.scenario), x, y);
+        let change = |axis: usize| (inverse[axis] * set.load(&self.force[axis][i], chunk)).times(constants.dt);
+        let free = [before[0] + change(0), before[1] + change(1)];
+        // On the centre line the normal is vertical, so the fixed direction takes no part in it.
+        let approach = depth.times(inverse_dt) - (free[0] * normal[0] + free[1] * normal[1]);
+        let stopping = (mass * approach).times(inverse_dt);
+        let pressure = if rollers { stopping } else { approach.if_greater(zero, stopping, zero) };
+        let along = free[0] * normal[1] - free[1] * normal[0];
+        let shear = if rollers {
+            zero
+        } else {
+            let friction = limited((mass * along).times(-inverse_dt), pressure.times(core.friction_coefficient));
+            inverse[0].if_greater(zero, friction, zero)
+        };
+        Touch { pressure, shear, normal, before }
+    }
+
+    /// Coordinate `axis` of some nodes of lane `i`, m.
+    #[inline(always)]
+    fn place<S: Instructions>(&self, set: S, axis: usize, i: usize, chunk: usize) -> S::Vector {
+        set.load(&self.reference[axis][i], chunk) + set.load(&self.displacement[axis][i], chunk)
+    }
 }
 
-/// A node that may slide and, unless it is on rollers, lift.
-fn touch(model: &Model, state: &mut State, node: usize, contact: &mut Contact) -> Option<()> {
-    let dt = model.constants.dt;
-    let nodes = &mut state.nodes;
-    let (x, y) = (
-        model.nodes.reference_x.get(node)? + nodes.displacement_x.get(node)?,
-        model.nodes.reference_y.get(node)? + nodes.displacement_y.get(node)?,
-    );
-    let (normal, depth) = surface_normal(model, x, y);
-    let (force_x, force_y) = (nodes.force_x.get_mut(node)?, nodes.force_y.get_mut(node)?);
-    let before = [*nodes.velocity_x.get(node)?, *nodes.velocity_y.get(node)?];
-    let inverse = [*model.nodes.inverse_mass_x.get(node)?, *model.nodes.inverse_mass_y.get(node)?];
-    let mass = *model.nodes.nodal_mass.get(node)?;
-    let free = [before[0] + dt * inverse[0] * *force_x, before[1] + dt * inverse[1] * *force_y];
-    // On the centre line the normal is vertical, so the fixed direction takes no part in it.
-    let approach = depth / dt - (free[0] * normal[0] + free[1] * normal[1]);
-    let sliding = model.constants.scenario.core.interface == Interface::Sliding;
-    let pressure = if approach > 0.0 || sliding { mass * approach / dt } else { 0.0 };
-    let along = free[0] * normal[1] - free[1] * normal[0];
-    let shear = if inverse[0] > 0.0 && !sliding {
-        limited(-mass * along / dt, model.constants.scenario.core.friction_coefficient * pressure)
-    } else {
-        0.0
-    };
-    let (pull_x, pull_y) = (pressure * normal[0] + shear * normal[1], pressure * normal[1] - shear * normal[0]);
-    *force_x += pull_x;
-    *force_y += pull_y;
-    contact.normal_force += pull_y;
-    let after = [before[0] + dt * inverse[0] * *force_x, before[1] + dt * inverse[1] * *force_y];
-    for (half, velocity) in [before, after].into_iter().enumerate() {
-        let speed_normal = velocity[0] * normal[0] + velocity[1] * normal[1];
-        let speed_along = velocity[0] * normal[1] - velocity[1] * normal[0];
-        contact.catching[half] -= 0.5 * dt * pressure * speed_normal;
-        contact.sliding[half] -= 0.5 * dt * shear * speed_along;
-    }
-    Some(())
-}
-
-/// Outward normal of the core below (x, y), and how deep the point lies in the core, m.
-fn surface_normal(model: &Model, x: Real, y: Real) -> ([Real; 2], Real) {
-    match core_radius(&model.constants.scenario) {
+/// Outward normal of the core of some radius, m, below (x, y), and how deep the point lies in the core, m; of a flat one
+/// without a radius.
+#[inline(always)]
+fn surface_normal<S: Instructions>(
+    set: S,
+    radius: Option<Real>,
+    x: S::Vector,
+    y: S::Vector,
+) -> ([S::Vector; 2], S::Vector) {
+    match radius {
         Some(radius) => {
-            let distance = math::larger(math::sqrt(x * x + y * y), Real::MIN_POSITIVE);
-            ([x / distance, y / distance], radius - distance)
+            let distance = (x * x + y * y).square_root().larger(set.splat(Real::MIN_POSITIVE));
+            ([x / distance, y / distance], set.splat(radius) - distance)
         }
-        None => ([0.0, 1.0], -y),
+        None => ([set.splat(0.0), set.splat(1.0)], y.times(-1.0)),
     }
 }

@@ -73,7 +73,7 @@ fn advance<S: Instructions>(set: S, model: &Model, state: &mut State, input: &St
     let mut energy = ElementEnergy::ZERO;
     internal_forces(set, model, state, &mut energy)?;
     stability::monitor(set, model, state)?;
-    let core = core_contact::react(model, state);
+    let core = core_contact::react(set, model, state);
     let prediction = state.scalars.impactor.predict(model, input, state.scalars.step_index);
     let before = state.scalars.impactor.velocity_half;
     let face = face::contact(set, model, state, &prediction);
