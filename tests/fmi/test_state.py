@@ -104,8 +104,8 @@ def test_reset_gives_a_new_instance(slave, uninterrupted):
 
 
 def test_reset_after_an_unstable_run(slave, uninterrupted):
-    """A step just below the limit at rest is above that of the compressed layer."""
-    slave.start(time__safety_factor=1.0, impactor__drop_energy=1e3, impactor__mass=5.0)
+    """A step that is stable at rest is above the limit of the compressed layer."""
+    slave.start(time__step_by=1, time__step=5e-6, impactor__drop_energy=1e3, impactor__mass=5.0)
     with pytest.raises(FMICallException):
         slave.run(WHOLE)
     status, category, text = slave.messages[-1]

@@ -11,6 +11,8 @@ const FORCE: u32 = 3000;
 const MASS: u32 = 1101;
 const FACTOR: u32 = 1601;
 const ENERGY: u32 = 1107;
+const STEP_BY: u32 = 1600;
+const STEP: u32 = 1602;
 const MOTION: u32 = 1100;
 const ELEMENT_SIZE: u32 = 1500;
 const POSITION: u32 = 3200;
@@ -364,7 +366,9 @@ fn start_values_and_first_results_can_be_read_after_instantiation() {
 #[test]
 fn a_failed_step_leads_to_an_instance_that_can_be_reset_or_restored() {
     let mut instance = Instance::new(Version::Fmi2);
-    instance.set_reals([(FACTOR, 1.0), (ENERGY, 1000.0)].into_iter()).unwrap();
+    // The step of the study's own drop, at far more than its energy.
+    instance.set_choices([(STEP_BY, 1)].into_iter()).unwrap();
+    instance.set_reals([(STEP, 5e-6), (ENERGY, 1000.0)].into_iter()).unwrap();
     instance.enter_initialization();
     instance.exit_initialization().unwrap();
     let saved = instance.save().unwrap();

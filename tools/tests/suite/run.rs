@@ -119,8 +119,12 @@ fn help_and_version_are_no_errors() {
 #[test]
 fn a_step_that_fails_is_exit_code_1_and_writes_nothing() {
     let folder = tempfile::tempdir().unwrap();
-    // Fifty times the study's speed turns elements inside out.
-    let arguments = ["run", "--speed", "100", "--csv", "trace.csv"];
+    // The step of the study's own drop, at forty times its energy.
+    let given = tempfile::tempdir().unwrap();
+    let path = given.path().join("given.toml");
+    std::fs::write(&path, "[time]\nstep_by = \"given\"\nstep = 5e-6\n").unwrap();
+    let scenario = path.to_str().unwrap();
+    let arguments = ["run", "--scenario", scenario, "--energy", "600", "--csv", "trace.csv"];
     let output = softanvil(folder.path(), &arguments);
     assert_eq!(output.status.code(), Some(1));
     let line = fail(folder.path(), &arguments, 1);
