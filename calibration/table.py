@@ -19,7 +19,7 @@ PROTOCOLS = {
     "without-4.9": "(c) without 4.9 J",
     "without-deformation-9.8": "(d) without the 9.8 J deformation",
 }
-# Each preset with the protocol whose result, rounded, it is.
+# Each preset with the protocol near whose result it is.
 PRESETS = {"study": "all", "study-incompressible": "incompressible", "study-14.7": "only-14.7"}
 QUANTITIES = {
     "peak_force": "peak force",
@@ -85,7 +85,7 @@ def main(program, folder):
     rows = [summary_row("LS-DYNA, as printed in the study", ls_dyna)]
     rows += [summary_row(label, results[name]["impacts"]) for name, label in PROTOCOLS.items()]
     for name, cases in presets.items():
-        rows.append(summary_row(f"preset `{name}`, `{PRESETS[name]}.toml` rounded", of_validation(cases, "error_percent")))
+        rows.append(summary_row(f"preset `{name}`, near `{PRESETS[name]}.toml`", of_validation(cases, "error_percent")))
     for row in rows[0], *rows[-len(presets) :]:
         row[2] = row[3] = ""
     shown = {"LS-DYNA": ls_dyna, **{PROTOCOLS[name].split(" ")[0] + " " + name: results[name]["impacts"] for name in PROTOCOLS}}

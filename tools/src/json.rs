@@ -23,6 +23,7 @@ pub fn of_run(run: &Run) -> Value {
     }
     object.insert("steps".into(), run.end().step_index.into());
     object.insert("dt".into(), run.constants.dt.into());
+    object.insert("design_stretch".into(), run.constants.design_stretch.into());
     object.insert("elements".into(), run.constants.grid.n_elem().into());
     object.insert("trace_hash".into(), run.trace_hash().into());
     Value::Object(object)

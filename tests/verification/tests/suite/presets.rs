@@ -17,7 +17,7 @@ fn poissons_ratio(material: &Material, shear_modulus: f64) -> f64 {
 fn moduli_are_those_of_the_documents() {
     for (scenario, moduli, ratios) in [
         (study(), ["0.50", "15.0"], ["0.490", "0.25"]),
-        (study_14_7(), ["0.31", "2.4"], ["0.490", "0.43"]),
+        (study_14_7(), ["0.31", "2.9"], ["0.490", "0.41"]),
         (study_incompressible(), ["0.56", "11.2"], ["0.499", "0.47"]),
     ] {
         let silicone = &scenario.silicone;
