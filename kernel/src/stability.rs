@@ -4,8 +4,9 @@
 //! bounded by that of its parts (Irons and Treharne 1971). The parts here are the cells, with a quarter of their mass at
 //! each corner: their two triangles share a pressure, and a cell's bound is closer than a triangle's. `cell_bound.rs` tells
 //! how it is found. The tangents of a cell are majorants of those of its laws with the geometric stiffness of their stresses
-//! ([`crate::material`]): against the true highest frequency of meshes in random states of all laws the limit is above
-//! by a few per cent at most, and far below in most (`tests/verification/tests/suite/frequency.rs`).
+//! ([`crate::material`]): against the true highest frequency of meshes in random states of all laws the limit is a bound,
+//! except where a large overstress has not begun to relax, by less than the default safety factor takes off
+//! (`tests/verification/tests/suite/frequency.rs`).
 
 use crate::cell_bound::{CellMatrix, CellStiffness, cell_matrix, limit_squared, unstable};
 use crate::element::{Block, CellConstants, CellHistory, HoopConstants};
