@@ -15,7 +15,7 @@ use crate::scenario::{Formulation, Interface, Scenario, Section};
 use crate::storage::{MODEL_NODE_FIELDS, ModelArrays, Size, split_row};
 
 /// Fills `arrays` with the model of `scenario` whose nodes rest at `position(u, v)`, m, and gives its constants, for steps
-/// of a sampling interval until [`Constants::with_step`] says otherwise.
+/// of a sampling interval until [`Constants::set_step`] says otherwise.
 ///
 /// # Errors
 /// A cell without area, too little memory, or a channel that is refused.

@@ -37,10 +37,12 @@ pub struct Constants {
 }
 
 impl Constants {
-    /// The same for steps of `dt` s, `steps_per_sample` of them in a sampling interval.
-    pub(crate) fn with_step(self, dt: Real, steps_per_sample: u32) -> Self {
-        let laws = self.scenario.layers().map(|layer| Laws::new(layer.material, dt));
-        Self { dt, steps_per_sample, laws, ..self }
+    /// Goes over to steps of `dt` s, `steps_per_sample` of them in a sampling interval.
+    pub(crate) fn set_step(&mut self, dt: Real, steps_per_sample: u32) {
+        (self.dt, self.steps_per_sample) = (dt, steps_per_sample);
+        for (laws, layer) in self.laws.iter_mut().zip(self.scenario.layers()) {
+            *laws = Laws::new(layer.material, dt);
+        }
     }
 
     /// Mass of the impactor that belongs to the meshed section, kg.

@@ -46,7 +46,7 @@ pub(crate) fn with_chosen_step(
         StepBy::SafetyFactor => Some(foresee(scenario, &grid, position, arrays, state)?),
         StepBy::Given => None,
     };
-    let constants = assemble(scenario, grid, position, arrays)?;
+    let mut constants = assemble(scenario, grid, position, arrays)?;
     let at_rest = Cells::new(&constants, arrays).limit_at_rest();
     let step = match forecast {
         Some(forecast) => scenario.time.safety_factor * margin(forecast.ratio) * forecast.ratio * at_rest,
@@ -56,11 +56,14 @@ pub(crate) fn with_chosen_step(
         None => scenario.time.step,
     };
     let count = steps_per_sample(step)?;
-    let design_stretch = forecast.map_or(1.0, |forecast| forecast.stretch);
-    Ok(Constants { design_stretch, ..constants.with_step(SAMPLING_INTERVAL / count as Real, count) })
+    constants.set_step(SAMPLING_INTERVAL / count as Real, count);
+    constants.design_stretch = forecast.map_or(1.0, |forecast| forecast.stretch);
+    Ok(constants)
 }
 
-/// What a trial of the scenario finds, on a coarse mesh and, if that is not enough, on its own.
+/// What a trial of the scenario finds, on a coarse mesh and, if that is not enough, on its own. Apart, so that its numbers
+/// leave the stack before the model's come.
+#[inline(never)]
 fn foresee(
     scenario: &Scenario,
     grid: &Grid,
@@ -68,18 +71,19 @@ fn foresee(
     arrays: &mut ModelArrays,
     state: &mut StateMemory,
 ) -> Result<Forecast, ModelError> {
-    let mut coarse = *scenario;
+    let (mut tried, motion) = trial::of(scenario);
     let size = scenario.geometry.layer_thickness() / COARSE_ROWS;
-    coarse.mesh.element_size = math::larger(size, scenario.mesh.element_size);
-    let coarse_grid = Grid::new(&coarse)?;
-    if coarse_grid != *grid {
-        let rest = |u, v| reference_position(&coarse, &coarse_grid, u, v);
-        let forecast = trial::run(&coarse, coarse_grid, &rest, arrays, state)?;
+    tried.mesh.element_size = math::larger(size, scenario.mesh.element_size);
+    let coarse = Grid::new(&tried)?;
+    if coarse != *grid {
+        let rest = |u, v| reference_position(&tried, &coarse, u, v);
+        let forecast = trial::run(&tried, &motion, coarse, &rest, arrays, state)?;
         if forecast.ratio >= REPEAT_BELOW {
             return Ok(forecast);
         }
     }
-    trial::run(scenario, *grid, position, arrays, state)
+    tried.mesh.element_size = scenario.mesh.element_size;
+    trial::run(&tried, &motion, *grid, position, arrays, state)
 }
 
 /// Part of the limit that is kept where a trial has found `ratio`.

@@ -45,29 +45,44 @@ const PRESS_SPEED: Real = 0.05;
 /// Deepest that a face is taken to press, as a part of the layer's thickness.
 const DEEPEST: Real = 0.95;
 
-/// Runs the trial of `scenario` on its `grid`, whose nodes rest at `position(u, v)`, m.
+/// The scenario of a trial of `scenario`, and how its impactor moves.
+pub(crate) fn of(scenario: &Scenario) -> (Scenario, TrialMotion) {
+    let (motion, mut trial) = (TrialMotion::new(scenario), *scenario);
+    trial.impactor.gap = 0.0;
+    match motion {
+        TrialMotion::Drop { speed } => {
+            (trial.impactor.drop_by, trial.impactor.drop_speed) = (DropBy::Speed, speed);
+        }
+        TrialMotion::Press { .. } => trial.impactor.motion = Motion::Driven,
+    }
+    (trial, motion)
+}
+
+/// Runs the trial `scenario`, whose impactor moves by `motion`, on its `grid`, whose nodes rest at `position(u, v)`, m.
 ///
 /// # Errors
 /// As [`assemble`], and too little memory for a state.
+#[inline(never)]
 pub(crate) fn run(
     scenario: &Scenario,
+    motion: &TrialMotion,
     grid: Grid,
     position: &dyn Fn(usize, usize) -> [Real; 2],
     arrays: &mut ModelArrays,
     state: &mut StateMemory,
 ) -> Result<Forecast, ModelError> {
-    let motion = TrialMotion::new(scenario);
-    let constants = assemble(&motion.scenario(scenario), grid, position, arrays)?;
+    let constants = assemble(scenario, grid, position, arrays)?;
     let arrays = arrays.first(&constants.size)?;
     let at_rest = Cells::new(&constants, &arrays).limit_at_rest();
-    let mut trial = Trial { smallest: at_rest, stretch: 1.0, constants: constants.with_step(FOLLOWED * at_rest, 1) };
+    let mut trial = Trial { smallest: at_rest, stretch: 1.0, constants };
+    trial.constants.set_step(FOLLOWED * at_rest, 1);
     State::new(&trial.model(&arrays), state.lend())?;
     let (mut time, mut steps) = (0.0, 0);
     while steps < MOST_STEPS {
         let model = trial.model(&arrays);
         let mut view = State::view(&model, state.lend())?;
         let stride = stride(&model, &view);
-        let stopped = march(&model, &mut view, &motion, stride, &mut time);
+        let stopped = march(&model, &mut view, motion, stride, &mut time);
         steps += stride;
         let ended = motion.has_ended(&trial.constants, &view, time);
         trial.look(&arrays, state, stopped);
@@ -104,7 +119,7 @@ impl Trial {
         }
         let step = FOLLOWED * self.smallest;
         if step < self.constants.dt || stopped.is_some() {
-            self.constants = self.constants.with_step(step, 1);
+            self.constants.set_step(step, 1);
         }
     }
 }
@@ -131,7 +146,7 @@ fn march(model: &Model, state: &mut State, motion: &TrialMotion, steps: usize, t
 }
 
 /// How the impactor moves in a trial.
-enum TrialMotion {
+pub(crate) enum TrialMotion {
     /// Falls from the surface with this speed, m/s.
     Drop { speed: Real },
     /// Is pressed to this depth, m, at this speed, m/s.
@@ -153,19 +168,6 @@ impl TrialMotion {
             .map(|material| math::sqrt(material.shear_modulus_inf() / material.density));
         let waves = if slowest[0] < slowest[1] { slowest[0] } else { slowest[1] };
         Self::Press { depth, speed: PRESS_SPEED * waves }
-    }
-
-    /// The scenario of the trial.
-    fn scenario(&self, scenario: &Scenario) -> Scenario {
-        let mut trial = *scenario;
-        trial.impactor.gap = 0.0;
-        match self {
-            Self::Drop { speed } => {
-                (trial.impactor.drop_by, trial.impactor.drop_speed) = (DropBy::Speed, *speed);
-            }
-            Self::Press { .. } => trial.impactor.motion = Motion::Driven,
-        }
-        trial
     }
 
     /// Height of a pressing face `time` s after its start, m.

@@ -101,10 +101,13 @@ fn data(xml: &mut Xml, place: &str, arrays: &[Array]) -> io::Result<()> {
 fn array<T: Number>(xml: &mut Xml, kind: &str, name: &str, components: usize, values: &[T]) -> io::Result<()> {
     let mut bytes = (size_of_val(values) as u64).to_le_bytes().to_vec();
     values.iter().for_each(|value| value.put(&mut bytes));
-    let components = components.to_string();
-    let about = [("type", kind), ("Name", name), ("NumberOfComponents", &components), ("format", "binary")];
     let text = BASE64_STANDARD.encode(bytes);
-    xml.create_element("DataArray").with_attributes(about).write_text_content(BytesText::from_escaped(text))?;
+    let mut element = xml.create_element("DataArray").with_attributes([("type", kind), ("Name", name)]);
+    // Readers take an array of one component for a matrix of one column where the number stands.
+    if components > 1 {
+        element = element.with_attribute(("NumberOfComponents", components.to_string().as_str()));
+    }
+    element.with_attribute(("format", "binary")).write_text_content(BytesText::from_escaped(text))?;
     Ok(())
 }
 
