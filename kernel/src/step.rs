@@ -38,7 +38,7 @@ pub fn step_with(set: InstructionSet, model: &Model, state: &mut State, input: &
         return Err(failure);
     }
     input.check(state.time(model))?;
-    match set.run(Advance { model, state, input }) {
+    match advance_once(set, model, state, input) {
         Ok(()) => Ok(()),
         Err(failure) => {
             state.scalars.failure = Some(failure);
@@ -47,9 +47,16 @@ pub fn step_with(set: InstructionSet, model: &Model, state: &mut State, input: &
     }
 }
 
-/// One step without a look at the input or at an earlier failure, and without a record of its own.
-pub(crate) fn advance_once(model: &Model, state: &mut State, input: &StepInput) -> Result<(), StepError> {
-    InstructionSet::best().run(Advance { model, state, input })
+/// One step without a look at the input or at an earlier failure, and without a record of its own. One copy of it all, for
+/// drops and trials.
+#[inline(never)]
+pub(crate) fn advance_once(
+    set: InstructionSet,
+    model: &Model,
+    state: &mut State,
+    input: &StepInput,
+) -> Result<(), StepError> {
+    set.run(Advance { model, state, input })
 }
 
 /// One step as work for an instruction set.

@@ -7,6 +7,7 @@
 use crate::assembly::assemble;
 use crate::error::{ModelError, StepError};
 use crate::impactor::StepInput;
+use crate::instruction_set::InstructionSet;
 use crate::math;
 use crate::mesh::Grid;
 use crate::model::{Constants, Model};
@@ -138,7 +139,7 @@ fn march(model: &Model, state: &mut State, motion: &TrialMotion, steps: usize, t
         *time += model.constants.dt;
         let driven_position = motion.position(*time);
         let input = StepInput { driven_position, ..StepInput::default() };
-        if let Err(error) = advance_once(model, state, &input) {
+        if let Err(error) = advance_once(InstructionSet::best(), model, state, &input) {
             return Some(error);
         }
     }

@@ -161,7 +161,7 @@ static void scenarios(void)
     memset(&bad, PATTERN, sizeof bad);
     REFUSE(NULL_POINTER, softanvil_scenario_default(0, NULL));
     REFUSE(MISALIGNED, softanvil_scenario_default(0, odd(&out.scenario)));
-    REFUSE(UNKNOWN_ID, softanvil_scenario_default(2, &out.scenario));
+    REFUSE(UNKNOWN_ID, softanvil_scenario_default(3, &out.scenario));
     EXPLAIN(NULL_POINTER, softanvil_scenario_set(NULL, MASS, 5.0, &error));
     EXPLAIN(MISALIGNED, softanvil_scenario_set(odd(&bad), MASS, 5.0, &error));
     EXPLAIN(UNINITIALISED, softanvil_scenario_set(&out.scenario, MASS, 5.0, &error));

@@ -108,7 +108,7 @@ void fields()
     const auto now = drop.read();
     const auto y = now.view(SOFTANVIL_FIELD_NODE_DISPLACEMENT, 1).value();
     check(y.stored() && y.rows() > 2 && y.columns() > 2, "displacements lie in memory");
-    check(y(0, 0) == 0.0, "a bonded core holds its nodes");
+    check(std::fabs(y(0, 0)) < 1e-9, "the core holds the node under the face");
     const double top = y(y.rows() - 1, 0);
     const double depth = drop.output(SOFTANVIL_OUTPUT_IMPACTOR_DEFORMATION).value();
     check(depth > 3e-3 && std::fabs(top + depth) < 1e-9, "the top moves with the face");

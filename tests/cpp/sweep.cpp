@@ -29,6 +29,8 @@ Row drop(double yield_stress, double duration)
 {
     auto scenario = softanvil::Scenario::preset(SOFTANVIL_PRESET_STUDY).value();
     scenario.set("mesh.element_size", 4e-3).value();
+    // The preset has no slider.
+    scenario.set("silicone.slider_stiffness", 10e6).value();
     scenario.set("silicone.slider_yield_stress", yield_stress).value();
     auto simulation = softanvil::Simulation::make(scenario).value();
     simulation.run(duration).value();
