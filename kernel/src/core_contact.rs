@@ -69,13 +69,14 @@ impl<'s> Base<'s> {
             for chunk in 0..LANES / S::WIDTH {
                 let Touch { pressure, shear, normal, before } = self.forces(set, constants, i, chunk);
                 let pull = [pressure * normal[0] + shear * normal[1], pressure * normal[1] - shear * normal[0]];
-                let mut after = before;
-                for axis in 0..2 {
-                    let force = set.load(&self.force[axis][i], chunk) + pull[axis];
-                    set.store(force, &mut self.force[axis][i], chunk);
-                    after[axis] =
-                        before[axis] + (set.load(&self.inverse_mass[axis][i], chunk) * force).times(constants.dt);
-                }
+                let [force_x, force_y] =
+                    [set.load(&self.force[0][i], chunk) + pull[0], set.load(&self.force[1][i], chunk) + pull[1]];
+                set.store(force_x, &mut self.force[0][i], chunk);
+                set.store(force_y, &mut self.force[1][i], chunk);
+                let after = [
+                    before[0] + (set.load(&self.inverse_mass[0][i], chunk) * force_x).times(constants.dt),
+                    before[1] + (set.load(&self.inverse_mass[1][i], chunk) * force_y).times(constants.dt),
+                ];
                 set.add(pull[1], &mut total, chunk);
                 for (half, velocity) in [before, after].into_iter().enumerate() {
                     let outwards = velocity[0] * normal[0] + velocity[1] * normal[1];
@@ -95,8 +96,8 @@ impl<'s> Base<'s> {
         let (core, inverse_dt) = (&constants.scenario.core, 1.0 / constants.dt);
         let rollers = core.interface == Interface::Sliding;
         let (zero, mass) = (set.splat(0.0), set.load(&self.mass[i], chunk));
-        let inverse = self.inverse_mass.map(|row| set.load(&row[i], chunk));
-        let before = self.velocity.map(|row| set.load(&row[i], chunk));
+        let inverse = [set.load(&self.inverse_mass[0][i], chunk), set.load(&self.inverse_mass[1][i], chunk)];
+        let before = [set.load(&self.velocity[0][i], chunk), set.load(&self.velocity[1][i], chunk)];
         let (x, y) = (self.place(set, 0, i, chunk), self.place(set, 1, i, chunk));
         let (normal, depth) = surface_normal(set, core_radius(&constants.scenario), x, y);
         let change = |axis: usize| (inverse[axis] * set.load(&self.force[axis][i], chunk)).times(constants.dt);
