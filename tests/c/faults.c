@@ -265,6 +265,7 @@ static void illegal_scenarios(void)
     SoftanvilScenario stiff = with(SOFTANVIL_PARAMETER_SILICONE_BULK_MODULUS, 1e12);
     stiff.value[SOFTANVIL_PARAMETER_SILICONE_VOLUMETRIC_BY] = SOFTANVIL_SILICONE_VOLUMETRIC_BY_BULK_MODULUS;
     stiff.value[SOFTANVIL_PARAMETER_SILICONE_DENSITY] = 10.0;
+    stiff.value[SOFTANVIL_PARAMETER_TIME_SAFETY_FACTOR] = 0.01;
     EXPLAIN(STEP_TOO_SMALL, init(&stiff));
     SoftanvilScenario slow = with(SOFTANVIL_PARAMETER_TIME_STEP_BY, SOFTANVIL_TIME_STEP_BY_GIVEN);
     slow.value[SOFTANVIL_PARAMETER_TIME_STEP] = 5e-5;
@@ -456,6 +457,7 @@ static void times(void)
     }
     MUST(softanvil_close(simulation));
     simulation = build(spare, &driven);
+    MUST(softanvil_dt(simulation, &dt));
     MUST(softanvil_input_default(simulation, &input));
     const double top = input.driven_position;
     for (int i = 1; i <= 100; i++) {
