@@ -31,10 +31,10 @@ pub(crate) struct Forecast {
 /// Most steps between two looks at all cells. The monitor looks at some of them in each step.
 const MOST_STRIDE: Real = 16.0;
 
-/// Part of the layer's thickness that the face may travel between two looks: a limit of a cell falls by about twice as much.
+/// Part of the layer's thickness that the face may travel between two looks, so that no limit falls far in between.
 const TRAVEL: Real = 0.02;
 
-/// Most steps of a trial, so that its work is bounded. A drop on the softest layer takes a tenth of it.
+/// Most steps of a trial, so that its work is bounded whatever the scenario; what it has found until then counts.
 const MOST_STEPS: usize = 1 << 17;
 
 /// Part of the limit that the step follows it at: what is left is more than the limit falls between two looks.

@@ -68,8 +68,7 @@ pub fn laws(bulk_modulus: f64) -> Vec<(&'static str, Material)> {
     ]
 }
 
-/// A law at random without memory or damping, of a shear modulus of four times `c10`, Pa, at most, and about that of a
-/// neo-Hookean material with this coefficient.
+/// A law at random without memory or damping, as stiff at rest as a neo-Hookean material of the coefficient `c10`, Pa.
 pub fn random_law(samples: &mut Samples, c10: f64) -> Material {
     let mut between = |low: f64, high: f64| low + (high - low) * 0.5 * (1.0 + samples.number());
     let base = elastic(c10, 0.0, 1e6);
