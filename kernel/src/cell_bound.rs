@@ -65,7 +65,7 @@ struct HoopRow<V> {
 }
 
 /// Square of the largest stable step of each cell, s2, to one part in 10^8 from below; at most `bound`.
-#[inline(never)]
+#[inline(always)]
 pub(crate) fn limit_squared<S: Instructions>(set: S, matrix: &CellMatrix<S::Vector>, bound: S::Vector) -> S::Vector {
     let CellMatrix { moduli, square, real, hoop, .. } = matrix;
     let shear = [real[0].times(THIRD) + square[0].times(2.0), real[2].times(THIRD) + square[1].times(2.0)];

@@ -13,14 +13,14 @@ use crate::element::{Block, CellConstants, CellHistory, HoopConstants};
 use crate::energy::Ledger;
 use crate::error::StepError;
 use crate::instruction_set::{InstructionSet, Work};
-use crate::lanes::{LANES, Lane, ZERO};
+use crate::lanes::{LANES, ZERO};
 use crate::math;
 use crate::model::{Constants, Model};
 use crate::real::Real;
 use crate::state::State;
 use crate::storage::ModelArrays;
 use crate::stretch::{IsochoricStretch, largest_in_plane};
-use crate::vector::{Instructions, Vector};
+use crate::vector::{Instructions, Scalar, Vector};
 
 /// The monitor visits every cell at least once in this many steps. At the study's speeds a stretch changes by some
 /// hundredths in that time.
@@ -49,9 +49,7 @@ pub(crate) fn monitor<S: Instructions>(set: S, model: &Model, state: &State) -> 
             let (first, end) = (start.max(chunk * S::WIDTH), (start + share.group).min((chunk + 1) * S::WIDTH));
             let visited = lost.get(first..end).unwrap_or_default();
             if let Some(l) = visited.iter().position(|lost| *lost > 0.0) {
-                let mut limits = ZERO;
-                set.store(limit_squared(set, &matrix, step_squared), &mut limits, chunk);
-                return Err(failure(model, state, block, first + l, &limits));
+                return Err(failure(model, state, block, first + l));
             }
         }
     }
@@ -90,10 +88,22 @@ impl Share {
     }
 }
 
+/// The error of the cell in lane `l` of a block, with its limit.
 #[cold]
-fn failure(model: &Model, state: &State, block: usize, l: usize, limits_squared: &Lane) -> StepError {
+#[inline(never)]
+fn failure(model: &Model, state: &State, block: usize, l: usize) -> StepError {
     let element = model.constants.grid.element_index(block, l, 0);
-    unstable_at(model, state, element, math::sqrt(limits_squared.get(l).copied().unwrap_or_default()))
+    let mut limits = ZERO;
+    if let (Some(constants), Some(history)) = (model.cells.get(block), state.cells.get(block)) {
+        let block_of = Block { laws: model.constants.laws_of(block), constants, hoop: model.hoops.get(block) };
+        let step_squared = model.constants.dt * model.constants.dt;
+        Scalar.store(
+            limit_squared(Scalar, &current_matrix(Scalar, l, &block_of, history), step_squared),
+            &mut limits,
+            l,
+        );
+    }
+    unstable_at(model, state, element, math::sqrt(limits.get(l).copied().unwrap_or_default()))
 }
 
 fn unstable_at(model: &Model, state: &State, element: u32, limit: Real) -> StepError {
@@ -139,7 +149,7 @@ fn is_unstable(ledger: &Ledger, layer_kinetic: Real) -> bool {
 #[inline(never)]
 pub fn critical_time_step(model: &Model, state: &State) -> (Real, u32) {
     let cells = Cells { constants: model.constants, cells: model.cells, hoops: model.hoops };
-    let critical = cells.critical(|block| state.cells.get(block), Real::MAX);
+    let critical = cells.critical(&|block| state.cells.get(block), Real::MAX);
     critical.map_or((Real::INFINITY, 0), |found| (math::sqrt(found.limit_squared), found.element))
 }
 
@@ -169,25 +179,25 @@ impl<'m> Cells<'m> {
 
     /// The cell with the smallest limit whose square is below `bound`, s2, by the `history` of each block; none if there is
     /// none.
-    pub fn critical<'h>(&self, history: impl Fn(usize) -> Option<&'h CellHistory>, bound: Real) -> Option<Critical> {
+    pub fn critical<'h>(&self, history: &dyn Fn(usize) -> Option<&'h CellHistory>, bound: Real) -> Option<Critical> {
         InstructionSet::best().run(Search { cells: self, history, bound })
     }
 
     /// Largest step that is stable at rest, s.
     pub fn limit_at_rest(&self) -> Real {
-        let critical = self.critical(|_| Some(&CellHistory::REST), Real::MAX);
+        let critical = self.critical(&|_| Some(&CellHistory::REST), Real::MAX);
         critical.map_or(Real::INFINITY, |critical| math::sqrt(critical.limit_squared))
     }
 }
 
 /// The search for the smallest limit, as work for an instruction set.
-struct Search<'c, 'm, H> {
+struct Search<'c, 'm, 'h> {
     cells: &'c Cells<'m>,
-    history: H,
+    history: &'c dyn Fn(usize) -> Option<&'h CellHistory>,
     bound: Real,
 }
 
-impl<'h, H: Fn(usize) -> Option<&'h CellHistory>> Work for Search<'_, '_, H> {
+impl Work for Search<'_, '_, '_> {
     type Output = Option<Critical>;
 
     #[inline(always)]

@@ -113,8 +113,8 @@ impl Trial {
 
     /// Looks at all cells, and at what the monitor may have found; goes on with a smaller step where the limit has fallen.
     fn look(&mut self, arrays: &ModelArrays, state: &StateMemory, stopped: Option<StepError>) {
-        let found =
-            Cells::new(&self.constants, arrays).critical(|block| state.cells.get(block), self.smallest * self.smallest);
+        let found = Cells::new(&self.constants, arrays)
+            .critical(&|block| state.cells.get(block), self.smallest * self.smallest);
         if let Some(Critical { limit_squared, stretch, .. }) = found {
             (self.smallest, self.stretch) = (math::sqrt(limit_squared), stretch);
         }
