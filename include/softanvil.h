@@ -117,6 +117,12 @@ enum SoftanvilStatus
     SOFTANVIL_STATUS_OFFSET_OF_HALF = 211,
     /** An element has no area. */
     SOFTANVIL_STATUS_NO_AREA = 212,
+    /** A value differs from the preset's and has no effect beside the others. */
+    SOFTANVIL_STATUS_NO_EFFECT = 213,
+    /** Two values that state the same thing differ from the preset's. */
+    SOFTANVIL_STATUS_CONTRADICTION = 214,
+    /** Another number of layers than the preset's, without a thickness of the silicone. */
+    SOFTANVIL_STATUS_LAYER_THICKNESS = 215,
     /** An element turned inside out or is no longer finite. */
     SOFTANVIL_STATUS_INVERTED = 300,
     /** The time step is above the current stability limit of an element. */
@@ -224,9 +230,9 @@ enum SoftanvilParameter {
     SOFTANVIL_PARAMETER_GEOMETRY_FORMULATION = 1,
     /** geometry.core_radius, m, from 0.001 to 1: radius of the rigid core (round shape). */
     SOFTANVIL_PARAMETER_GEOMETRY_CORE_RADIUS = 2,
-    /** geometry.silicone_thickness, m, from 1e-4 to 0.5: thickness of the silicone. */
+    /** geometry.silicone_thickness, m, from 1e-4 to 0.5: thickness of the silicone; of the whole layer where there is one. */
     SOFTANVIL_PARAMETER_GEOMETRY_SILICONE_THICKNESS = 3,
-    /** geometry.skin_thickness, m, from 0 to 0.1: thickness of the skin; above 0 where it has a material of its own. */
+    /** geometry.skin_thickness, m, from 0 to 0.1: thickness of the skin on the silicone (two layers). */
     SOFTANVIL_PARAMETER_GEOMETRY_SKIN_THICKNESS = 4,
     /** geometry.length, m, from 0.001 to 10: largest out-of-plane thickness in plane strain (effective length of the layer). */
     SOFTANVIL_PARAMETER_GEOMETRY_LENGTH = 5,
@@ -312,7 +318,7 @@ enum SoftanvilParameter {
     SOFTANVIL_PARAMETER_TIME_DURATION = 45,
     /** measurement.force_threshold, N, from 0 to 1e5: force that begins and ends the impact duration. */
     SOFTANVIL_PARAMETER_MEASUREMENT_FORCE_THRESHOLD = 46,
-    /** geometry.layers, a SoftanvilGeometryLayers: the silicone's material through silicone and skin (the study's simplification), or a skin of its own. */
+    /** geometry.layers, a SoftanvilGeometryLayers: one material through the whole thickness (the study's simplification), or a skin of its own on the silicone. */
     SOFTANVIL_PARAMETER_GEOMETRY_LAYERS = 47,
     /** geometry.section, a SoftanvilGeometrySection: half of the section with symmetry, or all of it. */
     SOFTANVIL_PARAMETER_GEOMETRY_SECTION = 48,
@@ -513,7 +519,7 @@ enum SoftanvilTimeStepBy {
     SOFTANVIL_TIME_STEP_BY_GIVEN = 1
 };
 
-/** geometry.layers: the silicone's material through silicone and skin (the study's simplification), or a skin of its own. */
+/** geometry.layers: one material through the whole thickness (the study's simplification), or a skin of its own on the silicone. */
 enum SoftanvilGeometryLayers {
     SOFTANVIL_GEOMETRY_LAYERS_ONE = 0,
     SOFTANVIL_GEOMETRY_LAYERS_TWO = 1
@@ -767,6 +773,12 @@ SoftanvilStatus softanvil_output_info(uint32_t output, SoftanvilOutputInfo *info
 /**
  * Description of a drop test. It always comes from `softanvil_scenario_default`; its values may then be changed by
  * `softanvil_scenario_set`, which checks them at once, or directly in `value`, which is checked when it is used.
+ *
+ * What differs from the preset counts as said. Of values that state the same thing (drop height, energy and speed; bulk
+ * modulus and Poisson's ratio; time step and safety factor) the one that is said decides; two of them are refused, and so
+ * is a value that has no effect beside the others. With another law than the preset's, coefficients that still have the
+ * preset's value are 0: those of the law, Prony and Maxwell terms, the slider and tearing. Another number of layers needs
+ * the thickness of the silicone as well.
  */
 typedef struct SoftanvilScenario {
     /** Tells an initialised scenario; do not change. */

@@ -4,7 +4,7 @@ use core::ffi::c_char;
 use core::fmt::{self, Write};
 
 use softanvil_kernel::decimal::Decimal;
-use softanvil_kernel::{ModelError, ParameterError, ScenarioError, SnapshotError, StepError};
+use softanvil_kernel::{ModelError, NoEffect, ParameterError, ScenarioError, SnapshotError, StepError};
 
 use crate::environment;
 use crate::ids::PARAMETER_BY_ID;
@@ -133,6 +133,9 @@ impl fmt::Display for Failure {
 fn scenario_status(error: &ScenarioError) -> Status {
     match error {
         ScenarioError::Parameter(_) => Status::IllegalValue,
+        ScenarioError::NoEffect(_) => Status::NoEffect,
+        ScenarioError::Contradiction { .. } => Status::Contradiction,
+        ScenarioError::LayerThickness { .. } => Status::LayerThickness,
         ScenarioError::PronySum { .. } => Status::PronySum,
         ScenarioError::ShearModulus { .. } => Status::ShearModulus,
         ScenarioError::FaceTooSmall { .. } => Status::FaceTooSmall,
@@ -182,6 +185,8 @@ impl Failure {
             Self::ReservedSlot { value, .. } => [value, 0.0, 0.0],
             Self::Time { time, min, max } => [time, min, max],
             Self::Scenario(ScenarioError::Parameter(ParameterError { value, min, max, .. })) => [value, min, max],
+            Self::Scenario(ScenarioError::NoEffect(NoEffect { value, .. })) => [value, NAN, NAN],
+            Self::Scenario(ScenarioError::LayerThickness { thickness, .. }) => [thickness, NAN, NAN],
             Self::Scenario(ScenarioError::PronySum { sum, .. }) => [sum, 0.0, 1.0],
             Self::Scenario(ScenarioError::ShearModulus { modulus, .. }) => [modulus, 0.0, NAN],
             Self::Scenario(ScenarioError::FaceTooSmall { diameter, minimum }) => [diameter, minimum, NAN],
@@ -201,6 +206,9 @@ impl Failure {
     fn parameter(&self) -> u32 {
         let name = match self {
             Self::Scenario(ScenarioError::Parameter(error)) => error.name,
+            Self::Scenario(ScenarioError::NoEffect(error)) => error.name,
+            Self::Scenario(ScenarioError::Contradiction { names: [_, other] }) => other,
+            Self::Scenario(ScenarioError::LayerThickness { .. }) => "geometry.silicone_thickness",
             Self::Scenario(ScenarioError::FaceTooSmall { .. }) => "impactor.face_diameter",
             Self::Scenario(ScenarioError::SkinTooThin { .. }) => "geometry.skin_thickness",
             Self::Scenario(ScenarioError::FullAxisymmetric) => "geometry.section",

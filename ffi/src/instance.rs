@@ -12,7 +12,7 @@ mod values;
 
 use core::fmt::{self, Display};
 
-use softanvil_kernel::{Scenario, Simulation, preset};
+use softanvil_kernel::{Changes, ModelError, Scenario, Simulation, preset};
 
 use crate::variables::{Inputs, Table, Version, profile, same_bits};
 
@@ -134,14 +134,26 @@ impl Instance {
         self.mode = Mode::Initialization;
     }
 
-    /// Builds the model and gets ready for the first step.
+    /// Builds the model and gets ready for the first step. Gives what was changed of the preset, because some of it may have
+    /// no effect: a master that sets every start value sets those of other choices, too.
     ///
     /// # Errors
     /// A scenario that cannot be simulated; it can be corrected.
-    pub fn exit_initialization(&mut self) -> Result<(), Error> {
+    pub fn exit_initialization(&mut self) -> Result<Changes, Error> {
         self.prepare()?;
+        let changes = self.changes();
+        self.scenario = changes.resolve().map_err(ModelError::Scenario).map_err(Error::Model)?;
         self.mode = if self.event_mode_used { Mode::Event } else { Mode::Step };
-        Ok(())
+        Ok(changes)
+    }
+
+    /// The scenario, as the master has described it.
+    pub fn scenario(&self) -> &Scenario {
+        &self.scenario
+    }
+
+    fn changes(&self) -> Changes {
+        Changes::between(&preset::study(), &self.scenario)
     }
 
     /// Ends the simulation; its results stay readable.
@@ -173,7 +185,8 @@ impl Instance {
     /// The simulation at the start of the current scenario's drop.
     #[inline(never)]
     fn prepare(&mut self) -> Result<&mut Simulation, Error> {
-        let kept = self.simulation.take().filter(|kept| same_bits(&kept.constants().scenario, &self.scenario));
+        let scenario = self.changes().resolve().map_err(ModelError::Scenario).map_err(Error::Model)?;
+        let kept = self.simulation.take().filter(|kept| same_bits(&kept.constants().scenario, &scenario));
         let simulation = match kept {
             Some(mut kept) => {
                 if kept.scalars().step_index != 0 || kept.scalars().failure.is_some() {
@@ -181,7 +194,7 @@ impl Instance {
                 }
                 kept
             }
-            None => Simulation::new(&self.scenario).map_err(Error::Model)?,
+            None => Simulation::new(&scenario).map_err(Error::Model)?,
         };
         Ok(self.simulation.insert(simulation))
     }

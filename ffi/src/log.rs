@@ -20,12 +20,16 @@ impl Category {
     const ERROR: Self = Self { name: c"logStatusError", bits: 2 };
     /// Refused steps that may be tried otherwise (FMI 3.0), and what a status function cannot tell (FMI 2.0).
     const DISCARD: Self = Self { name: c"logStatusDiscard", bits: 4 };
+    /// Values that have no effect.
+    const WARNING: Self = Self { name: c"logStatusWarning", bits: 8 };
     /// All of them.
-    pub const ALL: Self = Self { name: c"logAll", bits: 7 };
+    pub const ALL: Self = Self { name: c"logAll", bits: 15 };
 
     /// The category called `name`.
     pub fn find(name: &CStr) -> Option<Self> {
-        [Self::EVENTS, Self::ERROR, Self::DISCARD, Self::ALL].into_iter().find(|category| category.name == name)
+        [Self::EVENTS, Self::ERROR, Self::DISCARD, Self::WARNING, Self::ALL]
+            .into_iter()
+            .find(|category| category.name == name)
     }
 }
 
@@ -77,6 +81,13 @@ impl Log {
     pub fn error(&self, function: &str, error: &dyn Display) {
         if self.tells(&Category::ERROR) || matches!(self.logger, Logger::Format(..)) {
             self.write(Status::ERROR, &Category::ERROR, &format_args!("{function}: {error}"));
+        }
+    }
+
+    /// What is not quite right, by the same rule as an error.
+    pub fn warning(&self, what: &dyn Display) {
+        if self.tells(&Category::WARNING) || matches!(self.logger, Logger::Format(..)) {
+            self.write(Status::WARNING, &Category::WARNING, what);
         }
     }
 

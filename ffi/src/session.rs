@@ -18,6 +18,8 @@ pub struct Status(c_int);
 impl Status {
     /// All well.
     pub const OK: Self = Self(0);
+    /// Done, with something that is not quite right.
+    pub const WARNING: Self = Self(1);
     /// Nothing was done, and the master may try otherwise; or there is no answer.
     pub const DISCARD: Self = Self(2);
     /// Refused, or a step that could not be completed.
@@ -75,7 +77,10 @@ impl Session {
 
     /// Builds the model.
     pub fn exit_initialization(&mut self) -> Result<(), Error> {
-        self.instance.exit_initialization()?;
+        let changes = self.instance.exit_initialization()?;
+        for no_effect in changes.without_effect(self.instance.scenario()) {
+            self.log.warning(&no_effect);
+        }
         self.log.event(&self.instance.summary());
         Ok(())
     }

@@ -49,6 +49,12 @@ pub enum SoftanvilStatus {
     OffsetOfHalf = 211,
     /// An element has no area.
     NoArea = 212,
+    /// A value differs from the preset's and has no effect beside the others.
+    NoEffect = 213,
+    /// Two values that state the same thing differ from the preset's.
+    Contradiction = 214,
+    /// Another number of layers than the preset's, without a thickness of the silicone.
+    LayerThickness = 215,
     /// An element turned inside out or is no longer finite.
     Inverted = 300,
     /// The time step is above the current stability limit of an element.
@@ -71,7 +77,7 @@ use SoftanvilStatus as S;
 
 impl SoftanvilStatus {
     /// Every status.
-    pub const ALL: [Self; 28] = [
+    pub const ALL: [Self; 31] = [
         S::Ok,
         S::NullPointer,
         S::Misaligned,
@@ -92,6 +98,9 @@ impl SoftanvilStatus {
         S::FullAxisymmetric,
         S::OffsetOfHalf,
         S::NoArea,
+        S::NoEffect,
+        S::Contradiction,
+        S::LayerThickness,
         S::Inverted,
         S::Unstable,
         S::IllegalInput,
@@ -125,6 +134,9 @@ impl SoftanvilStatus {
             S::FullAxisymmetric => c"full section of an axisymmetric anvil",
             S::OffsetOfHalf => c"offset impactor on a half section",
             S::NoArea => c"element without area",
+            S::NoEffect => c"value without effect",
+            S::Contradiction => c"two values that state the same thing",
+            S::LayerThickness => c"number of layers without a thickness of the silicone",
             S::Inverted => c"element inverted or not finite",
             S::Unstable => c"time step above the current stability limit",
             S::IllegalInput => c"input of a step not finite",

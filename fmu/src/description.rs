@@ -105,6 +105,7 @@ fn log_categories(xml: &mut Xml) -> io::Result<()> {
     let categories = [
         ("logEvents", "changes of mode"),
         ("logStatusError", "refused calls and failed steps"),
+        ("logStatusWarning", "values that have no effect"),
         ("logStatusDiscard", "steps that may be tried otherwise, and status inquiries that have no answer"),
         ("logAll", "all of them"),
     ];

@@ -45,11 +45,49 @@ impl fmt::Display for ParameterError {
 
 impl core::error::Error for ParameterError {}
 
+/// A value that has no effect in its scenario.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NoEffect {
+    /// Name of the parameter.
+    pub name: &'static str,
+    /// Its value.
+    pub value: Real,
+    /// Unit of the value.
+    pub unit: &'static str,
+    /// Name of the parameter that leaves it without effect.
+    pub by: &'static str,
+    /// What that says: the label of its choice, or nothing where it is 0.
+    pub says: &'static str,
+}
+
+impl fmt::Display for NoEffect {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (value, says) = (Quantity(self.value, self.unit), if self.says.is_empty() { "0" } else { self.says });
+        write!(f, "{} = {value} has no effect: {} is {says}", self.name, self.by)
+    }
+}
+
+impl core::error::Error for NoEffect {}
+
 /// A scenario that cannot be simulated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ScenarioError {
     /// One value is out of its range.
     Parameter(ParameterError),
+    /// A given value has no effect.
+    NoEffect(NoEffect),
+    /// Two given values state the same thing.
+    Contradiction {
+        /// Names of their parameters.
+        names: [&'static str; 2],
+    },
+    /// Another number of layers than in the base is given, but not how thick the silicone then is.
+    LayerThickness {
+        /// Whether two layers are given, or one.
+        two: bool,
+        /// Thickness of the silicone in the base, m.
+        thickness: Real,
+    },
     /// The Prony coefficients leave no long-term stiffness.
     PronySum {
         /// Group of the layer's parameters.
@@ -106,6 +144,18 @@ impl fmt::Display for ScenarioError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Parameter(error) => error.fmt(f),
+            Self::NoEffect(no_effect) => no_effect.fmt(f),
+            Self::Contradiction { names: [one, other] } => {
+                write!(f, "{one} and {other} state the same thing: legal is one of them")
+            }
+            Self::LayerThickness { two, thickness } => {
+                let (layers, of) = if *two { ("two", "the whole layer") } else { ("one", "the silicone alone") };
+                let thickness = Decimal(*thickness);
+                write!(
+                    f,
+                    "geometry.layers = {layers} needs geometry.silicone_thickness as well: {thickness} m is that of {of}"
+                )
+            }
             Self::PronySum { layer, sum } => {
                 let sum = Decimal(*sum);
                 write!(f, "{layer}.prony_g_1 to _5 sum to {sum}: legal is a sum of at least 0 and below 1")

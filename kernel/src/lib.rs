@@ -76,13 +76,13 @@ pub mod time_step;
 pub(crate) mod trial;
 pub mod vector;
 
-pub use error::{ModelError, ParameterError, ScenarioError, SnapshotError, StepError};
+pub use error::{ModelError, NoEffect, ParameterError, ScenarioError, SnapshotError, StepError};
 pub use field::{FIELDS, Field};
 pub use impactor::StepInput;
 pub use instruction_set::InstructionSet;
 pub use model::{Constants, Model};
 pub use output::{OUTPUTS, Output};
-pub use parameter::{PARAMETERS, Parameter};
+pub use parameter::{Changes, PARAMETERS, Parameter};
 pub use sampling::SAMPLING_INTERVAL;
 pub use scenario::Scenario;
 #[cfg(feature = "alloc")]

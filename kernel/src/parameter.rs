@@ -2,8 +2,11 @@
 //!
 //! Scenario files, the C ABI and the FMU are all generated from or checked against this table.
 
+mod changes;
+mod effect;
 mod material;
 
+pub use self::changes::Changes;
 use self::material::{SILICONE, SKIN};
 use crate::error::ParameterError;
 use crate::real::Real;
@@ -170,7 +173,7 @@ const TEST: &[Parameter] = &[
         &["one", "two"],
         |s| s.geometry.layers as usize,
         |s, i| s.geometry.layers = if i == 0 { Layers::One } else { Layers::Two },
-        "the silicone's material through silicone and skin (the study's simplification), or a skin of its own",
+        "one material through the whole thickness (the study's simplification), or a skin of its own on the silicone",
     ),
     choice(
         "geometry.section",
@@ -191,14 +194,14 @@ const TEST: &[Parameter] = &[
         "m",
         (1e-4, 0.5),
         |s| &mut s.geometry.silicone_thickness,
-        "thickness of the silicone",
+        "thickness of the silicone; of the whole layer where there is one",
     ),
     real(
         "geometry.skin_thickness",
         "m",
         (0.0, 0.1),
         |s| &mut s.geometry.skin_thickness,
-        "thickness of the skin; above 0 where it has a material of its own",
+        "thickness of the skin on the silicone (two layers)",
     ),
     real(
         "geometry.length",

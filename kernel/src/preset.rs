@@ -1,5 +1,7 @@
 //! Ready-made scenarios. The parameter sets stand here and nowhere else.
 
+use crate::real::Real;
+use crate::sampling::SAMPLING_INTERVAL;
 use crate::scenario::{
     CoreInterface, DropBy, ElasticLaw, FaceInterface, Formulation, Geometry, Impactor, Interface, Layers, Material,
     Measurement, Mesh, Moduli, Motion, Scenario, Section, Shape, StepBy, Time, VolumetricBy, VolumetricLaw,
@@ -33,6 +35,31 @@ pub static PRESETS: &[Preset] = &[
         scenario: study_incompressible,
         description: "the study's soft anvil, incompressible, 5 parameters fitted to the 12 numbers",
     },
+    Preset {
+        name: "elastic",
+        scenario: elastic,
+        description: "the study's anvil of a plain elastic silicone, to start from with a material of one's own",
+    },
+    Preset {
+        name: "block",
+        scenario: block,
+        description: "a flat block of the plain elastic silicone on a flat core, bonded",
+    },
+    Preset {
+        name: "ecoflex-00-30",
+        scenario: ecoflex_00_30,
+        description: "the study's anvil of Ecoflex 00-30, elastic, from tension tests of Marechal et al. (2021)",
+    },
+    Preset {
+        name: "dragon-skin-30",
+        scenario: dragon_skin_30,
+        description: "the study's anvil of Dragon Skin 30, elastic, from tension tests of Marechal et al. (2021)",
+    },
+    Preset {
+        name: "natural-rubber",
+        scenario: natural_rubber,
+        description: "the study's anvil of Treloar's vulcanised natural rubber, elastic, by Ogden (1972)",
+    },
 ];
 
 /// The soft anvil of "Finite element model to simulate impact on a soft tissue simulant", Sports Engineering (2023),
@@ -43,14 +70,14 @@ pub static PRESETS: &[Preset] = &[
 /// twelve numbers of its measured drops. The force threshold of the impact duration, which the paper does not state, is
 /// just under 1 % of its smallest peak.
 pub fn study() -> Scenario {
-    Scenario {
+    consistent(Scenario {
         geometry: Geometry {
             shape: Shape::Round,
             formulation: Formulation::PlaneStrain,
             layers: Layers::One,
             section: Section::Half,
             core_radius: 37.5e-3,
-            silicone_thickness: 14e-3,
+            silicone_thickness: 15e-3,
             skin_thickness: 1e-3,
             length: 150e-3,
             block_width: 30e-3,
@@ -63,9 +90,9 @@ pub fn study() -> Scenario {
             gap: 2e-3,
             gravity: 9.81,
             drop_by: DropBy::Energy,
-            drop_height: 0.3,
+            drop_height: 0.0,
             drop_energy: 14.7,
-            drop_speed: 2.42,
+            drop_speed: 0.0,
             prescribed_speed: 0.1,
             prescribed_depth: 5e-3,
             prescribed_rise: 5e-3,
@@ -78,12 +105,36 @@ pub fn study() -> Scenario {
         time: Time {
             step_by: StepBy::SafetyFactor,
             safety_factor: 0.9,
-            step: 2e-6,
+            step: SAMPLING_INTERVAL / 11.0,
             design_compression: 0.4,
             duration: 15e-3,
         },
         measurement: Measurement { force_threshold: 20.0, channel_class: 600.0 },
+    })
+}
+
+/// Gives the values that do not decide what those that do decide say, so that naming one of them changes nothing.
+fn consistent(mut scenario: Scenario) -> Scenario {
+    let (speed, impactor) = (scenario.impactor.start_speed(), &mut scenario.impactor);
+    if impactor.drop_by != DropBy::Height {
+        impactor.drop_height = 0.5 * speed * speed / impactor.gravity;
     }
+    if impactor.drop_by != DropBy::Energy {
+        impactor.drop_energy = 0.5 * impactor.mass * speed * speed;
+    }
+    if impactor.drop_by != DropBy::Speed {
+        impactor.drop_speed = speed;
+    }
+    for material in [&mut scenario.silicone, &mut scenario.skin] {
+        let (shear, bulk) = (material.shear_modulus_inf(), material.effective_bulk_modulus());
+        match material.volumetric_by {
+            VolumetricBy::BulkModulus => {
+                material.poissons_ratio = (3.0 * bulk - 2.0 * shear) / (6.0 * bulk + 2.0 * shear)
+            }
+            VolumetricBy::PoissonsRatio => material.bulk_modulus = bulk,
+        }
+    }
+    scenario
 }
 
 /// The silicone of [`study`], near the best of `calibration/all.toml`. Five parameters were fitted to twelve numbers: three
@@ -109,21 +160,36 @@ fn study_silicone() -> Material {
     Material {
         density: 1072.0,
         law: ElasticLaw::MooneyRivlin,
-        moduli: Moduli::LongTerm,
         c10: 148e3,
         c01: 104e3,
-        c11: 0.0,
         c20: 132e3,
+        prony_g: [overstress / (1.0 + overstress), 0.0, 0.0, 0.0, 0.0],
+        prony_tau: [0.0871e-3, 1.0, 1.0, 1.0, 1.0],
+        ..elastic_silicone()
+    }
+}
+
+/// A plain elastic silicone: neo-Hookean with a shear modulus of 0.2 MPa, a Poisson's ratio of 0.49 and nothing else. Of no
+/// particular material; the modulus is that of a soft casting silicone.
+pub fn elastic_silicone() -> Material {
+    Material {
+        density: 1072.0,
+        law: ElasticLaw::NeoHookean,
+        moduli: Moduli::LongTerm,
+        c10: 100e3,
+        c01: 0.0,
+        c11: 0.0,
+        c20: 0.0,
         c02: 0.0,
         c30: 0.0,
         ogden_mu: [0.0; 3],
         ogden_alpha: [2.0, -2.0, 4.0],
         volumetric_law: VolumetricLaw::Quadratic,
         volumetric_by: VolumetricBy::PoissonsRatio,
-        bulk_modulus: 25.0e6,
+        bulk_modulus: 0.0,
         poissons_ratio: 0.49,
-        prony_g: [overstress / (1.0 + overstress), 0.0, 0.0, 0.0, 0.0],
-        prony_tau: [0.0871e-3, 1.0, 1.0, 1.0, 1.0],
+        prony_g: [0.0; 5],
+        prony_tau: [1.0; 5],
         maxwell_g: [0.0; 5],
         maxwell_beta: [1e3; 5],
         slider_stiffness: 0.0,
@@ -147,12 +213,11 @@ pub fn study_14_7() -> Scenario {
         c10: 155e3,
         c01: 0.0,
         c20: 90e3,
-        bulk_modulus: 15.4e6,
         prony_g: [overstress / (1.0 + overstress), 0.0, 0.0, 0.0, 0.0],
         prony_tau: [0.3e-3, 1.0, 1.0, 1.0, 1.0],
         ..study.silicone
     };
-    Scenario { silicone, ..study }
+    of_silicone(silicone, 7.0)
 }
 
 /// [`study`] with a silicone that keeps its volume at every rate: the best of `calibration/incompressible.toml`, rounded.
@@ -173,22 +238,67 @@ pub fn study_incompressible() -> Scenario {
         prony_tau: [0.117e-3, 1.0, 1.0, 1.0, 1.0],
         ..study.silicone
     };
-    Scenario { silicone, ..study }
+    of_silicone(silicone, 17.0)
+}
+
+/// The anvil of [`study`] made of `silicone`, for which a sampling interval takes `steps` steps.
+fn of_silicone(silicone: Material, steps: Real) -> Scenario {
+    let study = study();
+    consistent(Scenario { silicone, time: Time { step: SAMPLING_INTERVAL / steps, ..study.time }, ..study })
+}
+
+/// The same of an elastic silicone, which nothing slows down on its way back: its contact takes longer.
+fn elastic_of(silicone: Material, steps: Real) -> Scenario {
+    let scenario = of_silicone(silicone, steps);
+    Scenario { time: Time { duration: 30e-3, ..scenario.time }, ..scenario }
+}
+
+/// The anvil of [`study`] made of [`elastic_silicone`].
+pub fn elastic() -> Scenario {
+    elastic_of(elastic_silicone(), 11.0)
+}
+
+/// A flat block of [`elastic_silicone`], as high and as long as the anvil of [`study`], 60 mm wide, bonded to its core.
+pub fn block() -> Scenario {
+    let elastic = elastic();
+    Scenario {
+        geometry: Geometry { shape: Shape::Block, block_width: 60e-3, ..elastic.geometry },
+        core: CoreInterface { interface: Interface::Bonded, ..elastic.core },
+        time: Time { step: SAMPLING_INTERVAL / 8.0, ..elastic.time },
+        ..elastic
+    }
+}
+
+/// The anvil of [`study`] made of Ecoflex 00-30 (Smooth-On). Yeoh's law of two terms, fitted with `softanvil fit` to the tension
+/// test (ASTM D412, 450 mm/min) of Marechal et al., Soft Robotics 8 (2021) 284, up to a stretch of 2; density by the
+/// maker. Elastic: its viscosity is not in that test. Poisson's ratio of 0.49 is chosen.
+pub fn ecoflex_00_30() -> Scenario {
+    let silicone = Material { density: 1070.0, law: ElasticLaw::Yeoh, c10: 7.50e3, c20: 238.0, ..elastic_silicone() };
+    elastic_of(silicone, 17.0)
+}
+
+/// The same of Dragon Skin 30 (Smooth-On), from the same source.
+pub fn dragon_skin_30() -> Scenario {
+    let silicone = Material { density: 1080.0, law: ElasticLaw::Yeoh, c10: 90.4e3, c20: 9.08e3, ..elastic_silicone() };
+    elastic_of(silicone, 6.0)
+}
+
+/// The anvil of [`study`] made of the vulcanised natural rubber of Treloar (1944), with the coefficients of Ogden, Proc. R. Soc.
+/// A 326 (1972) 565. Elastic; a Poisson's ratio of 0.49 is chosen, the density is that of such rubbers.
+pub fn natural_rubber() -> Scenario {
+    let silicone = Material {
+        density: 930.0,
+        law: ElasticLaw::Ogden,
+        c10: 0.0,
+        ogden_mu: [0.63e6, 0.0012e6, -0.01e6],
+        ogden_alpha: [1.3, 5.0, -2.0],
+        ..elastic_silicone()
+    };
+    elastic_of(silicone, 8.0)
 }
 
 /// A synthetic chamois for two layers. Not from the study, which gives its skin the silicone's material: the density and
 /// the modulus of 3 MPa are of the order of soft leather, and nothing is fitted.
 fn chamois() -> Material {
-    Material {
-        density: 600.0,
-        law: ElasticLaw::NeoHookean,
-        c10: 0.5e6,
-        c01: 0.0,
-        c11: 0.0,
-        c20: 0.0,
-        c02: 0.0,
-        poissons_ratio: 0.45,
-        prony_g: [0.0; 5],
-        ..study_silicone()
-    }
+    Material { density: 600.0, c10: 0.5e6, poissons_ratio: 0.45, ..elastic_silicone() }
 }

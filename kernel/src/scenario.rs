@@ -52,7 +52,7 @@ pub enum Formulation {
 /// Layers of different material.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Layers {
-    /// The silicone's material through silicone and skin: the study's simplification.
+    /// The silicone's material through the whole thickness: the study's simplification.
     One,
     /// A skin with a material, and rows of the mesh, of its own.
     Two,
@@ -92,9 +92,9 @@ pub struct Geometry {
     pub section: Section,
     /// Radius of the rigid core of a round anvil, m.
     pub core_radius: Real,
-    /// Thickness of the silicone, m.
+    /// Thickness of the silicone, m; of the whole layer where there is one.
     pub silicone_thickness: Real,
-    /// Thickness of the skin on top of it, m.
+    /// Thickness of the skin on top of it where there are two layers, m.
     pub skin_thickness: Real,
     /// Largest out-of-plane thickness in plane strain, m.
     pub length: Real,
@@ -105,7 +105,10 @@ pub struct Geometry {
 impl Geometry {
     /// Thickness of the whole soft layer, m.
     pub fn layer_thickness(&self) -> Real {
-        self.silicone_thickness + self.skin_thickness
+        match self.layers {
+            Layers::One => self.silicone_thickness,
+            Layers::Two => self.silicone_thickness + self.skin_thickness,
+        }
     }
 }
 
@@ -286,6 +289,12 @@ impl Material {
     /// Shear modulus of the long-term law at rest, Pa.
     pub fn shear_modulus_inf(&self) -> Real {
         Elastic::new(self).shear_modulus()
+    }
+
+    /// Shear modulus at rest before anything has relaxed or slipped, Pa.
+    pub fn shear_modulus_0(&self) -> Real {
+        let maxwell = self.maxwell_g.iter().fold(0.0, |sum, g| sum + g);
+        self.shear_modulus_inf() / self.prony_g_inf() + maxwell + self.slider_stiffness
     }
 
     /// Factor from the given coefficients to the long-term law.

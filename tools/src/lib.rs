@@ -22,6 +22,7 @@ pub mod golden;
 pub mod identification;
 pub mod interrupt;
 pub mod json;
+pub mod material_summary;
 pub mod paper;
 pub mod picture_format;
 pub mod place;

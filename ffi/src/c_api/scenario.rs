@@ -2,7 +2,7 @@
 
 use core::ffi::c_char;
 
-use softanvil_kernel::Scenario;
+use softanvil_kernel::{Changes, Scenario};
 
 use crate::c_api::tables::{find_parameter, parameter_row};
 use crate::failure::{Failure, SoftanvilError, report, status};
@@ -15,6 +15,12 @@ pub const SOFTANVIL_PARAMETER_SLOTS: usize = 256;
 
 /// Description of a drop test. It always comes from `softanvil_scenario_default`; its values may then be changed by
 /// `softanvil_scenario_set`, which checks them at once, or directly in `value`, which is checked when it is used.
+///
+/// What differs from the preset counts as said. Of values that state the same thing (drop height, energy and speed; bulk
+/// modulus and Poisson's ratio; time step and safety factor) the one that is said decides; two of them are refused, and so
+/// is a value that has no effect beside the others. With another law than the preset's, coefficients that still have the
+/// preset's value are 0: those of the law, Prony and Maxwell terms, the slider and tearing. Another number of layers needs
+/// the thickness of the silicone as well.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct SoftanvilScenario {
@@ -192,10 +198,11 @@ impl SoftanvilScenario {
         Ok(())
     }
 
-    /// The scenario that this describes, every value checked by itself.
+    /// The scenario that this describes: every value is legal, and each that differs from the preset's acts.
     pub(crate) fn to_kernel(self) -> Result<Scenario, Failure> {
         self.check()?;
-        let mut kernel = preset_scenario(self.preset)?;
+        let preset = preset_scenario(self.preset)?;
+        let mut kernel = preset;
         for (slot, value) in self.value.iter().enumerate().skip((self.count as usize).min(PARAMETER_BY_ID.len())) {
             if *value != 0.0 {
                 return Err(Failure::ReservedSlot { array: "value", slot, value: *value });
@@ -204,7 +211,7 @@ impl SoftanvilScenario {
         for (value, row) in self.value.iter().zip(PARAMETER_BY_ID).take(self.count as usize) {
             row.set(&mut kernel, *value)?;
         }
-        Ok(kernel)
+        Changes::between(&preset, &kernel).apply().map_err(Failure::Scenario)
     }
 }
 

@@ -168,6 +168,7 @@ fn yeoh() -> Scenario {
 fn two_layers() -> Scenario {
     let mut scenario = base(rubber());
     scenario.geometry.layers = Layers::Two;
+    scenario.geometry.silicone_thickness = 14e-3;
     scenario.geometry.skin_thickness = 1.5e-3;
     scenario.skin = Material {
         density: 900.0,

@@ -25,7 +25,7 @@ pub fn scenario(samples: &mut Samples) -> Scenario {
     let mut unit = || 0.5 * (1.0 + samples.number());
     let c10 = logarithmic(unit(), 20e3, 1e6);
     let (damping, numbers) = (unit(), [unit(), unit()]);
-    scenario.geometry.silicone_thickness = 5e-3 + 24e-3 * unit();
+    scenario.geometry.silicone_thickness = 6e-3 + 24e-3 * unit();
     scenario.impactor.drop_energy = 2.5 + 12.2 * unit();
     if unit() < 0.5 {
         scenario.geometry.formulation = Formulation::Axisymmetric;

@@ -6,11 +6,11 @@ use std::path::{Path, PathBuf};
 use serde::Deserialize;
 use softanvil_kernel::parameter::Kind;
 use softanvil_kernel::preset::Preset;
-use softanvil_kernel::{Parameter, Scenario};
+use softanvil_kernel::{Changes, Parameter, Scenario};
 
 use super::prior::Prior;
 use super::target::{Impact, Target, read_impacts};
-use super::variable::{Range, Variable};
+use super::variable::{Range, Variable, apply, check_fits_impacts};
 use crate::failure::Failure;
 use crate::quantity::{COUNT, QUANTITIES};
 use crate::series::Sensor;
@@ -163,12 +163,13 @@ impl Problem {
         if let Some(path) = &file.scenario {
             scenario = scenario_file::read(&folder.join(path), &scenario).map_err(|error| error.to_string())?;
         }
+        let mut changes = Changes::of(&scenario);
         for (name, value) in &file.fixed {
-            fix(&mut scenario, name, value)?;
+            fix(&mut changes, name, value)?;
         }
-        scenario.validate().map_err(|error| error.to_string())?;
         let variables =
             file.parameters.iter().map(|(name, range)| variable(name, range)).collect::<Result<Vec<_>, _>>()?;
+        let scenario = changed(changes, &variables)?;
         if variables.is_empty() {
             return Err("[parameters] is empty: there is nothing to search for".into());
         }
@@ -200,8 +201,24 @@ fn variable(name: &str, range: &toml::Value) -> Result<Variable, String> {
     Variable::new(name, range)
 }
 
+/// The scenario of `changes` and of what is searched for, all of which acts.
+fn changed(mut changes: Changes, variables: &[Variable]) -> Result<Scenario, String> {
+    for variable in variables {
+        variable.give(&mut changes)?;
+    }
+    let scenario = changes.resolve().map_err(|error| error.to_string())?;
+    // A term that may begin at 0 acts in the middle of its range.
+    let (mut middle, values) = (scenario, variables.iter().map(|variable| variable.value(0.5)).collect::<Vec<_>>());
+    apply(variables, &values, &mut middle)?;
+    if let Some(no_effect) = changes.without_effect(&middle).next() {
+        return Err(no_effect.to_string());
+    }
+    scenario.validate().map_err(|error| error.to_string())?;
+    Ok(scenario)
+}
+
 /// Sets a parameter to what stands under [fixed]: a number, or the label of a choice.
-fn fix(scenario: &mut Scenario, name: &str, value: &toml::Value) -> Result<(), String> {
+fn fix(changes: &mut Changes, name: &str, value: &toml::Value) -> Result<(), String> {
     let Some(parameter) = Parameter::find(name) else {
         return Err(format!("fixed: {name} is unknown{}", scenario_file::suggestion(name)));
     };
@@ -218,7 +235,8 @@ fn fix(scenario: &mut Scenario, name: &str, value: &toml::Value) -> Result<(), S
         Kind::Real { unit, min, max, .. } => format!("{min} to {max} {unit}"),
     };
     let number = number.ok_or_else(|| format!("fixed: {name} = {value} is refused: legal is {legal}"))?;
-    parameter.set(scenario, number).map_err(|error| format!("fixed: {error}"))
+    check_fits_impacts(parameter)?;
+    changes.set(parameter, number).map_err(|error| format!("fixed: {error}"))
 }
 
 /// Line and message of what is no TOML or not our kind of it.

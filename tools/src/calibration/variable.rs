@@ -4,7 +4,7 @@ use serde::Deserialize;
 use softanvil_kernel::material::MAX_PRONY_TERMS;
 use softanvil_kernel::parameter::Kind;
 use softanvil_kernel::scenario::Material;
-use softanvil_kernel::{Parameter, Scenario};
+use softanvil_kernel::{Changes, Parameter, Scenario};
 
 /// How a range is searched.
 #[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq)]
@@ -77,6 +77,11 @@ impl Variable {
         if range.scale == Scale::Log && range.min <= 0.0 {
             return refuse("scale = \"log\" needs min above 0".into());
         }
+        if let Some(start) = range.start
+            && !(range.min <= start && start <= range.max)
+        {
+            return refuse(format!("its start = {start} {unit} has to be in the range"));
+        }
         Ok(Self { name: name.into(), unit, range, place })
     }
 
@@ -85,6 +90,20 @@ impl Variable {
         match self.place {
             Place::Row(parameter) => parameter.get(scenario),
             Place::Overstress(term) => overstress(&scenario.silicone)[term],
+        }
+    }
+
+    /// Gives the value at which the search starts.
+    ///
+    /// # Errors
+    /// A value that is refused.
+    pub fn give(&self, changes: &mut Changes) -> Result<(), String> {
+        match self.place {
+            Place::Row(parameter) => {
+                let start = self.start(changes.scenario());
+                changes.set(parameter, start).map_err(|error| error.to_string())
+            }
+            Place::Overstress(_) => Ok(()),
         }
     }
 
@@ -154,8 +173,19 @@ fn place(name: &str) -> Result<Place, String> {
         Some(Parameter { kind: Kind::Choice { .. }, .. }) => {
             Err(format!("{name} is a choice and cannot be searched: give it under [fixed]"))
         }
-        Some(parameter) => Ok(Place::Row(parameter)),
+        Some(parameter) => check_fits_impacts(parameter).map(|()| Place::Row(parameter)),
         None => Err(format!("{name} is unknown{}", crate::scenario_file::suggestion(name))),
+    }
+}
+
+/// Refuses what states the drop, because every impact of a problem states its energy.
+///
+/// # Errors
+/// Height, energy and speed of the drop, and the choice between them.
+pub fn check_fits_impacts(parameter: &Parameter) -> Result<(), String> {
+    match parameter.name {
+        name if name.starts_with("impactor.drop_") => Err(format!("{name} has no effect: every impact has its energy")),
+        _ => Ok(()),
     }
 }
 

@@ -100,6 +100,7 @@ impl Identified {
             Layer::Skin => {
                 scenario.skin = self.material;
                 scenario.geometry.layers = Layers::Two;
+                scenario.geometry.silicone_thickness -= scenario.geometry.skin_thickness;
             }
         }
         scenario

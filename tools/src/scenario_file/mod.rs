@@ -1,5 +1,6 @@
 //! Scenario files: TOML in which every parameter `group.field` of the kernel's table is the key `field` of the section
-//! `[group]`. Keys left out keep their value in the scenario that the file is read upon.
+//! `[group]`. Keys left out keep their value in the scenario that the file is read upon; a value that has no effect is
+//! refused, and written behind a `#` (`softanvil_kernel::Changes`).
 
 mod read;
 mod write;

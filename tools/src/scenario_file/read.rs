@@ -4,7 +4,7 @@ use std::ops::Range;
 use std::path::Path;
 
 use softanvil_kernel::parameter::Kind;
-use softanvil_kernel::{PARAMETERS, Parameter, ParameterError, Scenario, ScenarioError};
+use softanvil_kernel::{Changes, PARAMETERS, Parameter, ParameterError, Scenario, ScenarioError};
 use toml_edit::{Document, Item, TableLike, TomlError};
 
 use super::split;
@@ -90,11 +90,11 @@ const MATERIALS: [&str; 2] = ["silicone", "skin"];
 /// The scenario that `text` makes of `base`.
 ///
 /// # Errors
-/// The first line that is not TOML, names no parameter, or gives it an illegal value; or a scenario that does not fit
-/// together.
+/// The first line that is not TOML, names no parameter, or gives it an illegal value; or values that contradict each other,
+/// have no effect, or do not fit together.
 pub fn parse(text: &str, base: &Scenario) -> Result<Scenario, ScenarioFileError> {
     let document = Document::parse(text).map_err(|error| syntax(text, &error))?;
-    let mut scenario = *base;
+    let mut changes = Changes::of(base);
     for (group, item) in document.iter() {
         let place = Place { text, line: line_of(text, key_span(document.as_table(), group)) };
         if !PARAMETERS.iter().any(|parameter| split(parameter.name).0 == group) {
@@ -103,17 +103,16 @@ pub fn parse(text: &str, base: &Scenario) -> Result<Scenario, ScenarioFileError>
         let Some(section) = item.as_table_like() else {
             return Err(place.wrong_type(group, item, format!("a section [{group}] of keys")));
         };
-        read_section(&place, group, section, &mut scenario)?;
+        read_section(&place, group, section, &mut changes)?;
     }
-    scenario.validate()?;
-    Ok(scenario)
+    Ok(changes.apply()?)
 }
 
 fn read_section(
     place: &Place,
     group: &str,
     section: &dyn TableLike,
-    scenario: &mut Scenario,
+    changes: &mut Changes,
 ) -> Result<(), ScenarioFileError> {
     for (field, item) in section.iter() {
         let name = format!("{group}.{field}");
@@ -122,7 +121,7 @@ fn read_section(
             return Err(place.unknown(&name));
         };
         let value = place.value(parameter, item)?;
-        parameter.set(scenario, value).map_err(|error| ScenarioFileError::Value { line: place.line, error })?;
+        changes.set(parameter, value).map_err(|error| ScenarioFileError::Value { line: place.line, error })?;
     }
     Ok(())
 }

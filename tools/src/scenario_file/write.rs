@@ -9,15 +9,17 @@ use super::split;
 const HEADER: &str = "\
 # A scenario of Softanvil: one drop test, in SI units.
 # Every line: key = value, then its unit, its legal values (both ends included) and its meaning.
-# A line left out keeps the preset's value.
+# A line left out keeps the preset's value; under a law that is given, coefficients left out are 0.
+# A line behind \"# \" has no effect beside the others.
 ";
 
 const MATERIAL_HEADER: &str = "\
 # A material of Softanvil, in SI units, for `softanvil run --material` and for a scenario file.
 # Every line: key = value, then its unit, its legal values (both ends included) and its meaning.
+# A line behind \"# \" has no effect beside the others.
 ";
 
-/// `scenario` as a scenario file with every parameter.
+/// `scenario` as a scenario file with every parameter; those that have no effect are comments.
 pub fn to_toml(scenario: &Scenario) -> String {
     format!("{HEADER}\n{}", sections(scenario, |_| true))
 }
@@ -43,7 +45,22 @@ fn sections(scenario: &Scenario, wanted: impl Fn(&str) -> bool) -> String {
             section.insert(row.field, Item::Value(value));
         }
     }
-    document.to_string()
+    comment_out(&document.to_string(), scenario)
+}
+
+/// Turns the lines of `text` that have no effect in `scenario` into comments.
+fn comment_out(text: &str, scenario: &Scenario) -> String {
+    let (mut group, mut out) = ("", String::new());
+    for line in text.lines() {
+        group = line.strip_prefix('[').and_then(|line| line.strip_suffix(']')).unwrap_or(group);
+        let parameter = line.split_once(" = ").and_then(|(field, _)| Parameter::find(&format!("{group}.{field}")));
+        if parameter.is_some_and(|parameter| parameter.without_effect(scenario).is_some()) {
+            out += "# ";
+        }
+        out += line;
+        out.push('\n');
+    }
+    out
 }
 
 /// One line of the file.

@@ -15,11 +15,11 @@ use crate::validation::error_percent;
 /// The study.
 pub static STUDY: Study = Study {
     name: "thickness",
-    title: "Thickness of the silicone",
+    title: "Thickness of the layer",
     about: "The layer is made thinner and thicker on the same core, with everything else as it is. The paper has one \
-            thickness, 14 mm under a skin of 1 mm; a layer is never cast to the last tenth of a millimetre.",
-    values: "thicknesses of the silicone, mm",
-    default_values: &["10", "12", "13", "14", "15", "16", "18"],
+            thickness, 14 mm of silicone and a skin of 1 mm; a layer is never cast to the last tenth of a millimetre.",
+    values: "thicknesses of the layer (of the silicone, under a skin of its own), mm",
+    default_values: &["11", "13", "14", "15", "16", "17", "19"],
     settings: &["thickness [mm]"],
     plan,
     evaluate,
@@ -61,8 +61,8 @@ fn evaluate(results: &Results) -> Evaluation {
         findings,
         notes: Vec::new(),
         picture: Picture::Lines {
-            title: "Change of the four numbers with the thickness of the silicone",
-            x: ("thickness of the silicone (mm)", false),
+            title: "Change of the four numbers with the thickness of the layer",
+            x: ("thickness of the layer (mm)", false),
             y: "change (%)",
             lines,
         },

@@ -159,18 +159,18 @@ fn a_thicker_layer_is_softer() {
 fn a_study_starts_from_the_drop_it_is_given() {
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();
-    let study = json(folder, &["study", "thickness", "--energy", "4.9", "--values", "13", "--json", "--threads", "1"]);
+    let study = json(folder, &["study", "thickness", "--energy", "4.9", "--values", "14", "--json", "--threads", "1"]);
     assert!(study["subject"].as_str().unwrap().contains("4.9 J"), "{study}");
     let cases = study["cases"].as_array().unwrap();
     let settings: Vec<&str> = cases.iter().map(|case| case["thickness [mm]"].as_str().unwrap()).collect();
-    assert_eq!(settings, ["13", "14"]);
+    assert_eq!(settings, ["14", "15"]);
     let run = json(folder, &["run", "--energy", "4.9", "--json"]);
     assert_eq!(cases[1]["trace_hash"], run["trace_hash"]);
     assert_eq!(cases[1]["peak_force"], run["peak_force"]);
     // The number of threads changes nothing.
-    let two = json(folder, &["study", "thickness", "--energy", "4.9", "--values", "13", "--json", "--threads", "2"]);
+    let two = json(folder, &["study", "thickness", "--energy", "4.9", "--values", "14", "--json", "--threads", "2"]);
     assert_eq!(study, two);
-    let text = succeed(folder, &["study", "thickness", "--energy", "4.9", "--values", "13"]);
+    let text = succeed(folder, &["study", "thickness", "--energy", "4.9", "--values", "14"]);
     assert!(text.contains("per mm of thickness") || text.contains("Impacts"), "{text}");
     assert!(entries(folder).is_empty());
 }

@@ -10,9 +10,7 @@ use softanvil_verification::tolerance::{ENERGY_RESIDUAL, LAYERS, relative_error}
 /// Rows of 3 mm, which a layer of 12 mm and a skin of 3 mm share with one layer of 15 mm.
 fn coinciding(layers: Layers) -> Scenario {
     let mut scenario = preset::study();
-    scenario.geometry.silicone_thickness = 12e-3;
-    scenario.geometry.skin_thickness = 3e-3;
-    scenario.geometry.layers = layers;
+    set_layers(&mut scenario, layers, 12e-3, 3e-3);
     // The preset has no slider.
     (scenario.silicone.slider_stiffness, scenario.silicone.slider_yield_stress) = (1e6, 10e3);
     scenario.skin = scenario.silicone;
@@ -21,9 +19,16 @@ fn coinciding(layers: Layers) -> Scenario {
     scenario
 }
 
+/// The same thickness of one layer as of two.
+fn set_layers(scenario: &mut Scenario, layers: Layers, silicone: f64, skin: f64) {
+    let whole = if layers == Layers::Two { silicone } else { silicone + skin };
+    let geometry = &mut scenario.geometry;
+    (geometry.layers, geometry.silicone_thickness, geometry.skin_thickness) = (layers, whole, skin);
+}
+
 fn two(formulation: Formulation) -> Scenario {
     let mut scenario = preset::study();
-    scenario.geometry.layers = Layers::Two;
+    set_layers(&mut scenario, Layers::Two, 14e-3, 1e-3);
     scenario.geometry.formulation = formulation;
     scenario
 }
@@ -51,8 +56,7 @@ fn a_skin_of_silicone_changes_nothing() {
 fn rows_that_coincide_exactly_give_the_same_bits() {
     let exact = |layers| {
         let mut scenario = coinciding(layers);
-        scenario.geometry.silicone_thickness = 8.0 / 1024.0;
-        scenario.geometry.skin_thickness = 8.0 / 1024.0;
+        set_layers(&mut scenario, layers, 8.0 / 1024.0, 8.0 / 1024.0);
         scenario.mesh.element_size = 4.0 / 1024.0;
         run(&scenario)
     };

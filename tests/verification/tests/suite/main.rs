@@ -2,6 +2,7 @@
 
 mod closed_forms;
 mod drop;
+mod effects;
 mod elastic_laws;
 mod fields;
 mod frequency;

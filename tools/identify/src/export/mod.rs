@@ -6,7 +6,7 @@ pub mod ls_dyna;
 pub mod ssv;
 
 use softanvil_kernel::parameter::Kind;
-use softanvil_kernel::scenario::Material;
+use softanvil_kernel::scenario::{Layers, Material};
 use softanvil_kernel::{PARAMETERS, Parameter, preset};
 
 /// Which layer of the anvil the material is for.
@@ -29,16 +29,18 @@ impl Layer {
     }
 }
 
-/// Every parameter of the material of `layer` with its value; a choice as its index.
+/// Every parameter of the material of `layer` that has an effect, and every coefficient of 0, with its value; a choice as its
+/// index.
 fn rows(material: &Material, layer: Layer) -> Vec<(&'static Parameter, f64)> {
     let mut scenario = preset::study();
     match layer {
         Layer::Silicone => scenario.silicone = *material,
-        Layer::Skin => scenario.skin = *material,
+        Layer::Skin => (scenario.skin, scenario.geometry.layers) = (*material, Layers::Two),
     }
+    let acts = |parameter: &&Parameter| parameter.without_effect(&scenario).is_none();
     let of_layer =
         |parameter: &&Parameter| parameter.name.split_once('.').is_some_and(|(group, _)| group == layer.group());
-    PARAMETERS.iter().filter(of_layer).map(|parameter| (parameter, parameter.get(&scenario))).collect()
+    PARAMETERS.iter().filter(of_layer).filter(acts).map(|parameter| (parameter, parameter.get(&scenario))).collect()
 }
 
 /// The label of a choice; none for a number.

@@ -1,0 +1,111 @@
+//! What is said to have no effect has none, and what is not said so has one: the table of the kernel against the kernel.
+
+use softanvil_kernel::impactor::StepInput;
+use softanvil_kernel::parameter::Kind;
+use softanvil_kernel::{PARAMETERS, Parameter, Scenario, Simulation, preset};
+
+/// Scenarios in which, together, every parameter acts and every one that can be without effect is.
+fn scenarios() -> Vec<(&'static str, Scenario)> {
+    let with = |given: &[(&str, f64)]| {
+        let mut scenario = preset::study();
+        scenario.mesh.element_size = 5e-3;
+        scenario.time.duration = 4e-3;
+        scenario.impactor.gap = 1e-4;
+        for (name, value) in given {
+            Parameter::find(name).unwrap().set(&mut scenario, *value).unwrap();
+        }
+        scenario
+    };
+    let terms = [
+        ("silicone.prony_g_1", 0.2),
+        ("silicone.prony_g_2", 0.2),
+        ("silicone.prony_g_3", 0.1),
+        ("silicone.prony_g_4", 0.1),
+        ("silicone.prony_g_5", 0.1),
+        ("silicone.maxwell_g_1", 1e5),
+        ("silicone.maxwell_g_2", 1e5),
+        ("silicone.maxwell_g_3", 1e5),
+        ("silicone.maxwell_g_4", 1e5),
+        ("silicone.maxwell_g_5", 1e5),
+        ("silicone.slider_stiffness", 2e5),
+        ("silicone.slider_yield_stress", 1e4),
+        ("silicone.tear_stretch", 1.02),
+    ];
+    let ogden = [
+        ("silicone.law", 3.0),
+        ("silicone.ogden_mu_1", 2e5),
+        ("silicone.ogden_mu_2", -1e5),
+        ("silicone.ogden_mu_3", 1e4),
+        ("core.interface", 0.0),
+        ("impactor.drop_by", 0.0),
+    ];
+    let two = [("geometry.layers", 1.0), ("impactor.drop_by", 2.0), ("silicone.law", 2.0), ("skin.law", 1.0)];
+    let block = [("geometry.shape", 1.0), ("silicone.law", 0.0), ("silicone.volumetric_by", 0.0)];
+    let axisymmetric = [("geometry.formulation", 1.0), ("time.step_by", 1.0), ("time.step", 2.5e-6)];
+    vec![
+        ("study", with(&[("impactor.drop_height", 0.2), ("impactor.drop_speed", 1.5), ("silicone.bulk_modulus", 2e7)])),
+        ("all terms", with(&terms)),
+        ("ogden", with(&ogden)),
+        ("two layers", with(&two)),
+        ("block", with(&block)),
+        ("axisymmetric", with(&axisymmetric)),
+        ("driven", with(&[("impactor.motion", 1.0)])),
+        (
+            "prescribed",
+            with(&[("impactor.motion", 2.0), ("impactor.prescribed_speed", 2.0), ("impactor.prescribed_rise", 1e-3)]),
+        ),
+    ]
+}
+
+/// What a user can see of a run; a refused scenario by its reason.
+fn run(scenario: &Scenario) -> String {
+    let mut simulation = match Simulation::new(scenario) {
+        Ok(simulation) => simulation,
+        Err(error) => return error.to_string(),
+    };
+    let steps = simulation.constants().steps_in(scenario.time.duration);
+    let mut stopped = None;
+    for step in 0..steps {
+        let time = (step + 1) as f64 * simulation.constants().dt;
+        let input = StepInput { driven_position: -time, ..StepInput::default() };
+        if let Err(error) = simulation.step(1, &input) {
+            stopped = Some(error);
+            break;
+        }
+    }
+    let scalars = simulation.scalars();
+    format!("{:x} {:?} {:?} {stopped:?}", scalars.sampler.trace_hash, scalars.metrics, scalars.sampler.filter)
+}
+
+/// Another legal value.
+fn other(parameter: &Parameter, scenario: &Scenario) -> f64 {
+    let (value, (min, max)) = (parameter.get(scenario), parameter.range());
+    match parameter.kind {
+        Kind::Choice { .. } => (value + 1.0) % (max + 1.0),
+        // Coefficients that are 0 are made to be seen.
+        Kind::Real { unit: "Pa", .. } if value == 0.0 => 5e4,
+        Kind::Real { .. } if value == 0.0 => min + 1e-3 * (max - min),
+        Kind::Real { .. } => (0.9 * value).clamp(min, max),
+    }
+}
+
+#[test]
+fn what_has_no_effect_changes_nothing_and_the_rest_does() {
+    let scenarios = scenarios();
+    for parameter in PARAMETERS {
+        let mut acted = false;
+        for (name, scenario) in &scenarios {
+            let mut changed = *scenario;
+            parameter.set(&mut changed, other(parameter, scenario)).unwrap();
+            // A choice may bring others into play; a value has no effect by what is chosen beside it.
+            if parameter.without_effect(&changed).is_some() {
+                assert_eq!(run(&changed), run(scenario), "{} in {name}", parameter.name);
+            } else if !acted {
+                acted = run(&changed) != run(scenario);
+            }
+        }
+        // The rows of the skin are those of the silicone, and a duration is how long is looked.
+        let seen_elsewhere = parameter.name.starts_with("skin.") || parameter.name == "time.duration";
+        assert!(acted || seen_elsewhere, "{} acts nowhere", parameter.name);
+    }
+}

@@ -1,0 +1,168 @@
+//! What a material is, in a few lines: its moduli at once and in the end, and what each of its mechanisms adds.
+
+use serde_json::{Value, json};
+use softanvil_kernel::Scenario;
+use softanvil_kernel::scenario::{Layers, Material};
+
+use crate::table::four_digits;
+
+/// Numbers of a material at rest, SI.
+struct Moduli {
+    shear_at_once: f64,
+    shear_in_the_end: f64,
+    bulk: f64,
+}
+
+impl Moduli {
+    fn of(material: &Material) -> Self {
+        Self {
+            shear_at_once: material.shear_modulus_0(),
+            shear_in_the_end: material.shear_modulus_inf(),
+            bulk: material.effective_bulk_modulus(),
+        }
+    }
+
+    /// Poisson's ratio with this shear modulus.
+    fn poissons_ratio(&self, shear: f64) -> f64 {
+        (3.0 * self.bulk - 2.0 * shear) / (6.0 * self.bulk + 2.0 * shear)
+    }
+}
+
+/// The layers of `scenario` by name.
+fn layers(scenario: &Scenario) -> Vec<(&'static str, &Material)> {
+    let mut layers = vec![("silicone", &scenario.silicone)];
+    if scenario.geometry.layers == Layers::Two {
+        layers.push(("skin", &scenario.skin));
+    }
+    layers
+}
+
+/// The materials of `scenario` for people, a paragraph for each layer.
+pub fn text(scenario: &Scenario) -> String {
+    layers(scenario).into_iter().map(|(name, material)| describe(name, material)).collect::<Vec<_>>().join("\n")
+}
+
+fn describe(name: &str, material: &Material) -> String {
+    let moduli = Moduli::of(material);
+    let (at_once, end) = (moduli.shear_at_once, moduli.shear_in_the_end);
+    let speed = |modulus: f64| four_digits((modulus / material.density).sqrt());
+    let mut lines = vec![
+        format!("{name}: {}, {} kg/m3", law(material), four_digits(material.density)),
+        format!("  shear modulus    {} in the end, {} at once", pascal(end), pascal(at_once)),
+        format!(
+            "  Poisson's ratio  {:.4} in the end, {:.4} at once (bulk modulus {})",
+            moduli.poissons_ratio(end),
+            moduli.poissons_ratio(at_once),
+            pascal(moduli.bulk)
+        ),
+        format!(
+            "  waves at once    {} m/s in compression, {} m/s in shear",
+            speed(moduli.bulk + 4.0 / 3.0 * at_once),
+            speed(at_once)
+        ),
+    ];
+    lines.extend(mechanisms(material).into_iter().map(|(label, adds)| format!("  {label:<15}  {adds}")));
+    lines.join("\n") + "\n"
+}
+
+fn law(material: &Material) -> &'static str {
+    use softanvil_kernel::scenario::ElasticLaw::{MooneyRivlin, NeoHookean, Ogden, Yeoh};
+    match material.law {
+        NeoHookean => "neo-Hookean",
+        MooneyRivlin => "Mooney-Rivlin",
+        Yeoh => "Yeoh",
+        Ogden => "Ogden",
+    }
+}
+
+/// What is on beside the elastic law, and what it adds.
+fn mechanisms(material: &Material) -> Vec<(String, String)> {
+    let instantaneous = material.shear_modulus_inf() / material.prony_g_inf();
+    let terms = |label: &'static str, on: Vec<(f64, f64)>| {
+        on.into_iter().enumerate().filter(|(_, (g, _))| *g > 0.0).map(move |(k, (g, tau))| {
+            (format!("{label} {}", k + 1), format!("adds {} that relax in {} s", pascal(g), four_digits(tau)))
+        })
+    };
+    let prony = material.prony_g.iter().zip(material.prony_tau).map(|(g, tau)| (g * instantaneous, tau)).collect();
+    let maxwell = material.maxwell_g.iter().zip(material.maxwell_beta).map(|(g, beta)| (*g, 1.0 / beta)).collect();
+    let mut found: Vec<_> = terms("Prony", prony).chain(terms("Maxwell", maxwell)).collect();
+    if material.slider_stiffness > 0.0 {
+        let (adds, slips) = (pascal(material.slider_stiffness), pascal(material.slider_yield_stress));
+        found.push(("slider".into(), format!("adds {adds} up to a von Mises stress of {slips}")));
+    }
+    if material.tear_stretch > 0.0 {
+        let [from, to] = [material.tear_stretch, material.tear_stretch + material.tear_width].map(four_digits);
+        let left = four_digits(100.0 * material.tear_residual);
+        found.push((
+            "tearing".into(),
+            format!("from a stretch of {from} to {to}, where {left} % of the stress is left"),
+        ));
+    }
+    found
+}
+
+/// A modulus in the unit in which it is easy to read.
+fn pascal(value: f64) -> String {
+    match value {
+        value if value >= 1e6 => format!("{} MPa", four_digits(value * 1e-6)),
+        value if value >= 1e3 => format!("{} kPa", four_digits(value * 1e-3)),
+        value => format!("{} Pa", four_digits(value)),
+    }
+}
+
+/// The same numbers for other programs, SI, by layer.
+pub fn json(scenario: &Scenario) -> Value {
+    let one = |material: &Material| {
+        let moduli = Moduli::of(material);
+        json!({
+            "density": material.density,
+            "shear_modulus_at_once": moduli.shear_at_once,
+            "shear_modulus_in_the_end": moduli.shear_in_the_end,
+            "bulk_modulus": moduli.bulk,
+            "poissons_ratio_at_once": moduli.poissons_ratio(moduli.shear_at_once),
+            "poissons_ratio_in_the_end": moduli.poissons_ratio(moduli.shear_in_the_end),
+        })
+    };
+    layers(scenario)
+        .into_iter()
+        .map(|(name, material)| (name.to_string(), one(material)))
+        .collect::<serde_json::Map<_, _>>()
+        .into()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use softanvil_kernel::preset;
+
+    #[test]
+    fn the_study_says_what_its_preset_documents() {
+        let text = text(&preset::study());
+        for part in [
+            "Mooney-Rivlin, 1072 kg/m3",
+            "504.0 kPa in the end, 14.97 MPa at once",
+            "0.4900 in the end, 0.2507 at once",
+            "Prony 1",
+        ] {
+            assert!(text.contains(part), "{part}: {text}");
+        }
+        assert!(!text.contains("slider") && !text.contains("skin"), "{text}");
+    }
+
+    #[test]
+    fn every_mechanism_that_is_on_is_told() {
+        let mut scenario = preset::elastic();
+        assert_eq!(mechanisms(&scenario.silicone).len(), 0);
+        let silicone = &mut scenario.silicone;
+        (silicone.prony_g[1], silicone.maxwell_g[0]) = (0.5, 1e5);
+        (silicone.slider_stiffness, silicone.slider_yield_stress, silicone.tear_stretch) = (1e5, 2e4, 3.0);
+        let told = mechanisms(silicone);
+        assert_eq!(
+            told.iter().map(|(label, _)| label.as_str()).collect::<Vec<_>>(),
+            ["Prony 2", "Maxwell 1", "slider", "tearing"]
+        );
+        // Half of the modulus at once is the term's: it adds as much as the law.
+        assert!(told[0].1.starts_with("adds 200.0 kPa"), "{}", told[0].1);
+        assert_eq!(silicone.shear_modulus_0(), 400e3 + 1e5 + 1e5);
+    }
+}
