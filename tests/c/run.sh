@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Builds the rigs in C and C++ against the library in LIBDIR, static and shared, and runs them: their traces agree with
-# each other and, if SOFTANVIL_CLI names the command line program, with its own. Unless the library is one for debugging,
-# which is linked in one way only, the rig of faults also runs under valgrind and under the address and
+# each other and, if SOFTANVIL_CLI names the command line program, with its own. Unless the library is that of the profile
+# `checked`, which is linked in one way only, the rig of faults also runs under valgrind and under the address and
 # undefined-behaviour sanitizers, the sweep over threads under helgrind and the thread sanitizer. For that of the profile
 # `library`, which is installed, it also compares the ABI with the last release and looks for paths to a panic. package.sh
 # does the same from an installed package.
@@ -66,10 +66,9 @@ for dialect in c++17 c++20; do
 done
 check "layout frozen" "${c[@]}" "${include[@]}" -fsyntax-only "$tests/c/abi.c"
 
-# A library for debugging has checks of its own arithmetic, but each drop takes seconds with it and valgrind minutes: one
-# way to link it will do, without instruments.
+# A library with checks of its own arithmetic finds its faults itself: one way to link it will do, without instruments.
 linkages=(static shared)
-[ "$(basename "$libdir")" != debug ] || linkages=(static)
+[ "$(basename "$libdir")" != checked ] || linkages=(static)
 for linkage in "${linkages[@]}"; do
     declare -n library=$linkage
     check "build C rig, $linkage" "${c[@]}" "${include[@]}" "$tests/c/rig.c" -o "$work/c-$linkage" "${library[@]}"
@@ -94,7 +93,7 @@ for linkage in "${linkages[@]}"; do
     done
 done
 
-if [ "$(basename "$libdir")" != debug ]; then
+if [ "$(basename "$libdir")" != checked ]; then
     check "build sanitized rig of faults" "${c[@]}" "${include[@]}" "${sanitize[@]}" "$tests/c/faults.c" \
         -o "$work/faults-sanitized" "${static[@]}"
     check "run sanitized rig of faults" "$work/faults-sanitized"

@@ -104,6 +104,20 @@ IN_INITIALIZATION = {
 }
 
 
+def test_a_value_without_effect_is_logged_as_a_warning(slave):
+    slave.start(silicone__prony_tau_2=0.1)
+    warnings = [message for message in slave.messages if message[1] == "logStatusWarning"]
+    assert warnings == [
+        (1, "logStatusWarning", "silicone.prony_tau_2 = 0.1 s has no effect: silicone.prony_g_2 is 0")]
+    slave.run(1)
+
+
+def test_two_values_that_state_the_same_thing_are_refused(slave):
+    with pytest.raises(FMICallException):
+        slave.start(impactor__drop_height=0.1, impactor__drop_energy=9.8)
+    assert "state the same thing" in slave.messages[-1][2]
+
+
 @pytest.mark.parametrize("case", IN_INITIALIZATION)
 def test_in_initialization_mode(slave, case):
     values, reason = IN_INITIALIZATION[case]

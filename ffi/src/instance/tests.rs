@@ -30,6 +30,36 @@ fn run(instance: &mut Instance, steps: u32) {
     }
 }
 
+/// An instance with these values, and what becomes of it at the end of initialization.
+fn initialized(values: &[(u32, f64)]) -> (Instance, Result<Vec<&'static str>, Error>) {
+    let mut instance = Instance::new(Version::Fmi2);
+    instance.enter_initialization();
+    instance.set_reals(values.iter().copied()).unwrap();
+    let changes = instance.exit_initialization();
+    let without_effect =
+        changes.map(|changes| changes.without_effect(instance.scenario()).map(|value| value.name).collect());
+    (instance, without_effect)
+}
+
+#[test]
+fn one_of_several_values_decides_and_what_has_no_effect_is_told() {
+    const HEIGHT: u32 = 1106;
+    const TAU_2: &str = "silicone.prony_tau_2";
+    let tau_2 = references::PARAMETERS.iter().find(|(name, _)| *name == TAU_2).unwrap().1;
+    let (mut instance, told) = initialized(&[(HEIGHT, 0.1)]);
+    assert_eq!(told, Ok(vec![]));
+    let speed = references::OUTPUTS.iter().find(|(name, _)| *name == "impactor.velocity").unwrap().1;
+    let expected = (2.0_f64 * 9.81 * 0.1).sqrt();
+    assert!((instance.real(speed).unwrap() + expected).abs() < 1e-3, "{expected} m/s");
+    let (_, told) = initialized(&[(HEIGHT, 0.1), (ENERGY, 9.8)]);
+    let error = told.unwrap_err().to_string();
+    assert!(error.contains("state the same thing"), "{error}");
+    // A master that sets every start value may set this one, too.
+    assert_eq!(initialized(&[(tau_2, 0.1)]).1, Ok(vec![TAU_2]));
+    // The same value as the preset's changes nothing.
+    assert_eq!(initialized(&[(tau_2, 1.0)]).1, Ok(vec![]));
+}
+
 /// A drop on a coarse mesh, for speed, that starts at `start` s.
 fn coarse(start: f64) -> Instance {
     let mut instance = Instance::new(Version::Fmi3);
