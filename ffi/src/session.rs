@@ -18,6 +18,8 @@ pub struct Status(c_int);
 impl Status {
     /// All well.
     pub const OK: Self = Self(0);
+    /// Done, with a remark.
+    pub const WARNING: Self = Self(1);
     /// Nothing was done, and the master may try otherwise; or there is no answer.
     pub const DISCARD: Self = Self(2);
     /// Refused, or a step that could not be completed.
@@ -82,6 +84,9 @@ impl Session {
 
     /// Ends the simulation.
     pub fn terminate(&mut self) {
+        if self.instance.is_cut_off() {
+            self.log.warning(&"terminated in contact: the results are those so far, and result.complete is 0");
+        }
         self.instance.terminate();
         self.log.event(&"terminated");
     }

@@ -1,6 +1,7 @@
 //! Scenario files: TOML in which every parameter `group.field` of the kernel's table is the key `field` of the section
 //! `[group]`. Keys left out keep their value in the scenario that the file is read upon.
 
+pub mod assign;
 mod read;
 mod write;
 

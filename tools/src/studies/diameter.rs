@@ -23,7 +23,7 @@ pub static STUDY: Study = Study {
     values: "outer diameters, mm",
     default_values: &["105", "110", "115"],
     settings: &["diameter [mm]", "made by"],
-    plan,
+    plan: |_, scenario, values| plan(scenario, values),
     evaluate,
 };
 
@@ -102,8 +102,11 @@ fn against_experiment(results: &Results, own: &Outcome, standard: &str) -> Optio
     ))
 }
 
-/// Whether the drop has the impact energy `energy`, J.
+/// Whether this is the paper's drop with the impact energy `energy`, J.
 pub fn is_energy(scenario: &Scenario, energy: f64) -> bool {
+    if !paper::is_its_model(scenario) {
+        return false;
+    }
     let speed = scenario.impactor.start_speed();
     (0.5 * scenario.impactor.mass * speed * speed / energy - 1.0).abs() < 1e-6
 }

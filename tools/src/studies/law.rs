@@ -41,7 +41,7 @@ pub static STUDY: Study = Study {
         "ogden_3",
     ],
     settings: &["law", "fit to [%]", "stable", "residual [%]"],
-    plan,
+    plan: |_, scenario, values| plan(scenario, values),
     evaluate,
 };
 

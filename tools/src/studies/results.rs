@@ -5,6 +5,7 @@ use softanvil_kernel::Scenario;
 use super::Study;
 use super::case::{Case, Outcome};
 use super::page::Sheet;
+use crate::ending::Ending;
 use crate::quantity::QUANTITIES;
 use crate::validation::error_percent;
 
@@ -42,6 +43,11 @@ impl Results {
         self.outcomes.iter().filter(|outcome| outcome.is_none()).count()
     }
 
+    /// The cases whose numbers are not those of a whole impact, or a whole press, with their simulations.
+    pub fn cut(&self) -> impl Iterator<Item = (&Case, &Outcome)> {
+        self.done().filter(|(_, outcome)| matches!(outcome.ending(), Ending::InContact | Ending::NoContact))
+    }
+
     /// The outcome of the case with these settings.
     pub fn find(&self, settings: &[&str]) -> Option<&Outcome> {
         self.done().find(|(case, _)| case.settings == settings).map(|(_, outcome)| outcome)
@@ -73,15 +79,17 @@ fn numbers_of(outcome: Option<&Outcome>, reference: Option<&Outcome>) -> Vec<Str
     let Some(outcome) = outcome else { return vec!["-".into(); QUANTITIES.len() + 1] };
     let number = |(i, quantity): (usize, &crate::quantity::Quantity)| {
         let value = format!("{:.*}", quantity.decimals, outcome.values[i] * quantity.display_scale);
+        let value = outcome.ending().marked(quantity.output, value);
         match reference {
-            Some(reference) if !std::ptr::eq(reference, outcome) => {
+            Some(reference) if !std::ptr::eq(reference, outcome) && outcome.ending() != Ending::NoContact => {
                 format!("{value} ({})", percent(error_percent(outcome.values[i], reference.values[i])))
             }
             _ => value,
         }
     };
     let numbers = QUANTITIES.iter().enumerate().map(number);
-    numbers.chain([format!("{:.2}", outcome.restitution())]).collect()
+    let restitution = outcome.ending().marked("result.restitution", format!("{:.2}", outcome.restitution()));
+    numbers.chain([restitution]).collect()
 }
 
 /// A change in %, to a tenth, or to two digits where it is small.

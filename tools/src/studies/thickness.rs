@@ -21,7 +21,7 @@ pub static STUDY: Study = Study {
     values: "thicknesses of the silicone, mm",
     default_values: &["10", "12", "13", "14", "15", "16", "18"],
     settings: &["thickness [mm]"],
-    plan,
+    plan: |_, scenario, values| plan(scenario, values),
     evaluate,
 };
 
