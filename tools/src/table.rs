@@ -119,17 +119,18 @@ pub fn of_run(run: &Run) -> String {
     text(&mut table) + "\n"
 }
 
-/// What a run was made with, in one line.
+/// What a run was made with, in a sentence.
 pub fn settings(run: &Run) -> String {
     let grid = &run.constants.grid;
-    format!(
+    let text = format!(
         "{} triangles, {} steps of {:.4} us{}, trace {}",
         grid.n_elem(),
         run.end().step_index,
         run.constants.dt * 1e6,
         chosen_for(&run.constants),
         run.trace_hash()
-    )
+    );
+    filled(&text).trim_end().to_string()
 }
 
 /// What the step was chosen for; nothing if it was given.

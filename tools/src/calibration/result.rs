@@ -89,25 +89,24 @@ impl Found {
         let (factor, points) = EQUALLY_GOOD;
         let spread = match self.convergence.is_reached() {
             true => format!(
-                "Spread: of the {} evaluations with scores up to {factor} times the best or {points} points above it; as a\n\
+                "Spread: of the {} evaluations with scores up to {factor} times the best or {points} points above it; as a \
                  part of the range, 0 is pinned, 1 is free.\n",
                 self.equally_good
             ),
             false => "Spread: untold, because it says nothing before the search has converged.\n".into(),
         };
         let counted = problem.targets.iter().flat_map(|target| target.counts).filter(|counts| *counts).count();
-        let _ = writeln!(
-            text,
-            "Score {:.3}, mean |error| of all measured numbers {:.2} %, after {} evaluations:\n{} parameters searched, {} \
-             numbers counted.\n{spread}Compared force: {}{}.",
+        let searched = problem.variables.len();
+        let channel = problem.objective.cfc.map_or(String::new(), |class| format!(", filtered by CFC {class}"));
+        text += &filled(&format!(
+            "Score {:.3}, mean |error| of all measured numbers {:.2} %, after {} evaluations: {searched} parameter{} \
+             searched, {counted} numbers counted.\n{spread}Compared force: {}{channel}.",
             self.entry.score,
             self.evaluation.mean_error,
             self.evaluations,
-            problem.variables.len(),
-            counted,
+            if searched == 1 { "" } else { "s" },
             problem.objective.force.label(),
-            problem.objective.cfc.map_or(String::new(), |class| format!(", filtered by CFC {class}")),
-        );
+        ));
         if self.evaluation.impacts.iter().any(|impact| matches!(impact.ending, Ending::InContact)) {
             let _ = writeln!(text, "! Numbers marked {MARK} are cut off in contact: the simulated time is too short.");
         }

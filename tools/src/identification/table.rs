@@ -35,11 +35,11 @@ pub fn of_identification(identification: &Identification) -> String {
     text
 }
 
-/// A note as a paragraph of its own, 100 characters wide.
+/// A note as a paragraph of its own, 80 characters wide.
 fn push(text: &mut String, indent: &str, note: &str) {
     let mut line = indent.to_string();
     for word in note.split(' ') {
-        if line.len() + word.len() > 100 {
+        if line.len() + word.len() > 80 {
             let _ = writeln!(text, "{}", line.trim_end());
             line = " ".repeat(indent.len().max(2));
         }

@@ -109,14 +109,20 @@ impl<'a> Content<'a> {
         }
     }
 
-    /// The numbers, for people.
-    pub fn table(&self) -> String {
+    /// The numbers, for people, without their head.
+    fn numbers(&self) -> String {
         match self.about {
             About::Validation(validation) => table::of_validation(validation),
-            About::Own(_) => self.drops.iter().fold(self.head(), |text, drop| {
-                format!("{text}{}{}\n", table::of_run(drop.run), table::settings(drop.run))
-            }),
+            About::Own(_) => {
+                let drops = self.drops.iter();
+                drops.map(|drop| format!("{}{}\n", table::of_run(drop.run), table::settings(drop.run))).collect()
+            }
         }
+    }
+
+    /// The numbers, for people, and what a reader has to know of them.
+    pub fn table(&self) -> String {
+        self.head() + &self.numbers()
     }
 }
 

@@ -43,7 +43,7 @@ fn render(content: &Content) -> Result<String, minijinja::Error> {
     environment.get_template("page.html")?.render(context! {
         version => env!("CARGO_PKG_VERSION"),
         head => content.head(),
-        numbers => content.table(),
+        numbers => content.numbers(),
         triangles => constants.map(|constants| constants.grid.n_elem()),
         step => constants.map(|constants| format!("{:.3}", constants.dt * 1e6)),
         validation => validation.map(|validation| context! {

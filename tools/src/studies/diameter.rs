@@ -92,9 +92,10 @@ fn against_experiment(results: &Results, own: &Outcome, standard: &str) -> Optio
     let case = paper::TABLE_1.iter().find(|case| is_energy(&results.scenario, case.energy))?;
     let error = |outcome: &Outcome| mean_absolute(errors_percent(&outcome.values, &case.experiment).into_iter());
     let [core, layer] = [CORE, LAYER].map(|part| results.find(&[standard, part]).map(error));
+    let fitted = results.fitted().map_or(String::new(), |fitted| format!(" {fitted}"));
     Some(format!(
         "Mean error of the {} numbers against the experiment: {:.1} % as it is, {:.1} % with {standard} mm by the core, \
-         {:.1} % by the layer; the material was not identified anew.",
+         {:.1} % by the layer; the material was not identified anew.{fitted}",
         QUANTITIES.len(),
         error(own),
         core?,

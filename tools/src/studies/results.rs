@@ -1,6 +1,7 @@
 //! The cases of a study with what came of them.
 
 use softanvil_kernel::Scenario;
+use softanvil_kernel::preset::Preset;
 
 use super::Study;
 use super::case::{Case, Outcome};
@@ -15,6 +16,8 @@ pub struct Results {
     pub study: &'static Study,
     /// The scenario that it starts from.
     pub scenario: Scenario,
+    /// The preset that this one starts from.
+    pub preset: &'static Preset,
     /// Its cases.
     pub cases: Vec<Case>,
     /// For each case what came of it, or why nothing did; none if it was not simulated.
@@ -41,6 +44,14 @@ impl Results {
     /// How many cases were not simulated.
     pub fn missing(&self) -> usize {
         self.outcomes.iter().filter(|outcome| outcome.is_none()).count()
+    }
+
+    /// What errors of the scenario's own silicone against the experiment are worth, in a sentence; none of a silicone that is
+    /// not the preset's.
+    pub fn fitted(&self) -> Option<String> {
+        let own = (self.preset.scenario)().silicone;
+        let text = format!("Of the silicone as it is, {}.", self.preset.fitted);
+        (self.scenario.silicone == own).then_some(text)
     }
 
     /// The cases whose numbers are not those of a whole impact, or a whole press, with their simulations.

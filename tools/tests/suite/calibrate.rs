@@ -156,9 +156,11 @@ fn a_best_value_on_a_bound_of_its_range_is_marked() {
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();
     // The impact asks for a softer layer than the range has.
-    let bounded = PROBLEM.replace("min = 2e4, max = 4e5, scale = \"log\", start = 3e5", "min = 4e5, max = 8e5");
+    let bounded = PROBLEM
+        .replace("min = 2e4, max = 4e5, scale = \"log\", start = 3e5", "min = 4e5, max = 8e5")
+        .replace("\"geometry.length\" = { min = 0.06, max = 0.15 }\n", "");
     fs::write(folder.join("problem.toml"), bounded).unwrap();
-    let text = succeed(folder, &["calibrate", "problem.toml", "--evaluations", "60", "--out", "out"]);
+    let text = succeed(folder, &["calibrate", "problem.toml", "--evaluations", "90", "--out", "out"]);
     assert!(
         text.contains("(lower bound)") && text.contains("! silicone.c10 = 400000 Pa lies on the lower bound"),
         "{text}"
@@ -217,10 +219,20 @@ fn the_page_of_the_protocols_has_the_errors_of_the_presets() {
     let folder = tempfile::tempdir().unwrap();
     let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/protocols.md");
     let page = fs::read_to_string(page).unwrap();
+    let readme = Path::new(env!("CARGO_MANIFEST_DIR")).join("../README.md");
+    let readme = fs::read_to_string(readme).unwrap().replace('\n', " ");
     for preset in ["study", "study-14.7", "study-incompressible"] {
         let found = crate::common::json(folder.path(), &["validate", "--preset", preset, "--json"]);
         let mean = found["mean_error_percent"].as_f64().unwrap();
         let row = page.lines().find(|line| line.starts_with(&format!("| preset `{preset}`"))).unwrap();
-        assert_eq!(row.split('|').nth(2).unwrap().trim(), format!("{mean:.1}"), "{row}");
+        assert_eq!(row.split('|').nth(3).unwrap().trim(), format!("{mean:.1}"), "{row}");
+        let fitted = &found["fitted"];
+        let fitted = format!("{} / {}", fitted["parameters"], fitted["numbers"]);
+        assert_eq!(row.split('|').nth(2).unwrap().trim(), fitted, "{row}");
+        match preset {
+            "study" => assert!(readme.contains(&format!("the mean error of {mean:.1} %")), "{mean}"),
+            "study-14.7" => assert!(readme.contains(&format!("a mean error of the twelve of {mean:.1} %")), "{mean}"),
+            _ => {}
+        }
     }
 }
