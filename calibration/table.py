@@ -44,14 +44,19 @@ def validation(program, preset):
     return json.loads(text)
 
 
-def summary_row(name, impacts):
-    """Mean errors of a calibration: of all numbers, of those that counted, of those that did not."""
+def fitted(found):
+    """Parameters and numbers fitted, of a validation."""
+    return f"{found['fitted']['parameters']} / {found['fitted']['numbers']}"
+
+
+def summary_row(name, parameters, impacts):
+    """Parameters and numbers fitted, and mean errors of a calibration: of all numbers, of those fitted, of the others."""
     cells = [impact[key] for impact in impacts for key in QUANTITIES]
     errors = [cell["error_percent"] for cell in cells]
     counted = [cell["error_percent"] for cell in cells if cell["counts"]]
     predicted = [cell["error_percent"] for cell in cells if not cell["counts"]]
     peaks = ", ".join(f"{impact['peak_force']['error_percent']:+.1f}" for impact in impacts)
-    return [name, mean(errors), mean(counted), mean(predicted), peaks]
+    return [name, f"{parameters} / {len(counted)}", mean(errors), mean(counted), mean(predicted), peaks]
 
 
 def error_rows(impacts_by_name):
@@ -66,8 +71,12 @@ def error_rows(impacts_by_name):
 def spread_rows(parameters):
     for name, row in parameters.items():
         spread = row["spread"]
+        bound = f" ({row['bound']})" if row["bound"] else ""
+        if spread["part"] is None:  # The search has not converged.
+            yield [name, f"{row['value']:.3g}{bound}", row["unit"], "-", "-"]
+            continue
         best, low, high = (f"{value:.3g}" for value in (row["value"], spread["min"], spread["max"]))
-        yield [name, best, row["unit"], f"{low} to {high}", f"{spread['part']:.2f}"]
+        yield [name, best + bound, row["unit"], f"{low} to {high}", f"{spread['part']:.2f}"]
 
 
 def of_validation(cases, key):
@@ -80,22 +89,27 @@ def of_validation(cases, key):
 
 def main(program, folder):
     results = {name: json.loads((folder / name / "summary.json").read_text()) for name in PROTOCOLS}
-    presets = {name: validation(program, name)["cases"] for name in PRESETS}
+    validations = {name: validation(program, name) for name in PRESETS}
+    presets = {name: found["cases"] for name, found in validations.items()}
     ls_dyna = of_validation(presets["study"], "ls_dyna_error_percent")
-    rows = [summary_row("LS-DYNA, as printed in the study", ls_dyna)]
-    rows += [summary_row(label, results[name]["impacts"]) for name, label in PROTOCOLS.items()]
+    rows = [summary_row("LS-DYNA, as printed in the study", 0, ls_dyna)]
+    rows[0][1] = fitted(validations["study"]["ls_dyna"])
+    rows += [
+        summary_row(label, len(results[name]["parameters"]), results[name]["impacts"]) for name, label in PROTOCOLS.items()
+    ]
     for name, cases in presets.items():
-        rows.append(summary_row(f"preset `{name}`, near `{PRESETS[name]}.toml`", of_validation(cases, "error_percent")))
+        rows.append(summary_row(f"preset `{name}`, near `{PRESETS[name]}.toml`", 0, of_validation(cases, "error_percent")))
+        rows[-1][1] = fitted(validations[name])
     for row in rows[0], *rows[-len(presets) :]:
-        row[2] = row[3] = ""
+        row[3] = row[4] = ""
     shown = {"LS-DYNA": ls_dyna, **{PROTOCOLS[name].split(" ")[0] + " " + name: results[name]["impacts"] for name in PROTOCOLS}}
     best = results["all"]
     text = f"""# Calibration protocols
 
 Written by `calibration/run.sh`, which runs every protocol and takes about half an hour on two cores. Errors are against the
-study's experiment, in %. {len(best["parameters"])} parameters are fitted to the numbers, in (a) {len(results["only-14.7"]["parameters"])}.
+study's experiment, in %; beside each stands how many parameters were fitted to how many of the twelve numbers.
 
-{table(["tuned with", "mean of twelve", "of the tuned", "of the predicted", "peaks at 14.7, 9.8, 4.9 J"], rows)}
+{table(["tuned with", "parameters / numbers fitted", "mean of twelve", "of the tuned", "of the predicted", "peaks at 14.7, 9.8, 4.9 J"], rows)}
 Every error; those in italics were predicted:
 
 {table(["energy", "quantity", *shown], error_rows(shown))}

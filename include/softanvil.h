@@ -630,7 +630,9 @@ enum SoftanvilOutput {
     /** contact.force_filtered, N: contact.force after the forward pass of the channel filter measurement.channel_class, which lags as any running filter does; the standards' figure without lag needs a second pass backwards over the whole record. */
     SOFTANVIL_OUTPUT_CONTACT_FORCE_FILTERED = 28,
     /** model.design_stretch: smallest principal stretch in the section that the time step was chosen for; 1 where the step was given. */
-    SOFTANVIL_OUTPUT_MODEL_DESIGN_STRETCH = 29
+    SOFTANVIL_OUTPUT_MODEL_DESIGN_STRETCH = 29,
+    /** result.complete: 1 once the face has touched and is clear of the layer for a whole sampling interval; at 0 the other results are those so far. */
+    SOFTANVIL_OUTPUT_RESULT_COMPLETE = 30
 };
 
 /** Fields of a simulation: name, unit, components, meaning. */

@@ -136,7 +136,7 @@ pub static PARAMETER_BY_ID: [&Parameter; 121] = [
 ];
 
 /// Outputs by number.
-pub static OUTPUT_BY_ID: [Option<&Output>; 30] = [
+pub static OUTPUT_BY_ID: [Option<&Output>; 31] = [
     output_row("contact.force"),
     output_row("contact.force_step"),
     output_row("core.reaction"),
@@ -167,6 +167,7 @@ pub static OUTPUT_BY_ID: [Option<&Output>; 30] = [
     output_row("energy.tear"),
     output_row("contact.force_filtered"),
     output_row("model.design_stretch"),
+    output_row("result.complete"),
 ];
 
 /// Fields by number.

@@ -177,6 +177,12 @@ impl Instance {
         self.mode == Mode::Failed
     }
 
+    /// Whether the impactor has touched the layer and is not clear of it, so that the results are those so far.
+    pub fn is_cut_off(&self) -> bool {
+        let scalars = self.simulation.as_ref().map(Simulation::scalars);
+        scalars.is_some_and(|scalars| scalars.metrics.has_touched() && !scalars.contact_has_ended())
+    }
+
     /// The model in one line, for the log.
     pub fn summary(&self) -> Summary<'_> {
         Summary(self.simulation.as_ref())

@@ -20,14 +20,14 @@ impl Category {
     const ERROR: Self = Self { name: c"logStatusError", bits: 2 };
     /// Refused steps that may be tried otherwise (FMI 3.0), and what a status function cannot tell (FMI 2.0).
     const DISCARD: Self = Self { name: c"logStatusDiscard", bits: 4 };
-    /// Values that have no effect.
+    /// Results that are not what they seem, and values that have no effect.
     const WARNING: Self = Self { name: c"logStatusWarning", bits: 8 };
     /// All of them.
     pub const ALL: Self = Self { name: c"logAll", bits: 15 };
 
     /// The category called `name`.
     pub fn find(name: &CStr) -> Option<Self> {
-        [Self::EVENTS, Self::ERROR, Self::DISCARD, Self::WARNING, Self::ALL]
+        [Self::EVENTS, Self::WARNING, Self::ERROR, Self::DISCARD, Self::ALL]
             .into_iter()
             .find(|category| category.name == name)
     }
@@ -84,17 +84,17 @@ impl Log {
         }
     }
 
-    /// What is not quite right, by the same rule as an error.
-    pub fn warning(&self, what: &dyn Display) {
-        if self.tells(&Category::WARNING) || matches!(self.logger, Logger::Format(..)) {
-            self.write(Status::WARNING, &Category::WARNING, what);
-        }
-    }
-
     /// A step that may be tried otherwise, or a question that cannot be answered.
     pub fn discard(&self, function: &str, what: &dyn Display) {
         if self.tells(&Category::DISCARD) {
             self.write(Status::DISCARD, &Category::DISCARD, &format_args!("{function}: {what}"));
+        }
+    }
+
+    /// A result that is not what it seems, or a value without effect: told as an error is.
+    pub fn warning(&self, message: &dyn Display) {
+        if self.tells(&Category::WARNING) || matches!(self.logger, Logger::Format(..)) {
+            self.write(Status::WARNING, &Category::WARNING, message);
         }
     }
 

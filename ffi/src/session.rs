@@ -18,7 +18,7 @@ pub struct Status(c_int);
 impl Status {
     /// All well.
     pub const OK: Self = Self(0);
-    /// Done, with something that is not quite right.
+    /// Done, with a remark.
     pub const WARNING: Self = Self(1);
     /// Nothing was done, and the master may try otherwise; or there is no answer.
     pub const DISCARD: Self = Self(2);
@@ -87,6 +87,9 @@ impl Session {
 
     /// Ends the simulation.
     pub fn terminate(&mut self) {
+        if self.instance.is_cut_off() {
+            self.log.warning(&"terminated in contact: the results are those so far, and result.complete is 0");
+        }
         self.instance.terminate();
         self.log.event(&"terminated");
     }

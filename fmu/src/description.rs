@@ -104,8 +104,8 @@ fn co_simulation(xml: &mut Xml, version: Version) -> io::Result<()> {
 fn log_categories(xml: &mut Xml) -> io::Result<()> {
     let categories = [
         ("logEvents", "changes of mode"),
+        ("logStatusWarning", "results that are not what they seem, and values that have no effect"),
         ("logStatusError", "refused calls and failed steps"),
-        ("logStatusWarning", "values that have no effect"),
         ("logStatusDiscard", "steps that may be tried otherwise, and status inquiries that have no answer"),
         ("logAll", "all of them"),
     ];

@@ -16,6 +16,7 @@ pub mod reference;
 pub mod terminals;
 
 use std::fs;
+use std::io::Read;
 use std::path::{Path, PathBuf};
 
 pub use build::build;
@@ -39,6 +40,28 @@ pub struct Options {
     pub out: PathBuf,
 }
 
+impl Options {
+    /// The FMU that they make.
+    pub fn path(&self) -> PathBuf {
+        let number = match self.version {
+            Version::Fmi2 => 2,
+            Version::Fmi3 => 3,
+        };
+        self.out.join(format!("{MODEL_IDENTIFIER}-fmi{number}.fmu"))
+    }
+}
+
+/// Whether the file at `path` is an FMU of this model.
+pub fn is_ours(path: &Path) -> bool {
+    let described = || -> Option<String> {
+        let mut archive = zip::ZipArchive::new(fs::File::open(path).ok()?).ok()?;
+        let mut text = String::new();
+        archive.by_name("modelDescription.xml").ok()?.read_to_string(&mut text).ok()?;
+        Some(text)
+    };
+    described().is_some_and(|text| text.contains(&format!("modelIdentifier=\"{MODEL_IDENTIFIER}\"")))
+}
+
 /// Packages an FMU for co-simulation and returns its path, `softanvil-fmi2.fmu` or `softanvil-fmi3.fmu` in the folder asked
 /// for.
 ///
@@ -48,17 +71,13 @@ pub struct Options {
 pub fn package(options: &Options) -> Result<PathBuf, Error> {
     let mut archive = Archive::new();
     archive.add("modelDescription.xml", description::xml(options.version).as_bytes())?;
-    let number = match options.version {
-        Version::Fmi2 => {
-            archive.add("model.png", ICON)?;
-            2
-        }
+    match options.version {
+        Version::Fmi2 => archive.add("model.png", ICON)?,
         Version::Fmi3 => {
             archive.add("terminalsAndIcons/icon.png", ICON)?;
             archive.add("terminalsAndIcons/terminalsAndIcons.xml", terminals::xml().as_bytes())?;
-            3
         }
-    };
+    }
     archive.add("documentation/index.html", documentation::page(options.version).as_bytes())?;
     for (name, picture) in PICTURES {
         archive.add(&format!("documentation/{name}"), picture)?;
@@ -69,7 +88,7 @@ pub fn package(options: &Options) -> Result<PathBuf, Error> {
     archive.add(&format!("{}/fmi-ls-manifest.xml", reference::FOLDER), reference::manifest().as_bytes())?;
     archive.add(&format!("{}/{}", reference::FOLDER, reference::RESULTS), &reference::results()?)?;
     add_libraries(&mut archive, options)?;
-    let path = options.out.join(format!("{MODEL_IDENTIFIER}-fmi{number}.fmu"));
+    let path = options.path();
     write_whole(&path, &archive.finish()?)?;
     Ok(path)
 }

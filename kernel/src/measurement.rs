@@ -119,6 +119,11 @@ impl Metrics {
         }
     }
 
+    /// Whether the face has touched the layer.
+    pub fn has_touched(&self) -> bool {
+        self.first_step > 0
+    }
+
     /// Rebound speed over impact speed; 0 before contact.
     pub fn restitution(&self) -> Real {
         if self.impact_speed > 0.0 { self.rebound_speed / self.impact_speed } else { 0.0 }

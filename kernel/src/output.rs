@@ -99,6 +99,13 @@ pub static OUTPUTS: &[Output] = &[
     ),
     output("result.restitution", "1", |_, s| s.metrics.restitution(), "rebound speed over impact speed"),
     output("result.contact_time", "s", |_, s| s.metrics.contact_time, "time from the first to the last contact so far"),
+    output(
+        "result.complete",
+        "1",
+        |_, s| if s.contact_has_ended() { 1.0 } else { 0.0 },
+        "1 once the face has touched and is clear of the layer for a whole sampling interval; at 0 the other results are \
+         those so far",
+    ),
     output("energy.impactor_kinetic", "J", |_, s| s.energy.impactor_kinetic, "kinetic energy of the impactor"),
     output("energy.layer_kinetic", "J", |_, s| s.energy.layer_kinetic, "kinetic energy of the layer"),
     output("energy.elastic", "J", |_, s| s.energy.elastic, "long-term elastic energy of the layer"),

@@ -16,6 +16,39 @@ pub struct Preset {
     pub scenario: fn() -> Scenario,
     /// Meaning, one line.
     pub description: &'static str,
+    /// What of the study's table went into it.
+    pub fitted: Fitted,
+}
+
+/// How many parameters were fitted to how many numbers of the study's table: what the errors against it are worth.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Fitted {
+    /// Parameters.
+    pub parameters: u32,
+    /// Numbers they were fitted to; the others are predicted.
+    pub numbers: u32,
+}
+
+impl Fitted {
+    /// Numbers of the study's table: four of each of three drops.
+    pub const TABLE: u32 = 12;
+    /// Nothing was: the model is not the study's.
+    pub const NONE: Self = Self { parameters: 0, numbers: 0 };
+}
+
+impl core::fmt::Display for Fitted {
+    fn fmt(&self, f: &mut core::fmt::Formatter) -> core::fmt::Result {
+        let Self { parameters, numbers } = *self;
+        if *self == Self::NONE {
+            return f.write_str("no parameter fitted to any of the numbers");
+        }
+        let plural = if parameters == 1 { "" } else { "s" };
+        write!(f, "{parameters} parameter{plural} fitted to ")?;
+        match Self::TABLE.saturating_sub(numbers) {
+            0 => write!(f, "all {numbers} numbers, none predicted"),
+            predicted => write!(f, "{numbers} of the {} numbers, the other {predicted} predicted", Self::TABLE),
+        }
+    }
 }
 
 /// Every preset; the first is the default.
@@ -24,41 +57,49 @@ pub static PRESETS: &[Preset] = &[
         name: "study",
         scenario: study,
         description: "the study's soft anvil, 5 parameters fitted to the 12 numbers of its 3 drops",
+        fitted: Fitted { parameters: 5, numbers: 12 },
     },
     Preset {
         name: "study-14.7",
         scenario: study_14_7,
         description: "the study's soft anvil, 4 parameters fitted to the 4 numbers of 14.7 J alone",
+        fitted: Fitted { parameters: 4, numbers: 4 },
     },
     Preset {
         name: "study-incompressible",
         scenario: study_incompressible,
         description: "the study's soft anvil, incompressible, 5 parameters fitted to the 12 numbers",
+        fitted: Fitted { parameters: 5, numbers: 12 },
     },
     Preset {
         name: "elastic",
         scenario: elastic,
         description: "the study's anvil of a plain elastic silicone, to start from with a material of one's own",
+        fitted: Fitted::NONE,
     },
     Preset {
         name: "block",
         scenario: block,
         description: "a flat block of the plain elastic silicone on a flat core, bonded",
+        fitted: Fitted::NONE,
     },
     Preset {
         name: "ecoflex-00-30",
         scenario: ecoflex_00_30,
         description: "the study's anvil of Ecoflex 00-30, elastic, from tension tests of Marechal et al. (2021)",
+        fitted: Fitted::NONE,
     },
     Preset {
         name: "dragon-skin-30",
         scenario: dragon_skin_30,
         description: "the study's anvil of Dragon Skin 30, elastic, from tension tests of Marechal et al. (2021)",
+        fitted: Fitted::NONE,
     },
     Preset {
         name: "natural-rubber",
         scenario: natural_rubber,
         description: "the study's anvil of Treloar's vulcanised natural rubber, elastic, by Ogden (1972)",
+        fitted: Fitted::NONE,
     },
 ];
 

@@ -277,6 +277,12 @@ impl Scalars {
         failure: None,
     };
 
+    /// Whether the face has touched the layer and been clear of it since the last complete sampling interval began.
+    pub fn contact_has_ended(&self) -> bool {
+        let forces = [self.sampler.last.contact_force, self.sampler.sum.contact, self.force.contact];
+        self.metrics.has_touched() && forces.iter().all(|force| *force <= 0.0)
+    }
+
     /// The start of the drop.
     fn start(model: &Model) -> Self {
         Self { impactor: ImpactorState::start(model), energy: Ledger::start(model), ..Self::BLANK }

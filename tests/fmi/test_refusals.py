@@ -189,6 +189,17 @@ def test_changes_of_mode_are_told_only_when_asked(another):
     assert len(talking.messages) == told
 
 
+@pytest.mark.parametrize("steps, complete", [(60, 0.0), (300, 1.0)])
+def test_a_run_that_ends_in_contact_says_so(slave, steps, complete):
+    slave.start().run(steps)
+    assert slave.real("result.peak_force") > 0.0 and slave.real("result.complete") == complete
+    told = len(slave.messages)
+    slave.fmu.terminate()
+    warnings = [(status, category) for status, category, text in slave.messages[told:] if "in contact" in text]
+    assert warnings == ([] if complete else [(1, "logStatusWarning")])
+    assert slave.real("result.complete") == complete
+
+
 def test_status_inquiries(slave):
     slave.start().run(3)
     status, time, flag = c_int(), c_double(), c_int()

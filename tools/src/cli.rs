@@ -22,8 +22,9 @@ pub struct Cli {
 
 #[derive(Debug, Subcommand)]
 enum Command {
-    Run(run::Options),
-    Measure(measure::Options),
+    Run(Box<run::Options>),
+    Report(Box<report::OwnOptions>),
+    Measure(Box<measure::Options>),
     Validate(validate::Options),
     Calibrate(calibrate::Options),
     Study(Box<study::Options>),
@@ -42,6 +43,7 @@ impl Cli {
         match &self.command {
             None => report::carry_out(&self.report),
             Some(Command::Run(options)) => run::carry_out(options),
+            Some(Command::Report(options)) => report::carry_out_own(options),
             Some(Command::Measure(options)) => measure::carry_out(options),
             Some(Command::Validate(options)) => validate::carry_out(options),
             Some(Command::Calibrate(options)) => calibrate::carry_out(options),

@@ -6,12 +6,14 @@ use comfy_table::Table;
 use serde_json::{Map, Value, json};
 
 use crate::curve_score::CurveScore;
+use crate::ending::Ending;
 use crate::failure::Failure;
 use crate::quantity::{COUNT, QUANTITIES};
 use crate::reading::{Reading, Record, Threshold};
 use crate::run::Run;
 use crate::series::{Sensor, Series};
-use crate::table::{align_right, new_plain_table};
+use crate::subject::Subject;
+use crate::table::{align_right, new_plain_table, text as table_text};
 use crate::validation::error_percent;
 
 /// Channel frequency classes of the standards, Hz.
@@ -53,7 +55,7 @@ impl Comparison {
     }
 
     /// The numbers side by side, and the ratings.
-    pub fn text(&self, record: &Record) -> String {
+    pub fn text(&self, record: &Record, ending: Ending) -> String {
         let mut table = new_plain_table(&["beside the measured trace", "measured", "Softanvil", "error"]);
         for (i, quantity) in QUANTITIES.iter().enumerate() {
             let shown = |value: f64| format!("{:.*}", quantity.decimals, value * quantity.display_scale);
@@ -62,7 +64,7 @@ impl Comparison {
             table.add_row([
                 format!("{} ({})", quantity.label, quantity.display_unit),
                 shown(measured),
-                shown(ours),
+                ending.marked(quantity.output, shown(ours)),
                 format!("{:+.1} %", error_percent(ours, measured)),
             ]);
         }
@@ -71,7 +73,7 @@ impl Comparison {
         format!(
             "{}\nR2 {:.4}, root mean square of the difference {:.1} % of the peak\n\
              CORA {:.3}: phase {:.3}, size {:.3}, progression {:.3}; both from {:.1} N on, aligned there\n",
-            table.trim_fmt(),
+            table_text(&mut table),
             score.r_squared,
             100.0 * score.difference,
             score.rating(),
@@ -120,11 +122,11 @@ pub fn channels(run: &Run, reading: &Reading, record: &Record) -> String {
     let header: Vec<String> = std::iter::once("force".into()).chain(titles).collect();
     let mut table = new_plain_table(&header.iter().map(String::as_str).collect::<Vec<_>>());
     for (name, values) in each_channel(run, reading) {
-        add(&mut table, name, &values);
+        add(&mut table, name, &values, run.ending());
     }
-    add(&mut table, format!("read: {reading}"), &record.values);
+    add(&mut table, format!("read: {reading}"), &record.values, run.ending());
     align_right(&mut table, 1..1 + COUNT);
-    let mut text = format!("{}\n", table.trim_fmt());
+    let mut text = format!("{}\n", table_text(&mut table));
     let _ = writeln!(text, "The impact lasts at forces from {:.1} N on.", record.threshold);
     if reading.noise != crate::reading::Noise::NONE {
         let noise = &reading.noise;
@@ -149,20 +151,31 @@ fn each_channel(run: &Run, reading: &Reading) -> impl Iterator<Item = (String, [
     })
 }
 
-fn add(table: &mut Table, name: String, values: &[f64; COUNT]) {
-    let shown = QUANTITIES
-        .iter()
-        .zip(values)
-        .map(|(quantity, value)| format!("{:.*}", quantity.decimals, value * quantity.display_scale));
+fn add(table: &mut Table, name: String, values: &[f64; COUNT], ending: Ending) {
+    let shown = QUANTITIES.iter().zip(values).map(|(quantity, value)| {
+        ending.marked(quantity.output, format!("{:.*}", quantity.decimals, value * quantity.display_scale))
+    });
     table.add_row(std::iter::once(name).chain(shown));
 }
 
 /// The same for other programs.
-pub fn json(run: &Run, reading: &Reading, record: &Record, comparison: Option<&Comparison>) -> Value {
+pub fn json(
+    run: &Run,
+    subject: &Subject,
+    reading: &Reading,
+    record: &Record,
+    comparison: Option<&Comparison>,
+) -> Value {
+    let touched = run.ending() != Ending::NoContact;
     let by_key = |values: &[f64; COUNT]| -> Map<String, Value> {
-        QUANTITIES.iter().zip(values).map(|(quantity, value)| (quantity.key.into(), (*value).into())).collect()
+        let pairs = QUANTITIES.iter().zip(values);
+        pairs.map(|(quantity, value)| (quantity.key.into(), touched.then_some(*value).into())).collect()
     };
-    let mut object = by_key(&record.values);
+    let mut object = Map::new();
+    object.insert("drop".into(), subject.json());
+    object.extend(by_key(&record.values));
+    object.extend(crate::json::of_ending(run));
+    object.insert("warnings".into(), crate::subject::warnings(&run.constants).into());
     object.insert("force".into(), if reading.sensor == Sensor::Core { "core" } else { "contact" }.into());
     object.insert("channel_class".into(), reading.channel_class.into());
     object.insert("threshold".into(), record.threshold.into());

@@ -1,6 +1,7 @@
 //! The golden traces on this machine: run, compared, written.
 
 use std::fmt::Write;
+use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
@@ -53,6 +54,12 @@ impl Played {
         }
         text
     }
+}
+
+/// Whether the file at `path` is a trace of `scene`.
+pub fn is_trace(path: &Path, scene: &Scene) -> bool {
+    let text = std::fs::read_to_string(path).unwrap_or_default();
+    text.starts_with(&format!("# {}: ", scene.name)) && text.contains("contact_force_N")
 }
 
 /// The scenes called `names`, all if there are none.

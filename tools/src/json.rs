@@ -2,31 +2,57 @@
 
 use serde_json::{Map, Value, json};
 use softanvil_kernel::OUTPUTS;
+use softanvil_kernel::preset::Fitted;
 
+use crate::ending::Ending;
 use crate::paper;
 use crate::quantity::{COUNT, QUANTITIES};
 use crate::run::Run;
+use crate::subject::{self, Subject};
 use crate::validation::{Comparison, Validation};
 
 /// Group of the outputs that are results of the whole test; their keys go without it.
 const RESULT: &str = "result.";
 
-/// The results of a run.
-pub fn of_run(run: &Run) -> Value {
+/// The results of a run; null where there was no impact to have any.
+pub fn of_run(run: &Run, subject: &Subject) -> Value {
     let mut object = Map::new();
+    object.insert("drop".into(), subject.json());
+    let ending = run.ending();
     for output in OUTPUTS {
-        if let Some(key) = output.name.strip_prefix(RESULT) {
-            object.insert(key.into(), run.result(output).into());
-        } else if let Some(term) = output.name.strip_prefix("energy.") {
-            object.insert(format!("energy_{term}"), run.result(output).into());
+        match output.name.split_once('.') {
+            Some(("result", "complete")) => {}
+            Some(("result", key)) => {
+                let value = (ending != Ending::NoContact).then(|| run.result(output));
+                object.insert(key.into(), value.into());
+            }
+            Some(("energy", term)) => {
+                object.insert(format!("energy_{term}"), run.result(output).into());
+            }
+            _ => {}
         }
     }
+    object.extend(of_ending(run));
     object.insert("steps".into(), run.end().step_index.into());
     object.insert("dt".into(), run.constants.dt.into());
     object.insert("design_stretch".into(), run.constants.design_stretch.into());
     object.insert("elements".into(), run.constants.grid.n_elem().into());
+    object.insert("warnings".into(), subject::warnings(&run.constants).into());
     object.insert("trace_hash".into(), run.trace_hash().into());
     Value::Object(object)
+}
+
+/// How a run ended, and the keys of the results that are those so far.
+pub fn of_ending(run: &Run) -> Map<String, Value> {
+    let ending = run.ending();
+    let cut = OUTPUTS.iter().filter(|output| ending.cuts(output.name));
+    let cut = cut.filter_map(|output| output.name.strip_prefix(RESULT)).collect::<Vec<_>>();
+    let mut object = Map::new();
+    object.insert("complete".into(), (ending == Ending::Complete).into());
+    object.insert("ending".into(), ending.key().into());
+    object.insert("cut".into(), cut.into());
+    object.insert("simulated_time".into(), run.time(run.end()).into());
+    object
 }
 
 /// The study's table side by side with ours.
@@ -35,9 +61,11 @@ pub fn of_validation(validation: &Validation) -> Value {
         "preset": validation.preset.name,
         "source": paper::SOURCE,
         "reading": validation.reading.to_string(),
+        "fitted": fitted(&validation.preset.fitted),
         "mean_error_percent": validation.mean_error(),
         "peak_force_mean_error_percent": validation.peak_error(),
         "ls_dyna": {
+            "fitted": fitted(&paper::FITTED),
             "mean_error_percent": validation.ls_dyna_mean_error(),
             "peak_force_mean_error_percent": validation.ls_dyna_peak_error(),
         },
@@ -45,10 +73,15 @@ pub fn of_validation(validation: &Validation) -> Value {
     })
 }
 
+fn fitted(fitted: &Fitted) -> Value {
+    json!({ "parameters": fitted.parameters, "numbers": fitted.numbers })
+}
+
 fn of_case(case: &Comparison) -> Value {
     let mut object = Map::new();
     object.insert("energy".into(), case.paper.energy.into());
     object.extend(by_key(&case.record.values));
+    object.extend(of_ending(&case.run));
     object.insert("error_percent".into(), by_key(&case.softanvil_errors()).into());
     object.insert("experiment".into(), by_key(&case.paper.experiment).into());
     object.insert("ls_dyna".into(), by_key(&case.paper.ls_dyna).into());

@@ -4,6 +4,9 @@
 //! doi 10.1007/s12283-023-00407-7. Only values are taken from it; its percentages have misprints, so that errors are
 //! always recomputed.
 
+use softanvil_kernel::Scenario;
+use softanvil_kernel::preset::{Fitted, study};
+
 use crate::quantity::COUNT;
 
 /// Where the numbers come from.
@@ -61,6 +64,21 @@ pub const LOW_DAMPING_PERCENT: f64 = 30.0;
 
 /// Impact energy at which the model was tuned, J.
 pub const TUNED_ENERGY: f64 = 14.7;
+
+/// What of the table went into its model.
+pub const FITTED: Fitted = Fitted { parameters: 1, numbers: 1 };
+/// How, as far as the paper says.
+pub const FITTED_HOW: &str = "the damping modulus, to the peak force of 14.7 J";
+
+/// Whether the anvil and the impactor of `scenario` are those of the paper, whatever the silicone and the speed, so that its
+/// figures have a place beside ours.
+pub fn is_its_model(scenario: &Scenario) -> bool {
+    let study = study();
+    let (ours, its) = (&scenario.impactor, &study.impactor);
+    scenario.geometry == study.geometry
+        && ours.motion == its.motion
+        && [ours.mass, ours.face_diameter, ours.offset] == [its.mass, its.face_diameter, its.offset]
+}
 
 /// A law that was tried beside the chosen Mooney-Rivlin 5, with the same Prony series and damping.
 #[derive(Debug)]

@@ -12,3 +12,20 @@ pub fn parse(name: &str) -> Result<&'static Preset, String> {
         format!("legal is {}", names.join(", "))
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn descriptions_say_how_many_parameters_were_fitted_to_how_many_numbers() {
+        for preset in PRESETS {
+            let fitted =
+                format!("{} parameters fitted to the {} numbers", preset.fitted.parameters, preset.fitted.numbers);
+            assert!(preset.description.contains(&fitted), "{}: {fitted}", preset.name);
+        }
+        let [all, part] = [PRESETS[0], PRESETS[1]].map(|preset| preset.fitted.to_string());
+        assert_eq!(all, "5 parameters fitted to all 12 numbers, none predicted");
+        assert_eq!(part, "4 parameters fitted to 4 of the 12 numbers, the other 8 predicted");
+    }
+}

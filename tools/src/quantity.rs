@@ -21,6 +21,13 @@ pub struct Quantity {
     pub decimals: usize,
 }
 
+impl Quantity {
+    /// SI unit.
+    pub fn unit(&self) -> &'static str {
+        Output::find(self.output).map_or("1", |output| output.unit)
+    }
+}
+
 /// How many quantities there are.
 pub const COUNT: usize = 4;
 

@@ -2,15 +2,36 @@
 
 use softanvil_kernel::scenario::Motion;
 use softanvil_kernel::state::Scalars;
-use softanvil_kernel::{Constants, ModelError, Output, Scenario, Simulation, StepError, StepInput};
+use softanvil_kernel::{Constants, ModelError, Output, Scenario, Simulation, StepError, StepInput, prescribed};
 
+use crate::ending::Ending;
 use crate::failure::Failure;
+
+/// When a run ends.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Until {
+    /// At `time.duration`.
+    #[default]
+    Duration,
+    /// There, or as soon after it as the impact is over or a press has come to its depth, and at [`LONGEST_EXTENSION`] times
+    /// that time at the latest.
+    Over,
+}
+
+/// How many times `time.duration` a run lasts at most that waits for the end of the impact: contacts of soft layers under
+/// heavy impactors last some of it, and what comes to rest on the layer never leaves it.
+pub const LONGEST_EXTENSION: u64 = 20;
+
+/// Samples without force after which an impact counts as over: the layer rings and may touch once more.
+const CLEAR: usize = 10;
 
 /// A completed run.
 #[derive(Debug)]
 pub struct Run {
     /// Constants of the model.
     pub constants: Constants,
+    /// When it was to end.
+    pub until: Until,
     /// The state at the start and at the end of every sampling interval; never empty.
     samples: Vec<Scalars>,
 }
@@ -50,6 +71,7 @@ impl From<RunError> for Failure {
 pub struct Drop {
     simulation: Simulation,
     steps: u64,
+    until: Until,
 }
 
 impl Drop {
@@ -58,15 +80,23 @@ impl Drop {
     /// # Errors
     /// A scenario that is refused, or one whose impactor is driven from outside.
     pub fn new(scenario: &Scenario) -> Result<Self, RunError> {
+        Self::until(scenario, Until::Duration)
+    }
+
+    /// Builds the model of `scenario`, which runs `until` then.
+    ///
+    /// # Errors
+    /// As [`Drop::new`].
+    pub fn until(scenario: &Scenario, until: Until) -> Result<Self, RunError> {
         if scenario.impactor.motion == Motion::Driven {
             return Err(RunError::Driven);
         }
         let simulation = Simulation::new(scenario)?;
         let steps = simulation.constants().steps_in(scenario.time.duration);
-        Ok(Self { simulation, steps })
+        Ok(Self { simulation, steps, until })
     }
 
-    /// Steps of the run.
+    /// Steps of the run up to `time.duration`.
     pub fn steps(&self) -> u64 {
         self.steps
     }
@@ -129,7 +159,9 @@ impl Drop {
     /// Simulates one sampling interval; false at the end.
     fn sample(&mut self, samples: &mut Vec<Scalars>) -> Result<bool, RunError> {
         let stride = self.stride();
-        if samples.len() as u64 > self.steps / stride {
+        let (done, planned) = (samples.len() as u64 - 1, self.steps / stride);
+        let given_up = self.until == Until::Duration || done >= LONGEST_EXTENSION * planned;
+        if done >= planned && (given_up || is_over(self.simulation.constants(), samples)) {
             return Ok(false);
         }
         self.simulation.step(stride, &StepInput::default())?;
@@ -138,11 +170,40 @@ impl Drop {
     }
 
     fn completed(self, samples: Vec<Scalars>) -> Run {
-        Run { constants: *self.simulation.constants(), samples }
+        Run { constants: *self.simulation.constants(), until: self.until, samples }
     }
 }
 
+/// Whether nothing more is to come: the impactor is clear of the layer, or a press at its depth.
+fn is_over(constants: &Constants, samples: &[Scalars]) -> bool {
+    let Some(end) = samples.last() else { return false };
+    let impactor = &constants.scenario.impactor;
+    if impactor.motion == Motion::Prescribed {
+        return constants.time(end.step_index) >= prescribed::end(impactor);
+    }
+    let clear = samples.iter().rev().take(CLEAR).all(|sample| sample.sampler.last.contact_force <= 0.0);
+    clear && end.contact_has_ended()
+}
+
 impl Run {
+    /// How it ended.
+    pub fn ending(&self) -> Ending {
+        let (impactor, end) = (&self.constants.scenario.impactor, self.end());
+        match end.metrics.has_touched() {
+            false => Ending::NoContact,
+            true if end.contact_has_ended() => Ending::Complete,
+            true if impactor.motion == Motion::Prescribed && self.time(end) >= prescribed::end(impactor) => {
+                Ending::Held
+            }
+            true => Ending::InContact,
+        }
+    }
+
+    /// Whether it went on beyond `time.duration`.
+    pub fn was_extended(&self) -> bool {
+        self.end().step_index > self.constants.steps_in(self.constants.scenario.time.duration)
+    }
+
     /// The state at the start and at the end of every sampling interval.
     pub fn samples(&self) -> &[Scalars] {
         &self.samples

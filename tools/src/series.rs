@@ -8,7 +8,7 @@ use softanvil_kernel::cfc;
 use crate::run::Run;
 
 /// Which force is read.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Deserialize, clap::ValueEnum)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Deserialize, serde::Serialize, clap::ValueEnum)]
 #[serde(rename_all = "lowercase")]
 pub enum Sensor {
     /// Force on the impactor, as the study's LS-DYNA figures are.
@@ -24,6 +24,14 @@ impl Sensor {
         match self {
             Self::Contact => "contact force",
             Self::Core => "core reaction (load cells)",
+        }
+    }
+
+    /// Name and unit for an axis.
+    pub fn axis(self) -> &'static str {
+        match self {
+            Self::Contact => crate::plot::CONTACT_FORCE,
+            Self::Core => "core reaction (N)",
         }
     }
 }

@@ -1,9 +1,11 @@
 //! Results as tables for people.
 
+use std::io::IsTerminal;
 use std::ops::Range;
 
-use comfy_table::presets::UTF8_HORIZONTAL_ONLY;
-use comfy_table::{CellAlignment, ContentArrangement, LineStyle, Table};
+use comfy_table::presets::{ASCII_HORIZONTAL_ONLY, UTF8_HORIZONTAL_ONLY};
+use comfy_table::{CellAlignment, ColumnConstraint, ContentArrangement, LineStyle, Table, TableStyle, Width};
+use softanvil_kernel::preset::Fitted;
 use softanvil_kernel::scenario::StepBy;
 use softanvil_kernel::{Constants, OUTPUTS, Output};
 
@@ -20,23 +22,34 @@ pub fn of_validation(validation: &Validation) -> String {
     for case in &validation.cases {
         table.add_row(case_row(case));
     }
-    let means = |mean: f64, peak: f64| format!("{mean:.1} %\n{peak:.1} %");
+    let means = |mean: f64, peak: f64, fitted: &Fitted| {
+        format!("{mean:.1} %\n{peak:.1} %\n{} / {}", fitted.parameters, fitted.numbers)
+    };
     table.add_row([
         "all",
-        "mean |error|\nthe same, peak force",
+        "mean |error|\nthe same, peak force\nfitted (see below)",
         "",
         "",
-        &means(validation.ls_dyna_mean_error(), validation.ls_dyna_peak_error()),
+        &means(validation.ls_dyna_mean_error(), validation.ls_dyna_peak_error(), &paper::FITTED),
         "",
-        &means(validation.mean_error(), validation.peak_error()),
+        &means(validation.mean_error(), validation.peak_error(), &validation.preset.fitted),
     ]);
     align_right(&mut table, 2..7);
-    format!("{}\n{}", table.trim_fmt(), notes(validation))
+    let remarks: String = validation.cases.iter().map(|case| crate::ending::remark(&case.run)).collect();
+    format!("{}\n{remarks}{}", text(&mut table), notes(validation))
 }
 
 /// What the numbers of the table rest on.
 pub fn notes(validation: &Validation) -> String {
-    let mut notes = format!("Errors are against the experiment.\nExperiment, LS-DYNA: {}.\n", paper::SOURCE);
+    let mut notes = format!(
+        "Errors are against the experiment. Fitted: parameters / numbers of this table.\n\
+         Softanvil: {}.\nLS-DYNA: {}: {}.\nExperiment, LS-DYNA: {}.\n",
+        validation.preset.fitted,
+        paper::FITTED,
+        paper::FITTED_HOW,
+        paper::SOURCE
+    );
+    notes = filled(&notes);
     if let Some(Comparison { run, .. }) = validation.cases.first() {
         let scenario = Threshold::Force(run.constants.scenario.measurement.force_threshold);
         let threshold = validation.reading.threshold.unwrap_or(scenario);
@@ -78,40 +91,46 @@ fn case_row(case: &Comparison) -> [String; 7] {
         values(&case.paper.experiment, &|i| paper::DECIMALS[i]),
         values(&case.paper.ls_dyna, &|i| paper::DECIMALS[i]),
         percent(case.ls_dyna_errors()),
-        values(&case.record.values, &|i| QUANTITIES[i].decimals),
+        lines(&|i, quantity| {
+            let value = case.record.values[i] * quantity.display_scale;
+            case.run.ending().marked(quantity.output, format!("{value:.*}", quantity.decimals))
+        }),
         percent(case.softanvil_errors()),
     ]
 }
 
-/// The results and the energies at the end of a run; fitted to the terminal, if there is one.
+/// The results and the energies at the end of a run.
 pub fn of_run(run: &Run) -> String {
     let mut table = new_plain_table(&["result", "value", "unit", "meaning"]);
-    table.set_content_arrangement(ContentArrangement::Dynamic);
+    let ending = run.ending();
     for output in OUTPUTS {
         let name = match output.name.split_once('.') {
+            // The remark above the table says so in words.
+            Some(("result", "complete")) => continue,
             Some(("result", field)) => field.replace('_', " "),
             Some(("energy", term)) => format!("energy, {}", term.replace('_', " ")),
             _ => continue,
         };
         let (unit, scale) = display_unit(output);
-        let value = four_digits(run.result(output) * scale);
+        let value = ending.marked(output.name, four_digits(run.result(output) * scale));
         table.add_row([&name, &value, unit, output.description]);
     }
     align_right(&mut table, 1..2);
-    table.trim_fmt() + "\n"
+    text(&mut table) + "\n"
 }
 
-/// What a run was made with, in one line.
+/// What a run was made with, in a sentence.
 pub fn settings(run: &Run) -> String {
     let grid = &run.constants.grid;
-    format!(
+    let text = format!(
         "{} triangles, {} steps of {:.4} us{}, trace {}",
         grid.n_elem(),
         run.end().step_index,
         run.constants.dt * 1e6,
         chosen_for(&run.constants),
         run.trace_hash()
-    )
+    );
+    filled(&text).trim_end().to_string()
 }
 
 /// What the step was chosen for; nothing if it was given.
@@ -143,22 +162,75 @@ pub fn four_digits(value: f64) -> String {
     format!("{value:.*}", usize::try_from(3 - power).unwrap_or_default())
 }
 
+/// Characters of a line where no terminal says how many it has.
+const WIDTH: u16 = 80;
+
+/// `text` with line breaks at blanks, so that no line is longer than [`WIDTH`] where that is possible.
+pub fn filled(text: &str) -> String {
+    let mut filled = String::new();
+    for line in text.lines() {
+        let mut length = 0;
+        for word in line.split(' ') {
+            let width = word.chars().count();
+            if length > 0 && length + 1 + width > usize::from(WIDTH) {
+                filled.push('\n');
+                length = 0;
+            } else if length > 0 {
+                filled.push(' ');
+                length += 1;
+            }
+            filled += word;
+            length += width;
+        }
+        filled.push('\n');
+    }
+    filled
+}
+
+/// Lines of tables: as drawn for a terminal, plain for what reads a pipe or a file.
+fn style() -> TableStyle {
+    if std::io::stdout().is_terminal() { UTF8_HORIZONTAL_ONLY } else { ASCII_HORIZONTAL_ONLY }
+}
+
 /// A table with these titles and no line between its rows.
 pub(crate) fn new_plain_table(header: &[&str]) -> Table {
     let mut table = new_table(header);
-    table.load_style(UTF8_HORIZONTAL_ONLY.row_separator(LineStyle::none()));
+    table.load_style(style().row_separator(LineStyle::none()));
     table
 }
 
-/// An empty table with this header.
+/// An empty table with this header, which fits the terminal, or [`WIDTH`] characters.
 pub fn new_table(header: &[&str]) -> Table {
     let mut table = Table::new();
-    table.load_style(UTF8_HORIZONTAL_ONLY).set_header(header);
+    table.load_style(style()).set_header(header).set_content_arrangement(ContentArrangement::Dynamic);
+    if !std::io::stdout().is_terminal() {
+        table.set_width(WIDTH);
+    }
     // One space after each cell and one between the columns are enough.
     for column in table.column_iter_mut() {
         column.set_padding((0, 1));
     }
     table
+}
+
+/// A blank at which no line of a table breaks; [`text`] makes an ordinary one of it.
+pub const FIXED_BLANK: char = '\u{a0}';
+
+/// The text of a table, in which no word is cut: a table of too many words for the width is wider.
+pub fn text(table: &mut Table) -> String {
+    let mut longest: Vec<usize> = Vec::new();
+    for row in table.header().into_iter().chain(table.row_iter()) {
+        for (column, cell) in row.cell_iter().enumerate() {
+            let words = cell.content().split([' ', '\n']).map(|word| word.chars().count()).max().unwrap_or_default();
+            longest.resize(longest.len().max(column + 1), 0);
+            longest[column] = longest[column].max(words);
+        }
+    }
+    for (column, longest) in table.column_iter_mut().zip(longest) {
+        let width = longest as u16 + column.padding_width();
+        column.set_constraint(ColumnConstraint::LowerBoundary(Width::Fixed(width)));
+    }
+    table.trim_fmt().replace(FIXED_BLANK, " ")
 }
 
 /// Aligns columns of numbers to the right.
@@ -171,6 +243,15 @@ pub fn align_right(table: &mut Table, columns: Range<usize>) {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn long_lines_are_broken_at_blanks_and_short_ones_stay() {
+        let long = format!("{} {}", "a".repeat(50), "b".repeat(40));
+        assert_eq!(filled(&long), format!("{}\n{}\n", "a".repeat(50), "b".repeat(40)));
+        assert_eq!(filled("a  b\n\nc"), "a  b\n\nc\n");
+        let word = "x".repeat(90);
+        assert_eq!(filled(&word), format!("{word}\n"));
+    }
 
     #[test]
     fn values_show_four_significant_digits() {

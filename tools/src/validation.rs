@@ -8,7 +8,7 @@ use crate::paper::{Case, TABLE_1};
 use crate::progress;
 use crate::quantity::{COUNT, PEAK_FORCE};
 use crate::reading::{Reading, Record};
-use crate::run::{Drop, Run};
+use crate::run::{Drop, Run, Until};
 
 /// One energy: the values of the study and a run of ours.
 pub struct Comparison {
@@ -115,5 +115,5 @@ impl Validation {
 fn prepare(preset: &'static Preset, case: &Case) -> Result<Drop, Failure> {
     let mut scenario = (preset.scenario)();
     scenario.impactor = scenario.impactor.with_energy(case.energy);
-    Ok(Drop::new(&scenario)?)
+    Ok(Drop::until(&scenario, Until::Over)?)
 }

@@ -194,6 +194,7 @@ pub static OUTPUTS: &[(&str, u32)] = &[
     ("result.rebound_speed", 3305),
     ("result.restitution", 3306),
     ("result.contact_time", 3307),
+    ("result.complete", 3308),
     ("energy.impactor_kinetic", 3400),
     ("energy.layer_kinetic", 3401),
     ("energy.elastic", 3402),

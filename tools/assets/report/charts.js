@@ -42,7 +42,7 @@ function inside(u, draw) {
 function drawMarks(u) {
   inside(u, (ctx, x, y) => {
     ctx.setLineDash([6 * uPlot.pxRatio, 4 * uPlot.pxRatio]);
-    data.films.forEach(({ colour, measured }) => {
+    data.films.filter(film => film.measured).forEach(({ colour, measured }) => {
       ctx.strokeStyle = colour;
       ctx.beginPath();
       ctx.moveTo(x(measured.over[0]), y(measured.force));
@@ -70,8 +70,12 @@ const forceTime = plot("force-time", {
   }))],
   hooks: { draw: [drawMarks] },
 }, [longest, ...data.films.map(({ curve }) => longest.map((_, i) => curve.force[i] ?? null))]);
-forceTime.root.querySelector(".u-legend").append(
-  Object.assign(document.createElement("span"), { textContent: "dashed: peak of the experiment" }));
+/** Says in the legend of a chart how the experiment is drawn, if there was one. */
+function explain(chart, textContent) {
+  if (!data.films.some(film => film.measured)) return;
+  chart.root.querySelector(".u-legend").append(Object.assign(document.createElement("span"), { textContent }));
+}
+explain(forceTime, "dashed: peak of the experiment");
 
 /** A loop, point by point: the deformation goes and comes back. */
 function drawLoop(u, number) {
@@ -81,6 +85,7 @@ function drawLoop(u, number) {
     ctx.beginPath();
     deformation.forEach((d, i) => i === 0 ? ctx.moveTo(x(d), y(force[i])) : ctx.lineTo(x(d), y(force[i])));
     ctx.stroke();
+    if (!film.measured) return;
     ctx.beginPath();
     ctx.arc(x(film.measured.deformation), y(film.measured.force), 5 * uPlot.pxRatio, 0, 2 * Math.PI);
     ctx.stroke();
@@ -88,8 +93,9 @@ function drawLoop(u, number) {
   return null;
 }
 
-const widest = Math.max(...data.films.flatMap(film => [film.measured.deformation, ...film.curve.deformation]));
-const highest = Math.max(...data.films.flatMap(film => [film.measured.force, ...film.curve.force]));
+const largest = key => Math.max(0, ...data.films.flatMap(film => [film.measured?.[key] ?? 0, ...film.curve[key]]));
+// Axes of some length even where nothing was touched.
+const [widest, highest] = [largest("deformation") || 1, largest("force") || 1];
 const whole = { x: [0, 1.04 * widest], y: [0, 1.06 * highest] };
 const forceDeformation = plot("force-deformation", {
   mode: 2,
@@ -117,8 +123,7 @@ const forceDeformation = plot("force-deformation", {
 }, [null, ...data.films.map(({ curve }) => [curve.deformation, curve.force])]);
 forceDeformation.over.addEventListener("dblclick", () => { forceDeformation.zoomed = null; forceDeformation.setData(forceDeformation.data); });
 document.querySelector("#force-deformation .tools button").onclick = () => forceDeformation.over.dispatchEvent(new MouseEvent("dblclick"));
-forceDeformation.root.querySelector(".u-legend").append(
-  Object.assign(document.createElement("span"), { textContent: "circles: maxima of the experiment" }));
+explain(forceDeformation, "circles: maxima of the experiment");
 
 /** Sums of the terms up to each, the whole first. */
 const stacked = film => data.terms.map((_, i) => film.energy.time.map((_, k) =>

@@ -11,6 +11,7 @@ use softanvil_kernel::Scenario;
 use super::problem::Problem;
 use super::variable;
 use crate::curve_score::CurveScore;
+use crate::ending::Ending;
 use crate::quantity::COUNT;
 use crate::reading::Reading;
 use crate::run::{Drop, Run, RunError};
@@ -25,6 +26,8 @@ pub const REFUSED: f64 = 1e3;
 pub struct Simulated {
     /// The four numbers, in SI.
     pub values: [f64; COUNT],
+    /// How the simulation ended: whether the numbers are those of the whole impact.
+    pub ending: Ending,
     /// Comparison with the measured trace, if there is one.
     pub curve: Option<CurveScore>,
 }
@@ -86,7 +89,7 @@ fn prepare(problem: &Problem, scenario: &Scenario) -> Result<Vec<Drop>, (f64, St
     for target in &problem.targets {
         let mut scenario = *scenario;
         scenario.impactor = scenario.impactor.with_energy(target.energy);
-        let drop = Drop::new(&scenario).map_err(|error| (REFUSED, error.to_string()))?;
+        let drop = Drop::until(&scenario, problem.until).map_err(|error| (REFUSED, error.to_string()))?;
         let (steps, most) = (drop.steps_per_sample(), problem.objective.steps_per_sample);
         if most > 0 && steps > most {
             // A slope that leads back to where steps are large enough.
@@ -108,7 +111,7 @@ fn measure(problem: &Problem, index: usize, run: &Run) -> Result<Simulated, Seri
     let record = reading.take(run)?;
     let trace = problem.targets[index].trace.as_ref();
     let curve = trace.and_then(|trace| CurveScore::new(trace, &record.series, record.threshold));
-    Ok(Simulated { values: record.values, curve })
+    Ok(Simulated { values: record.values, ending: run.ending(), curve })
 }
 
 /// Errors of all impacts, %, with whether they count.

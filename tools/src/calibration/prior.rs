@@ -4,13 +4,13 @@
 //! compression of an incompressible cylinder with measured ones, and adds the mean square of their logarithms to the
 //! score: a factor e between model and measurement costs one weight, the same in both directions.
 
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 use softanvil_kernel::material::Elastic;
 use softanvil_kernel::scenario::Material;
 use softanvil_kernel::stretch::IsochoricStretch;
 
 /// The demand, as the problem file states it; moduli in Pa. Numbers left out demand nothing.
-#[derive(Clone, Copy, Debug, Deserialize)]
+#[derive(Clone, Copy, Debug, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 pub struct Prior {
     /// Points of score for a factor e.

@@ -3,16 +3,19 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use serde::Deserialize;
-use softanvil_kernel::parameter::Kind;
+use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value, json};
 use softanvil_kernel::preset::Preset;
-use softanvil_kernel::{Changes, Parameter, Scenario};
+use softanvil_kernel::{Changes, PARAMETERS, Parameter, Scenario};
 
 use super::prior::Prior;
 use super::target::{Impact, Target, read_impacts};
 use super::variable::{Range, Variable, apply, check_fits_impacts};
 use crate::failure::Failure;
+use crate::folder;
 use crate::quantity::{COUNT, QUANTITIES};
+use crate::run::Until;
+use crate::scenario_file::assign::{self, Written};
 use crate::series::Sensor;
 use crate::{presets, scenario_file, series};
 
@@ -65,7 +68,7 @@ fn fifth() -> f64 {
 }
 
 /// What the score is made of.
-#[derive(Clone, Debug, Default, Deserialize)]
+#[derive(Clone, Debug, Default, Deserialize, Serialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct ObjectiveOptions {
     /// Share of the root mean square of the errors in the score; the rest is the mean of their absolute values.
@@ -137,9 +140,38 @@ pub struct Problem {
     pub prior: Option<Prior>,
     /// How to search.
     pub search: SearchOptions,
+    /// When the simulations end: a duration of the file's own is kept, even if it cuts an impact off.
+    pub until: Until,
 }
 
 impl Problem {
+    /// Everything that the scores and the order of the evaluations depend on, but for how many are made.
+    pub fn inputs(&self) -> Value {
+        let parameter = |parameter: &Parameter| (parameter.name.to_string(), parameter.get(&self.scenario).into());
+        let variable = |variable: &Variable| {
+            let start = variable.start(&self.scenario);
+            let Range { min, max, scale, .. } = variable.range;
+            (variable.name.clone(), json!({ "min": min, "max": max, "scale": scale, "start": start }))
+        };
+        json!({
+            "version": env!("CARGO_PKG_VERSION"),
+            "scenario": PARAMETERS.iter().map(parameter).collect::<Map<_, _>>(),
+            "extended": self.until == Until::Over,
+            "parameters": self.variables.iter().map(variable).collect::<Map<_, _>>(),
+            "impacts": self.targets.iter().map(Target::inputs).collect::<Vec<_>>(),
+            "objective": self.objective,
+            "prior": self.prior,
+            "search": {
+                "seed": self.search.seed, "population": self.search.population, "step": self.search.step,
+            },
+        })
+    }
+
+    /// Digest of [`Problem::inputs`].
+    pub fn digest(&self) -> String {
+        folder::digest(self.inputs().to_string().as_bytes())
+    }
+
     /// Reads the file; what it names stands beside it.
     ///
     /// # Errors
@@ -189,7 +221,9 @@ impl Problem {
         if search.evaluations == 0 || !(search.step > 0.0 && search.step <= 1.0) {
             return Err("search: evaluations has to be above 0, step above 0 and at most 1".into());
         }
-        Ok(Self { scenario, variables, targets, objective: file.objective, prior: file.prior, search })
+        let own_duration = scenario.time.duration != (preset.scenario)().time.duration;
+        let until = if own_duration { Until::Duration } else { Until::Over };
+        Ok(Self { scenario, variables, targets, objective: file.objective, prior: file.prior, search, until })
     }
 }
 
@@ -219,22 +253,15 @@ fn changed(mut changes: Changes, variables: &[Variable]) -> Result<Scenario, Str
 
 /// Sets a parameter to what stands under [fixed]: a number, or the label of a choice.
 fn fix(changes: &mut Changes, name: &str, value: &toml::Value) -> Result<(), String> {
-    let Some(parameter) = Parameter::find(name) else {
-        return Err(format!("fixed: {name} is unknown{}", scenario_file::suggestion(name)));
+    let parameter = assign::find(name).map_err(|error| format!("fixed: {error}"))?;
+    let written = match value {
+        toml::Value::Float(number) => Written::Number(*number),
+        toml::Value::Integer(number) => Written::Number(*number as f64),
+        toml::Value::String(label) => Written::Label(label),
+        _ => Written::Other,
     };
-    let number = match (&parameter.kind, value) {
-        (Kind::Choice { labels, .. }, toml::Value::String(label)) => {
-            labels.iter().position(|known| known == label).map(|index| index as f64)
-        }
-        (Kind::Real { .. }, toml::Value::Float(number)) => Some(*number),
-        (Kind::Real { .. }, toml::Value::Integer(number)) => Some(*number as f64),
-        _ => None,
-    };
-    let legal = match &parameter.kind {
-        Kind::Choice { labels, .. } => labels.join(", "),
-        Kind::Real { unit, min, max, .. } => format!("{min} to {max} {unit}"),
-    };
-    let number = number.ok_or_else(|| format!("fixed: {name} = {value} is refused: legal is {legal}"))?;
+    let number = assign::number(parameter, written)
+        .map_err(|legal| format!("fixed: {name} = {value} is refused: legal is {legal}"))?;
     check_fits_impacts(parameter)?;
     changes.set(parameter, number).map_err(|error| format!("fixed: {error}"))
 }
@@ -270,7 +297,10 @@ mod tests {
         let text = format!("{GOOD}[fixed]\n\"core.interface\" = \"frictional\"\n\"core.friction_coefficient\" = 1\n");
         let problem = Problem::parse(&text, Path::new(".")).unwrap();
         assert_eq!(problem.scenario.core.friction_coefficient, 1.0);
-        assert!(refused(&text.replace("frictional\"", "glued\"")).contains("legal is bonded, frictional, sliding"));
+        assert!(
+            refused(&text.replace("frictional\"", "glued\""))
+                .contains("legal is \"bonded\" or \"frictional\" or \"sliding\"")
+        );
         assert!(refused(&text.replace("= 1\n", "= -1\n")).contains("legal is 0 to 10"));
     }
 

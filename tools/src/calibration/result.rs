@@ -1,21 +1,25 @@
 //! What a search has found, for people and for other programs.
 
 use std::fmt::Write;
-use std::path::Path;
 
 use serde_json::{Map, Value, json};
 
+use super::convergence::{Convergence, Descent};
 use super::log::Entry;
 use super::objective::{Evaluation, evaluate, scenario};
 use super::problem::Problem;
 use super::search::best;
 use super::spread::{EQUALLY_GOOD, Spread, spread};
+use crate::ending::{Ending, MARK};
 use crate::failure::Failure;
+use crate::folder::Folder;
 use crate::quantity::QUANTITIES;
 use crate::scenario_file;
-use crate::staging;
-use crate::table::{align_right, four_digits, new_table};
+use crate::table::{align_right, filled, four_digits, new_table, text as table_text};
 use crate::validation::error_percent;
+
+/// Names of the files of a result.
+pub const FILES: [&str; 3] = ["best.toml", "summary.json", "summary.txt"];
 
 /// The best values, evaluated once more, and how far they are pinned.
 pub struct Found {
@@ -27,57 +31,84 @@ pub struct Found {
     pub evaluations: usize,
     /// Evaluations that are about as good.
     pub equally_good: usize,
-    /// Their spread, by variable.
+    /// Their spread, by variable: of meaning once the search has converged.
     pub spread: Vec<Spread>,
+    /// The descents of the search.
+    pub descents: Vec<Descent>,
+    /// How far it has come.
+    pub convergence: Convergence,
 }
 
 impl Found {
-    /// Takes stock of the evaluations; none if there is none.
-    pub fn new(problem: &Problem, entries: &[Entry]) -> Option<Self> {
+    /// Takes stock of the evaluations and the descents that made them; none if there is none.
+    pub fn new(problem: &Problem, entries: &[Entry], descents: Vec<Descent>) -> Option<Self> {
         let entry = best(entries)?.clone();
         let evaluation = evaluate(problem, &entry.values);
         let (equally_good, spread) = spread(problem, entries);
-        Some(Self { entry, evaluation, evaluations: entries.len(), equally_good, spread })
+        let convergence = Convergence::of(&descents);
+        Some(Self { entry, evaluation, evaluations: entries.len(), equally_good, spread, descents, convergence })
     }
 
-    /// Writes `best.toml`, `summary.json` and `summary.txt` to `folder`; returns the text.
+    /// Writes [`FILES`] to `folder`; returns the text.
     ///
     /// # Errors
-    /// A file that cannot be written.
-    pub fn write(&self, problem: &Problem, folder: &Path) -> Result<String, Failure> {
+    /// A file that is not to be replaced, or cannot be written.
+    pub fn write(&self, problem: &Problem, folder: &mut Folder) -> Result<String, Failure> {
         let scenario = scenario(problem, &self.entry.values).map_err(Failure::Failed)?;
         let text = self.text(problem);
-        let [toml, json_file, summary] = ["best.toml", "summary.json", "summary.txt"].map(|name| folder.join(name));
-        let files = [
-            (toml.as_path(), scenario_file::to_toml(&scenario).into_bytes()),
-            (json_file.as_path(), crate::json::text(&self.json(problem)).into_bytes()),
-            (summary.as_path(), text.clone().into_bytes()),
-        ];
-        staging::write_files(&files).map_err(|(path, error)| Failure::writing(&path, error))?;
+        let toml = self.head(problem) + &scenario_file::to_toml(&scenario);
+        let contents = [toml, crate::json::text(&self.json(problem)), text.clone()];
+        let files = FILES.map(String::from).into_iter().zip(contents.map(String::into_bytes));
+        folder.write(&files.collect::<Vec<_>>())?;
         Ok(text)
+    }
+
+    /// Where the best scenario comes from, as comments of its file.
+    fn head(&self, problem: &Problem) -> String {
+        let (score, evaluations) = (self.entry.score, self.evaluations);
+        let found = format!("The best of {evaluations} evaluations by `softanvil calibrate`, score {score:.3}.\n");
+        let lines = found + &self.convergence.text(problem.variables.len()) + &self.bounds(problem);
+        lines.lines().map(|line| format!("# {line}\n")).collect::<String>() + "#\n"
+    }
+
+    /// The values that lie on a bound of their range, in lines.
+    fn bounds(&self, problem: &Problem) -> String {
+        let values = problem.variables.iter().zip(&self.entry.values);
+        let lines = values.filter_map(|(variable, value)| {
+            let (name, unit, bound) = (&variable.name, variable.unit, variable.bound(*value)?);
+            let value = four_digits(*value);
+            Some(format!("! {name} = {value} {unit} lies on the {bound} of its range: the best may lie beyond it.\n"))
+        });
+        lines.collect()
     }
 
     /// The tables for people.
     pub fn text(&self, problem: &Problem) -> String {
-        let mut text = format!("{}\n\n{}\n", self.parameters(problem), self.impacts(problem));
-        let _ = writeln!(
-            text,
-            "\nScore {:.3}, mean |error| of all measured numbers {:.2} %, after {} evaluations.\nSpread: of the {} \
-             evaluations with scores up to {EQUALLY_GOOD} times the best; as a part of the range, 0 is pinned, 1 is free.\n\
-             Compared force: {}{}.",
+        let mut text = format!("{}\n\n{}\n\n", self.parameters(problem), self.impacts(problem));
+        text += &filled(&(self.convergence.text(problem.variables.len()) + &self.bounds(problem)));
+        let (factor, points) = EQUALLY_GOOD;
+        let spread = match self.convergence.is_reached() {
+            true => format!(
+                "Spread: of the {} evaluations with scores up to {factor} times the best or {points} points above it; as a \
+                 part of the range, 0 is pinned, 1 is free.\n",
+                self.equally_good
+            ),
+            false => "Spread: untold, because it says nothing before the search has converged.\n".into(),
+        };
+        let counted = problem.targets.iter().flat_map(|target| target.counts).filter(|counts| *counts).count();
+        let searched = problem.variables.len();
+        let channel = problem.objective.cfc.map_or(String::new(), |class| format!(", filtered by CFC {class}"));
+        text += &filled(&format!(
+            "Score {:.3}, mean |error| of all measured numbers {:.2} %, after {} evaluations: {searched} parameter{} \
+             searched, {counted} numbers counted.\n{spread}Compared force: {}{channel}.",
             self.entry.score,
             self.evaluation.mean_error,
             self.evaluations,
-            self.equally_good,
+            if searched == 1 { "" } else { "s" },
             problem.objective.force.label(),
-            problem.objective.cfc.map_or(String::new(), |class| format!(", filtered by CFC {class}")),
-        );
-        if self.evaluation.score != self.entry.score {
-            let _ = writeln!(
-                text,
-                "The log says {:.3} for the best values and this program {:.3}: the log is of another version of it.",
-                self.entry.score, self.evaluation.score
-            );
+        ));
+        if self.evaluation.impacts.iter().any(|impact| matches!(impact.ending, Ending::InContact)) {
+            let _ = writeln!(text, "! Numbers marked {MARK} are cut off in contact: the simulated time is too short.");
         }
         for demand in self.demands(problem) {
             let _ = writeln!(text, "Prior: {}", demand);
@@ -102,19 +133,20 @@ impl Found {
     fn parameters(&self, problem: &Problem) -> String {
         let mut table = new_table(&["parameter", "best", "unit", "range", "spread", "of range"]);
         for ((variable, value), spread) in problem.variables.iter().zip(&self.entry.values).zip(&self.spread) {
-            let bound = if *value == variable.range.min || *value == variable.range.max { " (bound)" } else { "" };
+            let bound = variable.bound(*value).map_or(String::new(), |bound| format!(" ({bound})"));
+            let told = |text: String| if self.convergence.is_reached() { text } else { "-".into() };
             table.add_row([
                 variable.name.clone(),
                 format!("{}{bound}", four_digits(*value)),
                 variable.unit.into(),
                 format!("{} to {}", four_digits(variable.range.min), four_digits(variable.range.max)),
-                format!("{} to {}", four_digits(spread.min), four_digits(spread.max)),
-                format!("{:.2}", spread.part),
+                told(format!("{} to {}", four_digits(spread.min), four_digits(spread.max))),
+                told(format!("{:.2}", spread.part)),
             ]);
         }
         align_right(&mut table, 1..2);
         align_right(&mut table, 5..6);
-        table.trim_fmt()
+        table_text(&mut table)
     }
 
     fn impacts(&self, problem: &Problem) -> String {
@@ -127,7 +159,7 @@ impl Found {
                     format!("{} J", target.energy),
                     format!("{} ({})", quantity.label, quantity.display_unit),
                     measured.map_or(String::new(), shown),
-                    shown(value),
+                    simulated.ending.marked(quantity.output, shown(value)),
                     measured.map_or(String::new(), |measured| format!("{:+.1} %", error_percent(value, measured))),
                     if target.counts[i] { "yes" } else { "no" }.into(),
                 ]);
@@ -147,21 +179,25 @@ impl Found {
             }
         }
         align_right(&mut table, 2..5);
-        table.trim_fmt()
+        table_text(&mut table)
     }
 
     fn json(&self, problem: &Problem) -> Value {
         let parameter = |(index, value): (usize, &f64)| {
             let (variable, spread) = (&problem.variables[index], &self.spread[index]);
+            let told = |number: f64| self.convergence.is_reached().then_some(number);
             let numbers = json!({
                 "value": value, "unit": variable.unit, "min": variable.range.min, "max": variable.range.max,
-                "spread": {"min": spread.min, "median": spread.median, "max": spread.max, "part": spread.part},
+                "bound": variable.bound(*value),
+                "spread": {"min": told(spread.min), "median": told(spread.median), "max": told(spread.max),
+                    "part": told(spread.part)},
             });
             (variable.name.clone(), numbers)
         };
         let impact = |(target, simulated): (&super::target::Target, &super::objective::Simulated)| {
             let mut object = Map::new();
             object.insert("energy".into(), target.energy.into());
+            object.insert("ending".into(), simulated.ending.key().into());
             for (i, quantity) in QUANTITIES.iter().enumerate() {
                 let error = target.measured[i].map(|measured| error_percent(simulated.values[i], measured));
                 let numbers = json!({"value": simulated.values[i], "measured": target.measured[i], "error_percent": error,
@@ -174,6 +210,7 @@ impl Found {
             "score": self.entry.score,
             "mean_error_percent": self.evaluation.mean_error,
             "evaluations": self.evaluations,
+            "convergence": self.convergence.json(&self.descents),
             "equally_good": self.equally_good,
             "parameters": self.entry.values.iter().enumerate().map(parameter).collect::<Map<_, _>>(),
             "impacts": problem.targets.iter().zip(&self.evaluation.impacts).map(impact).collect::<Vec<_>>(),

@@ -9,33 +9,37 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use fcmaes_core::{Cmaes, CmaesParams, Fitness, Rng};
 use rayon::prelude::*;
 
+use super::convergence::{Descent, IMPROVEMENT, PATIENCE};
 use super::log::{Entry, Log};
 use super::objective::{Evaluation, evaluate};
 use super::problem::Problem;
 use crate::failure::Failure;
 
-/// A restart that has not improved its best score by more than [`IMPROVEMENT`] in this many evaluations per variable ends.
-const PATIENCE: usize = 60;
-/// Points of score that count as an improvement.
-const IMPROVEMENT: f64 = 0.01;
-
 /// Hears of the search: evaluations that are done, and the best so far.
 pub type Progress<'a> = &'a dyn Fn(usize, &Entry);
 
-/// Searches until the evaluations are spent or `stop` is set; everything goes to `log`, which also answers what it holds.
+/// Searches until the evaluations are spent, not one more or less, or `stop` is set; everything goes to `log`, which also
+/// answers what it holds. Returns the descents.
 ///
 /// # Errors
 /// A log that is not of this search, or cannot be written.
-pub fn search(problem: &Problem, log: &mut Log, stop: &AtomicBool, progress: Progress) -> Result<(), Failure> {
+pub fn search(
+    problem: &Problem,
+    log: &mut Log,
+    stop: &AtomicBool,
+    progress: Progress,
+) -> Result<Vec<Descent>, Failure> {
     let mut done = 0;
-    let mut restart = 0;
+    let mut descents = Vec::new();
     let mut rng = Rng::new(problem.search.seed);
     while done < problem.search.evaluations && !stop.load(Ordering::Relaxed) {
+        let restart = descents.len();
         let begin = Beginning::new(problem, restart, &log.entries[..done.min(log.entries.len())], &mut rng);
-        done = descend(problem, restart, &begin, done, log, stop, progress)?;
-        restart += 1;
+        let descent = descend(problem, restart, &begin, done, log, stop, progress)?;
+        done += descent.evaluations;
+        descents.push(descent);
     }
-    Ok(())
+    Ok(descents)
 }
 
 /// Where and how wide a restart begins.
@@ -73,16 +77,16 @@ pub fn best(entries: &[Entry]) -> Option<&Entry> {
     entries.iter().min_by(|a, b| a.score.total_cmp(&b.score))
 }
 
-/// One restart; returns how many evaluations are done after it.
+/// One restart, which begins after `start` evaluations.
 fn descend(
     problem: &Problem,
     restart: usize,
     begin: &Beginning,
-    mut done: usize,
+    start: usize,
     log: &mut Log,
     stop: &AtomicBool,
     progress: Progress,
-) -> Result<usize, Failure> {
+) -> Result<Descent, Failure> {
     let n = problem.variables.len();
     let fitness = Fitness::bounded(n, 1, &vec![0.0; n], &vec![1.0; n]);
     let parameters = CmaesParams {
@@ -94,23 +98,30 @@ fn descend(
         ..CmaesParams::default()
     };
     let mut optimiser = Cmaes::new(fitness, &begin.mean, &[begin.step], &parameters);
-    let (mut lowest, mut improved_at) = (f64::INFINITY, done);
-    while done < problem.search.evaluations && !stop.load(Ordering::Relaxed) {
-        let parts = optimiser.ask();
+    let (mut done, mut lowest, mut improved_at) = (start, f64::INFINITY, start);
+    let mut ended = false;
+    let mut best_score = f64::INFINITY;
+    while !ended && done < problem.search.evaluations && !stop.load(Ordering::Relaxed) {
+        let mut parts = optimiser.ask();
+        let whole = parts.len();
+        parts.truncate(problem.search.evaluations - done);
         let scores = generation(problem, restart, &parts, done, log)?;
         done += scores.len();
         if let Some(best) = best(&log.entries[..done]) {
             progress(done, best);
         }
         let low = scores.iter().copied().fold(f64::INFINITY, f64::min);
+        best_score = best_score.min(low);
+        if scores.len() < whole {
+            // The evaluations are spent; with more of them the generation is completed first.
+            break;
+        }
         if low < lowest - IMPROVEMENT {
             (lowest, improved_at) = (low, done);
         }
-        if optimiser.tell(&scores) != 0 || done - improved_at > PATIENCE * n {
-            break;
-        }
+        ended = optimiser.tell(&scores) != 0 || done - improved_at > PATIENCE * n;
     }
-    Ok(done)
+    Ok(Descent { best: best_score, evaluations: done - start, ended })
 }
 
 /// Scores of a generation that begins at evaluation `done`: from the log, as far as it goes, then by evaluating.

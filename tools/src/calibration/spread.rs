@@ -4,8 +4,9 @@ use super::log::Entry;
 use super::problem::Problem;
 use super::search::best;
 
-/// Scores within this factor of the best count as equally good.
-pub const EQUALLY_GOOD: f64 = 1.05;
+/// Scores within this factor of the best, or within so many points, count as equally good: no test is as exact as a score
+/// near 0 would ask for.
+pub const EQUALLY_GOOD: (f64, f64) = (1.05, 0.1);
 
 /// The spread of one variable among equally good values.
 #[derive(Clone, Copy, Debug)]
@@ -24,7 +25,8 @@ pub struct Spread {
 /// The spread of every variable, and of how many evaluations.
 pub fn spread(problem: &Problem, entries: &[Entry]) -> (usize, Vec<Spread>) {
     let Some(best) = best(entries) else { return (0, Vec::new()) };
-    let good: Vec<&Entry> = entries.iter().filter(|entry| entry.score <= EQUALLY_GOOD * best.score).collect();
+    let limit = f64::max(EQUALLY_GOOD.0 * best.score, best.score + EQUALLY_GOOD.1);
+    let good: Vec<&Entry> = entries.iter().filter(|entry| entry.score <= limit).collect();
     let of_variable = |index: usize| {
         let variable = &problem.variables[index];
         let mut values: Vec<f64> = good.iter().map(|entry| entry.values[index]).collect();

@@ -3,7 +3,9 @@
 use std::path::Path;
 
 use serde::Deserialize;
+use serde_json::{Map, Value, json};
 
+use crate::folder;
 use crate::paper::TABLE_1;
 use crate::quantity::{COUNT, QUANTITIES};
 use crate::series::Series;
@@ -88,6 +90,26 @@ impl Target {
         }
         Ok(Self { energy, measured, counts, trace, predict: impact.predict })
     }
+}
+
+impl Target {
+    /// Everything that the score depends on.
+    pub fn inputs(&self) -> Value {
+        let mut object = Map::new();
+        object.insert("energy".into(), self.energy.into());
+        for (i, quantity) in QUANTITIES.iter().enumerate() {
+            object.insert(quantity.key.into(), json!({ "measured": self.measured[i], "counts": self.counts[i] }));
+        }
+        object.insert("trace".into(), self.trace.as_ref().map(digest_of).into());
+        object.insert("predict".into(), self.predict.into());
+        Value::Object(object)
+    }
+}
+
+/// Digest of the numbers of a trace.
+fn digest_of(trace: &Series) -> String {
+    let numbers = [trace.start, trace.interval].into_iter().chain(trace.force.iter().copied());
+    folder::digest(&numbers.flat_map(f64::to_le_bytes).collect::<Vec<_>>())
 }
 
 fn keys() -> String {

@@ -1,13 +1,13 @@
 //! What a search varies: a row of the kernel's table of parameters, or the overstress of a Prony term.
 
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 use softanvil_kernel::material::MAX_PRONY_TERMS;
 use softanvil_kernel::parameter::Kind;
 use softanvil_kernel::scenario::Material;
 use softanvil_kernel::{Changes, Parameter, Scenario};
 
 /// How a range is searched.
-#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, Serialize, PartialEq, Eq)]
 #[serde(rename_all = "lowercase")]
 pub enum Scale {
     /// Equal steps.
@@ -133,6 +133,20 @@ impl Variable {
     }
 }
 
+/// Part of a range next to a bound that counts as on it.
+const ON_BOUND: f64 = 1e-3;
+
+impl Variable {
+    /// The bound of the range on which `value` lies, in words, if it does: what is best may then lie beyond it.
+    pub fn bound(&self, value: f64) -> Option<&'static str> {
+        match self.part(value) {
+            part if part <= ON_BOUND => Some("lower bound"),
+            part if part >= 1.0 - ON_BOUND => Some("upper bound"),
+            _ => None,
+        }
+    }
+}
+
 /// Sets all `values` in `scenario`.
 ///
 /// # Errors
@@ -216,6 +230,14 @@ mod tests {
             assert_eq!((variable.value(0.0), variable.value(1.0)), (1e3, 1e6));
             assert!((variable.part(variable.value(0.3)) - 0.3).abs() < 1e-12);
         }
+    }
+
+    #[test]
+    fn a_value_on_a_bound_is_told_from_one_inside() {
+        let variable = Variable::new("silicone.c10", Range { scale: Scale::Log, ..range(1e3, 1e6) }).unwrap();
+        assert_eq!([1e3, 1.001e3, 1e6].map(|value| variable.bound(value).is_some()), [true; 3]);
+        assert_eq!((variable.bound(1e3), variable.bound(1e6)), (Some("lower bound"), Some("upper bound")));
+        assert_eq!([1.1e3, 1e5, 9e5].map(|value| variable.bound(value)), [None; 3]);
     }
 
     #[test]

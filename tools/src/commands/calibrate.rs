@@ -4,18 +4,22 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use crate::calibration::log::Log;
+use super::output_files::Overwrite;
+use crate::calibration::log::{self, Log};
 use crate::calibration::problem::Problem;
-use crate::calibration::result::Found;
+use crate::calibration::result::{self, Found};
 use crate::calibration::search::search;
 use crate::failure::Failure;
+use crate::folder::Folder;
+use crate::subject::{warning_lines, warnings_of};
 use crate::{interrupt, progress};
 
 /// Search for the parameters with which simulated impacts come closest to measured ones.
 ///
 /// The problem file names the parameters with their ranges, the impacts (lines of the study's table, your own numbers, or
 /// force traces) and the score; `calibration/` in the repository holds those of the presets. Interrupt with Ctrl-C: what
-/// was found so far is written, and the same command continues. Every evaluation is a line of evaluations.csv.
+/// was found so far is written, and the same command continues. Every evaluation is a line of evaluations.csv; the log of
+/// another problem is refused.
 #[derive(Debug, Args)]
 pub struct Options {
     /// Problem file (TOML)
@@ -32,6 +36,8 @@ pub struct Options {
     /// Threads [default: one per core]
     #[arg(long, value_name = "N", default_value_t = 0, hide_default_value = true)]
     threads: usize,
+    #[command(flatten)]
+    overwrite: Overwrite,
 }
 
 /// Searches; returns what was found.
@@ -42,26 +48,32 @@ pub fn carry_out(options: &Options) -> Result<String, Failure> {
     let mut problem = Problem::read(&options.problem)?;
     problem.search.evaluations = options.evaluations.unwrap_or(problem.search.evaluations);
     problem.search.seed = options.seed.unwrap_or(problem.search.seed);
-    std::fs::create_dir_all(&options.out).map_err(|error| Failure::writing(&options.out, error))?;
-    let mut log = Log::open(&options.out.join("evaluations.csv"), &problem)?;
+    let mut folder = Folder::new(&options.out, options.overwrite.overwrite);
+    folder.check(result::FILES.into_iter().chain([log::PROBLEM]))?;
+    let mut log = Log::open(&mut folder, &problem, options.overwrite.overwrite)?;
     let stop = interrupt::flag();
     let bar = progress::evaluations(problem.search.evaluations as u64);
     let pool = rayon::ThreadPoolBuilder::new().num_threads(options.threads).build();
     let pool = pool.map_err(|error| Failure::Failed(format!("threads: {error}")))?;
-    pool.install(|| {
+    let descents = pool.install(|| {
         search(&problem, &mut log, &stop, &|done, best| {
             bar.set_position(done as u64);
             bar.set_message(format!("score {:.3}, mean error {:.2} %", best.score, best.mean_error));
         })
     })?;
     bar.finish_and_clear();
-    let found = Found::new(&problem, &log.entries).ok_or_else(|| Failure::Failed("interrupted at once".into()))?;
-    let mut text = found.write(&problem, &options.out)?;
+    let failed = || Failure::Failed("interrupted at once".into());
+    let found = Found::new(&problem, &log.entries, descents).ok_or_else(failed)?;
+    let warnings = warnings_of(&problem.scenario).unwrap_or_default();
+    let mut text = warning_lines(&warnings) + &found.write(&problem, &mut folder)?;
     if found.evaluations < problem.search.evaluations {
         text += "Interrupted: the same command continues.\n";
     }
     Ok(format!(
-        "{text}Written: best.toml, summary.json, summary.txt and evaluations.csv in {}\n",
+        "{text}Written: {}, {} and {} in {}\n",
+        result::FILES.join(", "),
+        log::NAME,
+        log::PROBLEM,
         options.out.display()
     ))
 }

@@ -3,13 +3,15 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use softanvil_kernel::Changes;
 use softanvil_kernel::preset::Preset;
-use softanvil_kernel::scenario::{DropBy, Motion};
-use softanvil_kernel::{Parameter, Scenario};
+use softanvil_kernel::scenario::Motion;
 
 use crate::failure::Failure;
 use crate::presets;
-use crate::scenario_file;
+use crate::run::Until;
+use crate::scenario_file::{self, assign};
+use crate::subject::Subject;
 
 /// Which drop to simulate.
 #[derive(Debug, Args)]
@@ -23,9 +25,13 @@ pub struct DropOptions {
     /// Material file (TOML, as `softanvil fit --out` writes it); its values stand over those of the scenario
     #[arg(long, value_name = "FILE")]
     material: Option<PathBuf>,
+    /// Parameter to set over those, by its name in the scenario file: silicone.c10=2e5, geometry.layers=two; repeat for more
+    #[arg(long, value_name = "KEY=VALUE")]
+    set: Vec<String>,
     #[command(flatten)]
     start: StartOptions,
-    /// Simulated time in s, instead of the scenario's
+    /// Simulated time in s, to the end of which a drop is simulated whatever happens [default: the scenario's; a preset's is
+    /// extended, up to 20 times, until the contact has ended]
     #[arg(long, value_name = "S", allow_negative_numbers = true)]
     duration: Option<f64>,
 }
@@ -46,11 +52,11 @@ struct StartOptions {
 }
 
 impl DropOptions {
-    /// The scenario that the options describe.
+    /// The drop that the options describe.
     ///
     /// # Errors
     /// A scenario file or a value that is refused.
-    pub fn scenario(&self) -> Result<Scenario, Failure> {
+    pub fn subject(&self) -> Result<Subject, Failure> {
         let preset = (self.preset.scenario)();
         let mut scenario = match &self.scenario {
             Some(path) => scenario_file::read(path, &preset)?,
@@ -59,35 +65,48 @@ impl DropOptions {
         if let Some(path) = &self.material {
             scenario = scenario_file::read_material(path, &scenario)?;
         }
-        self.start.apply(&mut scenario)?;
-        if let Some(duration) = self.duration {
-            set(&mut scenario, "time.duration", duration)?;
+        let mut own_duration = scenario.time.duration != preset.time.duration || self.duration.is_some();
+        let mut changes = Changes::of(&scenario);
+        for text in &self.set {
+            let parameter = assign::set_text(&mut changes, text)
+                .map_err(|error| Failure::Input(format!("--set {text}: {error}")))?;
+            own_duration |= parameter.name == DURATION;
         }
-        Ok(scenario)
+        self.start.apply(&mut changes)?;
+        if let Some(duration) = self.duration {
+            set(&mut changes, DURATION, duration)?;
+        }
+        let scenario = changes.apply().map_err(|error| Failure::Input(error.to_string()))?;
+        Ok(Subject {
+            scenario,
+            until: if own_duration { Until::Duration } else { Until::Over },
+            preset: self.preset,
+            scenario_file: self.scenario.clone(),
+            material_file: self.material.clone(),
+            set: self.set.clone(),
+        })
     }
 }
 
+/// Name of the parameter that says how long a run is.
+const DURATION: &str = "time.duration";
+
 impl StartOptions {
-    fn apply(&self, scenario: &mut Scenario) -> Result<(), Failure> {
-        for (option, value, drop_by) in [
-            ("energy", self.energy, DropBy::Energy),
-            ("height", self.height, DropBy::Height),
-            ("speed", self.speed, DropBy::Speed),
-        ] {
+    fn apply(&self, changes: &mut Changes) -> Result<(), Failure> {
+        for (option, value) in [("energy", self.energy), ("height", self.height), ("speed", self.speed)] {
             if let Some(value) = value {
-                if scenario.impactor.motion == Motion::Prescribed {
+                if changes.scenario().impactor.motion == Motion::Prescribed {
                     let text = "is refused: impactor.motion = prescribed does not fall; legal is drop";
                     return Err(Failure::Input(format!("--{option} {text}")));
                 }
-                set(scenario, &format!("impactor.drop_{option}"), value)?;
-                scenario.impactor.drop_by = drop_by;
+                set(changes, &format!("impactor.drop_{option}"), value)?;
             }
         }
         Ok(())
     }
 }
 
-fn set(scenario: &mut Scenario, name: &str, value: f64) -> Result<(), Failure> {
-    let parameter = Parameter::find(name).ok_or_else(|| Failure::Input(format!("{name} is unknown")))?;
-    parameter.set(scenario, value).map_err(|error| Failure::Input(error.to_string()))
+fn set(changes: &mut Changes, name: &str, value: f64) -> Result<(), Failure> {
+    let parameter = assign::find(name).map_err(Failure::Input)?;
+    changes.set(parameter, value).map_err(|error| Failure::Input(error.to_string()))
 }

@@ -1,7 +1,7 @@
 //! `softanvil fit`: from material tests to coefficients.
 
 use std::fmt::Write;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use softanvil_identify::data::column::Measure;
@@ -18,13 +18,15 @@ use softanvil_identify::relaxation::choice::TERMS;
 use softanvil_identify::relaxation::read as relaxation;
 use softanvil_kernel::scenario::Moduli;
 
+use super::output_files::Overwrite;
 use crate::failure::Failure;
+use crate::folder::Folder;
 use crate::identification::files::{Curves, Reading, Source};
 use crate::identification::material::{Identified, given};
 use crate::identification::trial::Trial;
 use crate::identification::{Identification, Request, json, table};
 use crate::picture_format::PictureFormat;
-use crate::{json as text_json, plot, scenario_file, staging};
+use crate::{json as text_json, plot, scenario_file};
 
 /// Fit hyperelastic laws and Prony series to material tests, and write the material
 ///
@@ -57,7 +59,7 @@ pub struct Options {
     prony: PronyOptions,
     #[command(flatten)]
     material: MaterialOptions,
-    /// Write material files and pictures to this folder
+    /// Write material files and pictures to this folder, beside what is in it
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Format of the pictures in that folder
@@ -66,6 +68,8 @@ pub struct Options {
     /// Print JSON in SI units instead of the tables
     #[arg(long)]
     json: bool,
+    #[command(flatten)]
+    overwrite: Overwrite,
 }
 
 #[derive(Debug, Args)]
@@ -157,10 +161,10 @@ struct MaterialOptions {
     /// Layer of the anvil
     #[arg(long, value_enum, default_value = "silicone")]
     layer: LayerOption,
-    /// Density in kg/m3 [default: the study's]
+    /// Density in kg/m3 [default: that of the layer in the preset study]
     #[arg(long, value_name = "KG_PER_M3", allow_negative_numbers = true)]
     density: Option<f64>,
-    /// Poisson's ratio [default: the study's]
+    /// Poisson's ratio [default: that of the layer in the preset study]
     #[arg(long, value_name = "RATIO", allow_negative_numbers = true)]
     poissons_ratio: Option<f64>,
 }
@@ -204,8 +208,7 @@ pub fn carry_out(options: &Options) -> Result<String, Failure> {
         let identified = Identified::of_study(layer)?;
         let mut text = identified.comment.clone() + "\n";
         if options.out.is_some() {
-            text += &options.write(identified.files()?)?;
-            text += &options.try_out(&identified)?;
+            text += &options.write(&identified, identified.files()?)?;
         }
         return Ok(text);
     }
@@ -223,7 +226,7 @@ pub fn carry_out(options: &Options) -> Result<String, Failure> {
             files.push((format!("{name}.{}", options.pictures.extension()), options.pictures.file(svg)?));
         }
         files.push(("fit.json".into(), text_json::text(&json::of_identification(&identification)).into_bytes()));
-        let written = options.write(files)? + &options.try_out(&identified)?;
+        let written = options.write(&identified, files)?;
         if !options.json {
             text += &written;
         }
@@ -280,36 +283,28 @@ impl Options {
         Identification::new(curves, source.as_ref().map(|source| (source, &relaxation)), &request)
     }
 
-    /// Drops on the study's anvil of the material, writes the scenario that goes through, and says what it needs.
-    fn try_out(&self, identified: &Identified) -> Result<String, Failure> {
-        match Trial::new(&identified.scenario()) {
+    /// Puts `files` into the folder asked for, and the scenario of a drop on the study's anvil that goes through with the
+    /// material; says so, and what the drop needs.
+    fn write(&self, identified: &Identified, mut files: Vec<(String, Vec<u8>)>) -> Result<String, Failure> {
+        let Some(path) = &self.out else { return Ok(String::new()) };
+        let mut folder = Folder::new(path, self.overwrite.overwrite);
+        folder.check(files.iter().map(|(name, _)| name.as_str()).chain([SCENARIO]))?;
+        let tried = match Trial::new(&identified.scenario()) {
             Ok(trial) => {
-                let content = scenario_file::to_toml(&trial.scenario).into_bytes();
-                let written = self.write(vec![(SCENARIO.into(), content)])?;
-                let path = self.out.as_deref().unwrap_or(Path::new("")).join(SCENARIO);
-                Ok(written.trim_start().to_string() + &trial.text(&path.display().to_string()))
+                files.push((SCENARIO.into(), scenario_file::to_toml(&trial.scenario).into_bytes()));
+                trial.text(&path.join(SCENARIO).display().to_string())
             }
-            Err(error) => Ok(format!(
+            Err(error) => format!(
                 "! No drop on the study's anvil goes through with this material, not even a small one: {error}. Look at the \
                  law's stability (--stable, --law), or at the units of the data.\n"
-            )),
-        }
-    }
-
-    /// Puts `files` into the folder asked for; says so.
-    fn write(&self, files: Vec<(String, Vec<u8>)>) -> Result<String, Failure> {
-        let Some(folder) = &self.out else { return Ok(String::new()) };
-        std::fs::create_dir_all(folder).map_err(|error| Failure::writing(folder, error))?;
-        let placed: Vec<(PathBuf, Vec<u8>)> =
-            files.into_iter().map(|(name, content)| (folder.join(name), content)).collect();
-        let borrowed: Vec<(&Path, Vec<u8>)> =
-            placed.iter().map(|(path, content)| (path.as_path(), content.clone())).collect();
-        staging::write_files(&borrowed).map_err(|(path, error)| Failure::writing(&path, error))?;
+            ),
+        };
+        folder.write(&files)?;
         let mut text = String::from("\n");
-        for (path, _) in &placed {
-            let _ = writeln!(text, "written: {}", path.display());
+        for (name, _) in &files {
+            let _ = writeln!(text, "written: {}", path.join(name).display());
         }
-        Ok(text)
+        Ok(text + &tried)
     }
 }
 

@@ -6,6 +6,7 @@ use clap::{Args, ValueEnum};
 use softanvil_fmu::platform::Platform;
 use softanvil_fmu::{Error, Version, build, package};
 
+use super::output_files::Overwrite;
 use crate::failure::Failure;
 
 /// Package the simulation as FMUs for co-simulation: softanvil-fmi2.fmu and softanvil-fmi3.fmu.
@@ -13,7 +14,7 @@ use crate::failure::Failure;
 /// The binaries are built from the sources of this program by cargo; `--target all` makes the FMUs for every platform.
 #[derive(Debug, Args)]
 pub struct Options {
-    /// Folder for the FMUs; made if it does not exist
+    /// Folder for the FMUs, made if it does not exist; FMUs of Softanvil that stand there are replaced
     #[arg(long, value_name = "DIR", default_value = ".")]
     out: PathBuf,
     /// Version of the standard [default: both]
@@ -27,6 +28,8 @@ pub struct Options {
     /// Shared library to package instead of building one, once per platform
     #[arg(long = "library", value_name = "FILE", conflicts_with = "targets")]
     libraries: Vec<PathBuf>,
+    #[command(flatten)]
+    overwrite: Overwrite,
 }
 
 /// Versions of the standard.
@@ -61,6 +64,13 @@ enum Target {
 /// # Errors
 /// A library that cannot be built, found, read or used, and a folder that cannot be written.
 pub fn carry_out(options: &Options) -> Result<String, Failure> {
+    let plan = |version, libraries| softanvil_fmu::Options { version, libraries, out: options.out.clone() };
+    for version in versions(&options.versions) {
+        let path = plan(version, Vec::new()).path();
+        if !softanvil_fmu::is_ours(&path) {
+            options.overwrite.check_file("--out", &path)?;
+        }
+    }
     let libraries = match options.libraries.as_slice() {
         [] => built(&options.targets)?,
         given => given.iter().map(|path| (None, path.clone())).collect(),
@@ -72,8 +82,7 @@ pub fn carry_out(options: &Options) -> Result<String, Failure> {
             !(all && version == Version::Fmi2 && *platform == Some(Platform::LinuxAarch64))
         };
         let libraries = libraries.iter().filter(|(platform, _)| fits(platform)).map(|(_, path)| path.clone()).collect();
-        let path =
-            package(&softanvil_fmu::Options { version, libraries, out: options.out.clone() }).map_err(failure)?;
+        let path = package(&plan(version, libraries)).map_err(failure)?;
         told += &format!("FMU in {}\n", path.display());
     }
     Ok(told)

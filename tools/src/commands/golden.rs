@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Subcommand};
 
+use super::output_files::Overwrite;
 use crate::failure::Failure;
 use crate::golden::{self, Played};
 use crate::staging;
@@ -39,6 +40,8 @@ struct WriteOptions {
     /// Scenes to write [default: all]
     #[arg(value_name = "SCENE")]
     scenes: Vec<String>,
+    #[command(flatten)]
+    overwrite: Overwrite,
 }
 
 /// Checks or writes; returns a line per scene.
@@ -73,7 +76,14 @@ impl CheckOptions {
 
 impl WriteOptions {
     fn carry_out(&self) -> Result<String, Failure> {
-        let played = golden::play(&golden::scenes(&self.scenes)?)?;
+        let scenes = golden::scenes(&self.scenes)?;
+        for scene in &scenes {
+            let path = self.out.join(format!("{}.txt", scene.name));
+            if !golden::is_trace(&path, scene) {
+                self.overwrite.check_file("DIR", &path)?;
+            }
+        }
+        let played = golden::play(&scenes)?;
         let paths: Vec<_> = played.iter().map(|played| self.out.join(format!("{}.txt", played.scene.name))).collect();
         let files: Vec<_> =
             paths.iter().zip(&played).map(|(path, played)| (path.as_path(), played.text().into_bytes())).collect();

@@ -6,13 +6,16 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use super::drop_options::DropOptions;
-use super::output_files;
+use super::output_files::{self, Overwrite};
 use super::reading_options::ReadingOptions;
-use super::run::simulate;
+use super::run::{load, simulate};
 use crate::comparison::{self, Comparison};
+use crate::ending;
 use crate::failure::Failure;
 use crate::reading::{Reading, Record};
+use crate::run::Run;
 use crate::series::Series;
+use crate::subject::{warning_lines, warnings};
 use crate::{json, plot, staging, trace};
 
 /// Simulate one impact and print its numbers as load cells, filters and camera give them; with a measured trace, beside it.
@@ -37,6 +40,8 @@ pub struct Options {
     /// Print JSON in SI units instead of the tables
     #[arg(long)]
     json: bool,
+    #[command(flatten)]
+    overwrite: Overwrite,
 }
 
 /// Simulates, reads, compares, and writes the files asked for; returns the tables.
@@ -45,23 +50,25 @@ pub struct Options {
 /// Input that is refused, a simulation that failed, or a file that cannot be written.
 pub fn carry_out(options: &Options) -> Result<String, Failure> {
     let reading = options.reading.reading()?;
-    let scenario = options.drop.scenario()?;
-    output_files::check(options.plot.as_deref(), options.csv.as_deref())?;
+    let subject = options.drop.subject()?;
+    options.overwrite.check(options.plot.as_deref(), options.csv.as_deref())?;
     let measured = options.measured(&reading)?;
-    let run = simulate(&scenario)?;
+    let run = simulate(&subject)?;
+    let scenario = &subject.scenario;
     let record = reading.take(&run).map_err(|error| Failure::Input(error.to_string()))?;
     let comparison = match &measured {
         Some(measured) => Some(Comparison::new(measured, &record, &reading, scenario.measurement.force_threshold)?),
         None => None,
     };
-    let files = options.files(&reading, &record, comparison.as_ref())?;
+    let files = options.files(&run, &reading, &record, comparison.as_ref())?;
     staging::write_files(&files).map_err(|(path, error)| Failure::writing(&path, error))?;
     if options.json {
-        return Ok(json::text(&comparison::json(&run, &reading, &record, comparison.as_ref())));
+        return Ok(json::text(&comparison::json(&run, &subject, &reading, &record, comparison.as_ref())));
     }
-    let mut text = comparison::channels(&run, &reading, &record);
+    let head = subject.text() + &warning_lines(&warnings(&run.constants)) + &ending::remark(&run);
+    let mut text = head + &comparison::channels(&run, &reading, &record);
     if let Some(comparison) = &comparison {
-        let _ = write!(text, "\n{}", comparison.text(&record));
+        let _ = write!(text, "\n{}", comparison.text(&record, run.ending()));
     }
     for (path, _) in &files {
         let _ = writeln!(text, "written: {}", path.display());
@@ -83,6 +90,7 @@ impl Options {
 
     fn files(
         &self,
+        run: &Run,
         reading: &Reading,
         record: &Record,
         comparison: Option<&Comparison>,
@@ -92,11 +100,15 @@ impl Options {
             files.push((path.as_path(), trace::of_forces(record, comparison)?));
         }
         if let Some(path) = &self.plot {
-            let mut curves = vec![(format!("Softanvil, {reading}"), record.series.since_onset(record.threshold))];
+            let load = load(run);
+            let cut = ending::suffix(run);
+            let mut curves =
+                vec![(format!("Softanvil, {load}, {reading}{cut}"), record.series.since_onset(record.threshold))];
             if let Some(comparison) = comparison {
                 curves.push(("measured".into(), comparison.measured.since_onset(comparison.threshold)));
             }
-            files.push((path.as_path(), output_files::picture(path, plot::forces("Force over time", curves)?)?));
+            let svg = plot::forces("Force over time", reading.sensor.axis(), curves)?;
+            files.push((path.as_path(), output_files::picture(path, svg)?));
         }
         Ok(files)
     }

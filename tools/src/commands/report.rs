@@ -1,4 +1,5 @@
-//! `softanvil` alone: the drops of the study, its table, and a report folder.
+//! `softanvil` alone: the drops of the study, its table, and a report folder; `softanvil report`: the same of a drop of one's
+//! own.
 
 use std::path::PathBuf;
 
@@ -7,6 +8,8 @@ use clap::Args;
 use softanvil_kernel::Simulation;
 use softanvil_kernel::preset::PRESETS;
 
+use super::drop_options::DropOptions;
+use super::run::{load, simulate_watched};
 use crate::failure::Failure;
 use crate::paper::TABLE_1;
 use crate::picture_format::PictureFormat;
@@ -14,10 +17,9 @@ use crate::place::Place;
 use crate::reading::Reading;
 use crate::report::{self, Content};
 use crate::section::Film;
-use crate::table;
 use crate::validation::Validation;
 
-/// What to do without a command.
+/// Where the report goes.
 #[derive(Debug, Args)]
 pub struct Options {
     /// Folder of the report; a report that stands there is replaced
@@ -28,7 +30,16 @@ pub struct Options {
     pictures: PictureFormat,
 }
 
-/// Runs the drops and writes the report; returns the table and where the report is.
+/// Simulate one drop of your own and write every picture, the page with the animation, numbers and trace to a folder.
+#[derive(Debug, Args)]
+pub struct OwnOptions {
+    #[command(flatten)]
+    drop: DropOptions,
+    #[command(flatten)]
+    report: Options,
+}
+
+/// Runs the drops of the study and writes the report; returns the table and where the report is.
 ///
 /// # Errors
 /// A folder that is not ours to replace, a simulation that failed, or a file that cannot be written.
@@ -37,7 +48,25 @@ pub fn carry_out(options: &Options) -> Result<String, Failure> {
     let mut films: [Film; TABLE_1.len()] = Default::default();
     let watch = |number: usize, simulation: &mut Simulation| Ok(films[number].take(simulation)?);
     let validation = Validation::watched(&PRESETS[0], Reading::PLAIN, watch)?;
-    let names = report::write(&Content { validation: &validation, films: &films }, options.pictures, place)?;
-    let files = names.iter().map(|name| format!("  {name}\n")).collect::<String>();
-    Ok(format!("{}\nReport in {}:\n{files}", table::of_validation(&validation), options.out.display()))
+    options.write(&Content::of_validation(&validation, &films), place)
+}
+
+/// Runs one drop and writes the report; returns its numbers and where the report is.
+///
+/// # Errors
+/// As [`carry_out`], and a scenario that is refused.
+pub fn carry_out_own(options: &OwnOptions) -> Result<String, Failure> {
+    let subject = options.drop.subject()?;
+    let place = Place::new(&options.report.out, &report::KIND)?;
+    let mut film = Film::default();
+    let run = simulate_watched(&subject, |simulation| Ok(film.take(simulation)?))?;
+    options.report.write(&Content::of_run(&subject, load(&run), &run, &film), place)
+}
+
+impl Options {
+    fn write(&self, content: &Content, place: Place) -> Result<String, Failure> {
+        let names = report::write(content, self.pictures, place)?;
+        let files = names.iter().map(|name| format!("  {name}\n")).collect::<String>();
+        Ok(format!("{}\nReport in {}:\n{files}", content.table(), self.out.display()))
+    }
 }

@@ -5,15 +5,17 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use softanvil_kernel::scenario::Motion;
-use softanvil_kernel::{SAMPLING_INTERVAL, Scenario, Simulation};
+use softanvil_kernel::{SAMPLING_INTERVAL, Simulation};
 
 use super::drop_options::DropOptions;
-use super::output_files;
+use super::output_files::{self, Overwrite};
+use crate::ending;
 use crate::failure::Failure;
 use crate::place::Place;
 use crate::plot::{self, Shown};
 use crate::run::{Drop, Run};
 use crate::section::paraview::{self, Series};
+use crate::subject::{Subject, warning_lines, warnings};
 use crate::{json, progress, staging, table, trace};
 
 /// Simulate one drop, or a press at a prescribed speed, and print its results.
@@ -37,6 +39,8 @@ pub struct Options {
     /// Print JSON in SI units instead of the table
     #[arg(long)]
     json: bool,
+    #[command(flatten)]
+    overwrite: Overwrite,
 }
 
 /// Runs the drop and writes the files asked for; returns its results.
@@ -44,17 +48,18 @@ pub struct Options {
 /// # Errors
 /// A scenario or file name that is refused, a simulation that failed, or a file that cannot be written.
 pub fn carry_out(options: &Options) -> Result<String, Failure> {
-    let scenario = options.drop.scenario()?;
-    output_files::check(options.plot.as_deref(), options.csv.as_deref())?;
+    let subject = options.drop.subject()?;
+    options.overwrite.check(options.plot.as_deref(), options.csv.as_deref())?;
     let mut series = options.series()?;
-    let run = simulate_watched(&scenario, |simulation| series.iter_mut().try_for_each(|s| s.take(simulation)))?;
+    let run = simulate_watched(&subject, |simulation| series.iter_mut().try_for_each(|s| s.take(simulation)))?;
     let files = options.files(&run)?;
     staging::write_files(&files).map_err(|(path, error)| Failure::writing(&path, error))?;
     let series = series.map(Series::finish).transpose()?;
     if options.json {
-        return Ok(json::text(&json::of_run(&run)));
+        return Ok(json::text(&json::of_run(&run, &subject)));
     }
-    let mut text = format!("{}{}\n", table::of_run(&run), table::settings(&run));
+    let head = subject.text() + &warning_lines(&warnings(&run.constants)) + &ending::remark(&run);
+    let mut text = format!("{head}{}{}\n", table::of_run(&run), table::settings(&run));
     for (path, _) in &files {
         let _ = writeln!(text, "written: {}", path.display());
     }
@@ -83,27 +88,32 @@ impl Options {
     }
 }
 
-/// The energy at the start, to a tenth of a millijoule, or the speed of a press.
+/// The energy at the start, to a tenth of a millijoule, or the speed of a press; and whether it was cut off.
 fn label(run: &Run) -> String {
-    let impactor = &run.constants.scenario.impactor;
-    if impactor.motion == Motion::Prescribed {
-        return format!("Softanvil, {} m/s", impactor.prescribed_speed);
-    }
-    let energy = run.samples().first().map_or(0.0, |start| start.energy.impactor_kinetic);
-    format!("Softanvil, {} J", (energy * 1e4).round() / 1e4)
+    format!("Softanvil, {}{}", load(run), ending::suffix(run))
 }
 
-/// Runs `scenario`, with progress.
-pub(super) fn simulate(scenario: &Scenario) -> Result<Run, Failure> {
-    simulate_watched(scenario, |_| Ok(()))
+/// The energy at the start, to a tenth of a millijoule, or the speed of a press.
+pub(super) fn load(run: &Run) -> String {
+    let impactor = &run.constants.scenario.impactor;
+    if impactor.motion == Motion::Prescribed {
+        return format!("{} m/s", impactor.prescribed_speed);
+    }
+    let energy = run.samples().first().map_or(0.0, |start| start.energy.impactor_kinetic);
+    format!("{} J", (energy * 1e4).round() / 1e4)
+}
+
+/// Runs the drop of `subject`, with progress.
+pub(super) fn simulate(subject: &Subject) -> Result<Run, Failure> {
+    simulate_watched(subject, |_| Ok(()))
 }
 
 /// The same; `watch` sees the simulation at the start and after every sample.
-fn simulate_watched(
-    scenario: &Scenario,
+pub(super) fn simulate_watched(
+    subject: &Subject,
     mut watch: impl FnMut(&mut Simulation) -> Result<(), Failure>,
 ) -> Result<Run, Failure> {
-    let drop = Drop::new(scenario)?;
+    let drop = Drop::until(&subject.scenario, subject.until)?;
     let bar = progress::bar(drop.steps());
     bar.set_message("drop");
     drop.run_watched(|steps, simulation| {

@@ -1,41 +1,47 @@
 //! `softanvil study`: sensitivities and convergence.
 
 use std::fmt::Write;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Args;
-use clap::builder::PossibleValuesParser;
 use serde_json::Value;
 use softanvil_kernel::Scenario;
 
 use super::drop_options::DropOptions;
+use super::output_files::Overwrite;
 use crate::failure::Failure;
+use crate::folder::Folder;
 use crate::picture_format::PictureFormat;
 use crate::run::Drop;
+use crate::scenario_file::suggestion;
 use crate::studies::case::Case;
+use crate::studies::columns;
 use crate::studies::page::{Page, overview};
 use crate::studies::sweep::{Journal, sweep};
-use crate::studies::values::short;
 use crate::studies::{STUDIES, Study};
-use crate::{interrupt, json, staging};
+use crate::subject::Subject;
+use crate::{interrupt, json};
 
 /// Change one thing of a drop at a time, and put what the paper says of it beside.
 ///
 /// mesh: order of convergence and discretisation error. friction: under the face and at the core, and what hides it.
 /// poisson: the bulk modulus. damping: spring and slider. law: hyperelastic laws fitted to the same data. thickness,
-/// diameter: of the anvil. all: every one of them. Interrupt with Ctrl-C: what is done by then is shown and written.
+/// diameter: of the anvil. all: every one of them. Or any parameter, by its name in the scenario file, with --values in its
+/// unit: `softanvil study silicone.c10 --values 1e5,2e5`. Interrupt with Ctrl-C: what is done by then is shown and written.
 #[derive(Debug, Args)]
 pub struct Options {
-    /// The study
-    #[arg(value_parser = PossibleValuesParser::new(names()))]
+    /// mesh, friction, poisson, damping, law, thickness, diameter, all, or the name of a parameter
+    #[arg(value_parser = known)]
     study: String,
     #[command(flatten)]
     drop: DropOptions,
-    /// Values to sweep instead of the study's, in the unit of its table, such as 0.2,0.4 (law: names of laws)
+    /// Values to sweep instead of the study's, in the unit of its table or of the parameter, such as 0.2,0.4 (law: names of
+    /// laws; a choice: its labels)
     #[arg(long, value_name = "LIST", value_delimiter = ',', allow_negative_numbers = true)]
     values: Vec<String>,
-    /// Write table, CSV and picture to this folder; every simulation is a line of the CSV as soon as it is done
+    /// Write page, CSV (SI) and picture to this folder, beside what is in it; every simulation is a line of the CSV as soon as
+    /// it is done
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Format of the picture in that folder
@@ -50,13 +56,23 @@ pub struct Options {
     /// Print the tables as Markdown
     #[arg(long)]
     markdown: bool,
+    #[command(flatten)]
+    overwrite: Overwrite,
 }
 
 /// Stands for every study.
 const ALL: &str = "all";
 
-fn names() -> Vec<&'static str> {
-    STUDIES.iter().map(|study| study.name).chain([ALL]).collect()
+/// The page of all studies.
+const OVERVIEW: &str = "README.md";
+
+/// A name that is one of a study, for clap.
+fn known(name: &str) -> Result<String, String> {
+    let names = || STUDIES.iter().map(|study| study.name).chain([ALL]).collect::<Vec<_>>().join(", ");
+    match name == ALL || Study::find(name).is_some() {
+        true => Ok(name.into()),
+        false => Err(format!("legal is {}, or a parameter such as silicone.c10{}", names(), suggestion(name))),
+    }
 }
 
 /// Simulates and evaluates; returns the tables.
@@ -71,12 +87,13 @@ pub fn carry_out(options: &Options) -> Result<String, Failure> {
     if studies.len() > 1 && !options.values.is_empty() {
         return Err(Failure::Input("--values is refused with all: legal is one study".into()));
     }
-    let scenario = options.drop.scenario()?;
+    let subject = options.drop.subject()?;
     // Refused here, before anything is written.
-    Drop::new(&scenario)?;
-    let plans = studies.iter().map(|study| options.plan(study, &scenario)).collect::<Result<Vec<_>, _>>()?;
-    if let Some(folder) = &options.out {
-        std::fs::create_dir_all(folder).map_err(|error| Failure::writing(folder, error))?;
+    Drop::new(&subject.scenario)?;
+    let plans = studies.iter().map(|study| options.plan(study, &subject.scenario)).collect::<Result<Vec<_>, _>>()?;
+    let mut folder = options.out.as_ref().map(|path| Folder::new(path, options.overwrite.overwrite));
+    if let Some(folder) = &mut folder {
+        options.claim(folder, &studies)?;
     }
     let stop = interrupt::flag();
     let pool = rayon::ThreadPoolBuilder::new().num_threads(options.threads).build();
@@ -86,44 +103,73 @@ pub fn carry_out(options: &Options) -> Result<String, Failure> {
         if stop.load(Ordering::Relaxed) {
             break;
         }
-        pages.push(pool.install(|| options.page(study, &scenario, cases, &stop))?);
+        pages.push(pool.install(|| options.page(study, &subject, cases, folder.as_mut(), &stop))?);
     }
-    options.show(&pages)
+    options.show(&pages, folder.as_mut())
 }
 
 impl Options {
     /// The cases of `study`, none of which is refused.
     fn plan(&self, study: &Study, scenario: &Scenario) -> Result<Vec<Case>, Failure> {
         let defaults = study.default_values.iter().map(|value| (*value).to_string()).collect();
-        let values = if self.values.is_empty() { defaults } else { self.values.clone() };
-        let cases = (study.plan)(scenario, &values)?;
+        let values: Vec<String> = if self.values.is_empty() { defaults } else { self.values.clone() };
+        if values.is_empty() {
+            let legal = format!("legal is a list of values of {}, such as --values 1,2.5", study.values);
+            return Err(Failure::Input(format!("study {} without --values is refused: {legal}", study.name)));
+        }
+        let cases = (study.plan)(study, scenario, &values)?;
         for scenario in cases.iter().filter_map(|case| case.scenario.as_ref().ok()) {
             Drop::new(scenario)?;
         }
         Ok(cases)
     }
 
+    /// Checks that the files of all `studies` may be written, and takes those that grow.
+    fn claim(&self, folder: &mut Folder, studies: &[&'static Study]) -> Result<(), Failure> {
+        let pages = studies.iter().flat_map(|study| ["md", self.pictures.extension()].map(|e| file(study, e)));
+        let overview = (self.study == ALL).then(|| OVERVIEW.to_string());
+        let names: Vec<String> = pages.chain(overview).collect();
+        folder.check(names.iter().map(String::as_str))?;
+        for study in studies {
+            folder.take(&file(study, "csv"), &csv_line(&columns::header(study))?)?;
+        }
+        Ok(())
+    }
+
     /// Simulates `cases`, evaluates them, and writes the files of the study.
     fn page(
         &self,
         study: &'static Study,
-        scenario: &Scenario,
+        subject: &Subject,
         cases: Vec<Case>,
+        folder: Option<&mut Folder>,
         stop: &AtomicBool,
     ) -> Result<Page, Failure> {
-        let csv = self.out.as_ref().map(|folder| folder.join(format!("{}.csv", study.name)));
+        let csv = folder.as_ref().map(|folder| folder.path().join(file(study, "csv")));
         let journal = csv.as_deref().map(|path| Journal::new(path, study)).transpose()?;
-        let page = Page::new(sweep(study, scenario, cases, stop, journal)?, subject(scenario));
-        if let Some(folder) = &self.out {
-            write(folder, &page, self.pictures)?;
+        let page = Page::new(sweep(study, subject, cases, stop, journal)?, subject.clone());
+        if let Some(folder) = folder {
+            self.write(folder, study, &page)?;
         }
         Ok(page)
     }
 
-    fn show(&self, pages: &[Page]) -> Result<String, Failure> {
-        if let (Some(folder), true) = (&self.out, self.study == ALL) {
+    /// Writes the files of a study.
+    fn write(&self, folder: &mut Folder, study: &Study, page: &Page) -> Result<(), Failure> {
+        let picture = self.pictures.extension();
+        // In order now, whichever simulation ended first.
+        let csv = page.csv().map_err(|error| Failure::writing(&folder.path().join(file(study, "csv")), error))?;
+        folder.write(&[
+            (file(study, "csv"), csv),
+            (file(study, picture), self.pictures.file(page.svg()?)?),
+            (file(study, "md"), page.markdown(self.pictures).into_bytes()),
+        ])
+    }
+
+    fn show(&self, pages: &[Page], folder: Option<&mut Folder>) -> Result<String, Failure> {
+        if let (Some(folder), true) = (folder, self.study == ALL) {
             let text = format!("{INTRODUCTION}\n{}", overview(pages));
-            put(&folder.join("README.md"), text.into_bytes())?;
+            folder.write(&[(OVERVIEW.into(), text.into_bytes())])?;
         }
         if self.json {
             return Ok(match pages {
@@ -148,25 +194,16 @@ Each line is a figure of the paper, or a question to it, beside what is simulate
 pictures and the CSV of every simulation. Made by `softanvil study all --out DIR`.
 ";
 
-/// The drop in words.
-fn subject(scenario: &Scenario) -> String {
-    let speed = scenario.impactor.start_speed();
-    let energy = 0.5 * scenario.impactor.mass * speed * speed;
-    let mass = scenario.impactor.mass;
-    let layer = 1e3 * scenario.geometry.layer_thickness();
-    format!("The drop: {} kg with {} J on a layer of {} mm.", short(mass), short(energy), short(layer))
+/// Name of a file of `study`.
+fn file(study: &Study, extension: &str) -> String {
+    format!("{}.{extension}", study.name)
 }
 
-/// Writes the files of a study.
-fn write(folder: &Path, page: &Page, pictures: PictureFormat) -> Result<(), Failure> {
-    let name = |extension: &str| folder.join(format!("{}.{extension}", page.name()));
-    let csv = page.csv().map_err(|error| Failure::writing(&name("csv"), error))?;
-    // In order now, whichever simulation ended first.
-    put(&name("csv"), csv)?;
-    put(&name(pictures.extension()), pictures.file(page.svg()?)?)?;
-    put(&name("md"), page.markdown(pictures).into_bytes())
-}
-
-fn put(path: &Path, content: Vec<u8>) -> Result<(), Failure> {
-    staging::write_files(&[(path, content)]).map_err(|(path, error)| Failure::writing(&path, error))
+/// `record` as a line of CSV.
+fn csv_line(record: &[String]) -> Result<String, Failure> {
+    let mut csv = csv::Writer::from_writer(Vec::new());
+    let failed = |error: &dyn std::fmt::Display| Failure::Failed(format!("a line of CSV: {error}"));
+    csv.write_record(record).map_err(|error| failed(&error))?;
+    let bytes = csv.into_inner().map_err(|error| failed(&error))?;
+    Ok(String::from_utf8_lossy(&bytes).into_owned())
 }

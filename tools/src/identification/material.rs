@@ -1,7 +1,6 @@
 //! The identified material, and the files that carry it to the simulation and to other programs.
 
 use softanvil_identify::export::{Layer, abaqus, c_source, ls_dyna, ssv};
-use softanvil_identify::law::blank;
 use softanvil_kernel::scenario::{Layers, Material, Moduli, VolumetricBy};
 use softanvil_kernel::{Scenario, preset};
 
@@ -137,13 +136,28 @@ fn add_prony(material: &mut Material, terms: Vec<(f64, f64)>) -> Option<String> 
     })
 }
 
-/// A material of the silicone without data, for what is left open.
+/// What the options give, and the layer's values in the preset study where they leave it open.
 pub fn given(moduli: Moduli, density: Option<f64>, poissons_ratio: Option<f64>, layer: Layer) -> Given {
-    let blank = blank();
+    let study = preset::study();
+    let own = if layer == Layer::Skin { study.skin } else { study.silicone };
     Given {
         moduli,
-        density: density.unwrap_or(blank.density),
-        poissons_ratio: poissons_ratio.unwrap_or(blank.poissons_ratio),
+        density: density.unwrap_or(own.density),
+        poissons_ratio: poissons_ratio.unwrap_or(own.poissons_ratio),
         layer,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_no_option_gives_is_the_preset_s() {
+        for (layer, material) in [(Layer::Silicone, preset::study().silicone), (Layer::Skin, preset::study().skin)] {
+            let left_open = given(Moduli::LongTerm, None, None, layer);
+            assert_eq!((left_open.density, left_open.poissons_ratio), (material.density, material.poissons_ratio));
+            assert_eq!(given(Moduli::LongTerm, None, Some(0.4), layer).poissons_ratio, 0.4);
+        }
     }
 }

@@ -7,7 +7,7 @@ use softanvil_identify::relaxation::prony::Prony;
 use softanvil_identify::relaxation::read::Load;
 
 use super::{Identification, Relaxed};
-use crate::table::{align_right, new_plain_table};
+use crate::table::{FIXED_BLANK, align_right, new_plain_table, text as text_of};
 
 /// The whole report.
 pub fn of_identification(identification: &Identification) -> String {
@@ -35,11 +35,11 @@ pub fn of_identification(identification: &Identification) -> String {
     text
 }
 
-/// A note as a paragraph of its own, 100 characters wide.
+/// A note as a paragraph of its own, 80 characters wide.
 fn push(text: &mut String, indent: &str, note: &str) {
     let mut line = indent.to_string();
     for word in note.split(' ') {
-        if line.len() + word.len() > 100 {
+        if line.len() + word.len() > 80 {
             let _ = writeln!(text, "{}", line.trim_end());
             line = " ".repeat(indent.len().max(2));
         }
@@ -56,7 +56,7 @@ fn ranking(identification: &Identification) -> String {
         let mark = if index == identification.chosen { "> " } else { "  " };
         let statistics = &fit.statistics;
         table.add_row([
-            format!("{mark}{}", fit.law.label),
+            format!("{mark}{}", fit.law.label).replace(' ', &FIXED_BLANK.to_string()),
             format!("{} kPa", digits(statistics.rms * 1e-3)),
             format!("{:.5}", statistics.r_squared),
             format!("{:.1}", statistics.aic),
@@ -71,10 +71,11 @@ fn ranking(identification: &Identification) -> String {
         Weighting::Absolute => "absolute residuals",
         Weighting::Relative => "relative residuals",
     };
-    let mut text = format!("{}\n", table.trim_fmt());
+    let mut text = format!("{}\n", text_of(&mut table));
     let _ = writeln!(
         text,
-        "Order: lowest residual of each family, then the others; > marks the chosen one. Stability is asked from {low:.2} to {high:.2}.\n\
+        "Order: lowest residual of each family, then the others; > marks the chosen one.\n\
+         Stability is asked from {low:.2} to {high:.2}.\n\
          Fitted by {weighting}."
     );
     identification.failed.iter().for_each(|reason| push(&mut text, "", reason));
@@ -98,7 +99,7 @@ fn coefficients(fit: &Fit) -> String {
         table.add_row([*name, &digits(*value), &error, &interval, fit.law.unit(index)]);
     }
     align_right(&mut table, 1..4);
-    format!("{}\n", table.trim_fmt())
+    format!("{}\n", text_of(&mut table))
 }
 
 fn relaxation(relaxed: &Relaxed) -> String {
@@ -125,7 +126,7 @@ fn relaxation(relaxed: &Relaxed) -> String {
         ]);
     }
     align_right(&mut table, 1..4);
-    let _ = writeln!(text, "{}", table.trim_fmt());
+    let _ = writeln!(text, "{}", text_of(&mut table));
     text += &moduli(relaxed, relaxed.choice.prony());
     for prony in relaxed.choice.series.iter().filter(|prony| !prony.doubts.is_empty()) {
         push(&mut text, "! ", &format!("{} terms: {}", prony.terms.len(), prony.doubts.join("; ")));

@@ -51,6 +51,9 @@ impl<E: std::error::Error + Send + Sync> From<plotters::drawing::DrawingAreaErro
     }
 }
 
+/// Name and unit of the force that the kernel's own pictures show.
+pub const CONTACT_FORCE: &str = "contact force (N)";
+
 /// Contact force over time since contact.
 ///
 /// # Errors
@@ -67,15 +70,17 @@ pub fn force_deformation(title: &str, shown: &[Shown]) -> Result<String, PlotErr
     draw(&[deformation_panel(title, shown)])
 }
 
-/// Forces over time since each began: points of ms and N, with what the legend calls them.
+/// Forces over time since each began, under the name and unit of the vertical axis: points of ms and N, with what the legend
+/// calls them.
 ///
 /// # Errors
 /// What the drawing library refuses.
-pub fn forces(title: &str, curves: Vec<(String, Vec<(f64, f64)>)>) -> Result<String, PlotError> {
+pub fn forces(title: &str, y_description: &str, curves: Vec<(String, Vec<(f64, f64)>)>) -> Result<String, PlotError> {
     let curves = curves.into_iter().map(|(label, points)| Curve { label, points, measured: None }).collect();
     draw(&[Panel {
         title,
         x_description: "time since the threshold (ms)",
+        y_description,
         measured_label: "",
         legend_at: SeriesLabelPosition::UpperRight,
         curves,
@@ -94,6 +99,7 @@ fn time_panel<'a>(title: &'a str, shown: &[Shown]) -> Panel<'a> {
     Panel {
         title,
         x_description: "time since contact (ms)",
+        y_description: CONTACT_FORCE,
         measured_label: "experiment: peak",
         legend_at: SeriesLabelPosition::UpperRight,
         curves: curve::force_time(shown),
@@ -104,6 +110,7 @@ fn deformation_panel<'a>(title: &'a str, shown: &[Shown]) -> Panel<'a> {
     Panel {
         title,
         x_description: "deformation (mm)",
+        y_description: CONTACT_FORCE,
         measured_label: "experiment: maxima",
         legend_at: LEGEND_UPPER_LEFT,
         curves: curve::force_deformation(shown),

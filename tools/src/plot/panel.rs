@@ -22,6 +22,8 @@ pub struct Panel<'a> {
     pub title: &'a str,
     /// Quantity and unit of the horizontal axis.
     pub x_description: &'static str,
+    /// Quantity and unit of the vertical axis.
+    pub y_description: &'a str,
     /// What the legend calls the measured values.
     pub measured_label: &'static str,
     /// Where the curves leave room for the legend.
@@ -42,7 +44,7 @@ pub fn draw(area: &Area, panel: &Panel) -> Result<(), PlotError> {
         .x_label_area_size(X_LABEL_AREA)
         .y_label_area_size(Y_LABEL_AREA)
         .build_cartesian_2d(Axis::new(x_end), Axis::new(y_end))?;
-    draw_axes(&mut chart, panel.x_description)?;
+    draw_axes(&mut chart, panel)?;
     for (index, curve) in panel.curves.iter().enumerate() {
         draw_curve(&mut chart, curve, colour(index))?;
     }
@@ -68,7 +70,7 @@ fn extent(curves: &[Curve]) -> (f64, f64) {
         .fold((0.0, 0.0), |largest: (f64, f64), point| (largest.0.max(point.0), largest.1.max(point.1)))
 }
 
-fn draw_axes(chart: &mut Chart, x_description: &str) -> Result<(), PlotError> {
+fn draw_axes(chart: &mut Chart, panel: &Panel) -> Result<(), PlotError> {
     chart
         .configure_mesh()
         .light_line_style(TRANSPARENT)
@@ -77,8 +79,8 @@ fn draw_axes(chart: &mut Chart, x_description: &str) -> Result<(), PlotError> {
         .set_all_tick_mark_size(TICK)
         .label_style(text(TICK_LABEL_SIZE))
         .axis_desc_style(text(LABEL_SIZE))
-        .x_desc(x_description)
-        .y_desc("contact force (N)")
+        .x_desc(panel.x_description)
+        .y_desc(panel.y_description)
         .draw()?;
     Ok(())
 }

@@ -1,4 +1,4 @@
-//! The report folder: traces, pictures, table and numbers of the study's drops.
+//! The report folder: traces, pictures, table and numbers of the study's drops, or of one of the user's own.
 
 mod page;
 
@@ -6,13 +6,18 @@ use std::fs;
 use std::path::Path;
 
 use serde_json::{Value, json};
+use softanvil_kernel::Scenario;
 
+use crate::ending;
 use crate::failure::Failure;
+use crate::paper;
 use crate::picture_format::PictureFormat;
 use crate::place::{Kind, Place};
 use crate::plot::{self, Shown};
+use crate::run::Run;
 use crate::section::picture::{self, Shot};
 use crate::section::{Film, SHADES};
+use crate::subject::{Subject, warning_lines, warnings};
 use crate::validation::Validation;
 use crate::{json, scenario_file, staging, table, trace};
 
@@ -37,10 +42,88 @@ fn listed_files(folder: &Path) -> Vec<String> {
 
 /// What a report tells.
 pub struct Content<'a> {
-    /// The drops.
-    pub validation: &'a Validation,
-    /// The section of each.
-    pub films: &'a [Film],
+    /// The drops, the hardest first.
+    pub drops: Vec<Reported<'a>>,
+    /// What they are.
+    pub about: About<'a>,
+}
+
+/// A drop of a report.
+pub struct Reported<'a> {
+    /// Energy, or the speed of a press.
+    pub label: String,
+    /// Name of the file with its trace.
+    pub trace: String,
+    /// The run.
+    pub run: &'a Run,
+    /// Its section.
+    pub film: &'a Film,
+    /// What was measured, if it is one of the study's drops.
+    pub paper: Option<&'static paper::Case>,
+}
+
+/// What the drops of a report are.
+#[derive(Clone, Copy)]
+pub enum About<'a> {
+    /// Those of the study, beside its table.
+    Validation(&'a Validation),
+    /// One of the user's own.
+    Own(&'a Subject),
+}
+
+impl<'a> Content<'a> {
+    /// The drops of the study with their sections.
+    pub fn of_validation(validation: &'a Validation, films: &'a [Film]) -> Self {
+        let drops = validation.cases.iter().zip(films).map(|(case, film)| Reported {
+            label: format!("{} J", case.paper.energy),
+            trace: format!("trace-{}J.csv", case.paper.energy),
+            run: &case.run,
+            film,
+            paper: Some(case.paper),
+        });
+        Self { drops: drops.collect(), about: About::Validation(validation) }
+    }
+
+    /// One drop with its section.
+    pub fn of_run(subject: &'a Subject, label: String, run: &'a Run, film: &'a Film) -> Self {
+        let drop = Reported { label, trace: "trace.csv".into(), run, film, paper: None };
+        Self { drops: vec![drop], about: About::Own(subject) }
+    }
+
+    /// The scenario that a reader can run again.
+    fn scenario(&self) -> Scenario {
+        match self.about {
+            About::Validation(validation) => (validation.preset.scenario)(),
+            About::Own(subject) => subject.scenario,
+        }
+    }
+
+    /// What stands above a table: which drop, what speaks against it, how it ended. Nothing of the study's drops, whose
+    /// table says so.
+    fn head(&self) -> String {
+        match self.about {
+            About::Validation(_) => String::new(),
+            About::Own(subject) => self.drops.iter().fold(subject.text(), |text, drop| {
+                text + &warning_lines(&warnings(&drop.run.constants)) + &ending::remark(drop.run)
+            }),
+        }
+    }
+
+    /// The numbers, for people, without their head.
+    fn numbers(&self) -> String {
+        match self.about {
+            About::Validation(validation) => table::of_validation(validation),
+            About::Own(_) => {
+                let drops = self.drops.iter();
+                drops.map(|drop| format!("{}{}\n", table::of_run(drop.run), table::settings(drop.run))).collect()
+            }
+        }
+    }
+
+    /// The numbers, for people, and what a reader has to know of them.
+    pub fn table(&self) -> String {
+        self.head() + &self.numbers()
+    }
 }
 
 /// Writes the report at `place`, complete or not at all, its pictures in this format; returns the names of its files.
@@ -60,42 +143,36 @@ pub fn write(content: &Content, pictures: PictureFormat, place: Place) -> Result
 
 /// Names and contents of the files.
 fn files(content: &Content, format: PictureFormat) -> Result<Vec<(String, Vec<u8>)>, Failure> {
-    let validation = content.validation;
     let mut files = vec![("report.html".into(), page::html(content)?)];
     for (name, svg) in pictures(content)? {
         files.push((format!("{name}.{}", format.extension()), format.file(svg)?));
     }
-    files.push(("table.txt".into(), table::of_validation(validation).into()));
-    files.push(("scenario.toml".into(), scenario_file::to_toml(&(validation.preset.scenario)()).into()));
-    for case in &validation.cases {
-        files.push((format!("trace-{}J.csv", case.paper.energy), trace::csv(&case.run)?));
+    files.push(("table.txt".into(), content.table().into()));
+    files.push(("scenario.toml".into(), scenario_file::to_toml(&content.scenario()).into()));
+    for drop in &content.drops {
+        files.push((drop.trace.clone(), trace::csv(drop.run)?));
     }
     let names = files.iter().map(|(name, _)| name.as_str()).chain([SUMMARY]).collect::<Vec<_>>();
-    let summary = summary(validation, &names);
+    let summary = summary(content, &names);
     files.push((SUMMARY.to_string(), json::text(&summary).into()));
     Ok(files)
 }
 
 /// The drops as the plots show them.
-fn shown(validation: &Validation) -> Vec<Shown<'_>> {
-    let cases = validation.cases.iter();
-    let shown = cases.map(|case| Shown {
-        label: format!("Softanvil, {} J", case.paper.energy),
-        run: &case.run,
-        experiment: Some(case.paper.experiment),
+fn shown<'a>(content: &'a Content) -> Vec<Shown<'a>> {
+    let shown = content.drops.iter().map(|drop| Shown {
+        label: format!("Softanvil, {}{}", drop.label, ending::suffix(drop.run)),
+        run: drop.run,
+        experiment: drop.paper.map(|case| case.experiment),
     });
     shown.collect()
 }
 
 /// Names and SVG of the pictures.
 fn pictures(content: &Content) -> Result<Vec<(&'static str, String)>, Failure> {
-    let cases = &content.validation.cases;
-    let shown = shown(content.validation);
-    let shots: Vec<Shot> = cases
-        .iter()
-        .zip(content.films)
-        .map(|(case, film)| Shot { label: format!("{} J", case.paper.energy), film })
-        .collect();
+    let shown = shown(content);
+    let shots = content.drops.iter().map(|drop| Shot { label: drop.label.clone(), film: drop.film });
+    let shots: Vec<Shot> = shots.collect();
     let mut pictures = vec![
         ("force-time", plot::force_time("Drops on the soft anvil: force over time", &shown)?),
         ("force-deformation", plot::force_deformation("Drops on the soft anvil: force over deformation", &shown)?),
@@ -109,11 +186,18 @@ fn pictures(content: &Content) -> Result<Vec<(&'static str, String)>, Failure> {
     Ok(pictures)
 }
 
-fn summary(validation: &Validation, files: &[&str]) -> Value {
-    json!({
+fn summary(content: &Content, files: &[&str]) -> Value {
+    let mut summary = json!({
         "generator": GENERATOR,
         "version": env!("CARGO_PKG_VERSION"),
         "files": files,
-        "validation": json::of_validation(validation),
-    })
+    });
+    let (key, value) = match content.about {
+        About::Validation(validation) => ("validation", json::of_validation(validation)),
+        About::Own(subject) => {
+            ("run", content.drops.first().map_or(Value::Null, |drop| json::of_run(drop.run, subject)))
+        }
+    };
+    summary[key] = value;
+    summary
 }

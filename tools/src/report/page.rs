@@ -4,11 +4,11 @@ mod data;
 
 use minijinja::{Environment, Value, context};
 
-use super::Content;
+use super::{About, Content};
 use crate::failure::Failure;
 use crate::paper;
 use crate::quantity::QUANTITIES;
-use crate::validation::{Comparison, Validation};
+use crate::validation::Comparison;
 use crate::{scenario_file, table};
 
 const PAGE: &str = include_str!("../../assets/report/page.html");
@@ -31,26 +31,35 @@ pub fn html(content: &Content) -> Result<Vec<u8>, Failure> {
 }
 
 fn render(content: &Content) -> Result<String, minijinja::Error> {
-    let validation = content.validation;
     let mut environment = Environment::new();
     // The name makes the library escape what it fills in.
     environment.add_template("page.html", PAGE)?;
     let percent = |value: f64| format!("{value:.1}");
-    let constants = validation.cases.first().map(|case| &case.run.constants);
+    let constants = content.drops.first().map(|drop| &drop.run.constants);
+    let validation = match content.about {
+        About::Validation(validation) => Some(validation),
+        About::Own(_) => None,
+    };
     environment.get_template("page.html")?.render(context! {
         version => env!("CARGO_PKG_VERSION"),
-        preset => validation.preset.name,
-        description => validation.preset.description,
+        head => content.head(),
+        numbers => content.numbers(),
         triangles => constants.map(|constants| constants.grid.n_elem()),
         step => constants.map(|constants| format!("{:.3}", constants.dt * 1e6)),
-        mean_error => percent(validation.mean_error()),
-        peak_error => percent(validation.peak_error()),
-        ls_dyna_mean_error => percent(validation.ls_dyna_mean_error()),
-        ls_dyna_peak_error => percent(validation.ls_dyna_peak_error()),
-        residual => format!("{:.1e}", largest_residual(validation)),
-        rows => validation.cases.iter().flat_map(rows).collect::<Vec<_>>(),
-        notes => table::notes(validation),
-        scenario => scenario_file::to_toml(&(validation.preset.scenario)()),
+        validation => validation.map(|validation| context! {
+            preset => validation.preset.name,
+            description => validation.preset.description,
+            fitted => validation.preset.fitted.to_string(),
+            mean_error => percent(validation.mean_error()),
+            peak_error => percent(validation.peak_error()),
+            ls_dyna_mean_error => percent(validation.ls_dyna_mean_error()),
+            ls_dyna_peak_error => percent(validation.ls_dyna_peak_error()),
+            ls_dyna_fitted => paper::FITTED.to_string(),
+            rows => validation.cases.iter().flat_map(rows).collect::<Vec<_>>(),
+            notes => table::notes(validation),
+        }),
+        residual => format!("{:.1e}", largest_residual(content)),
+        scenario => scenario_file::to_toml(&content.scenario()),
         // No tag can end the script.
         data => data::of(content).to_string().replace('<', "\\u003c"),
         css => CSS,
@@ -63,8 +72,8 @@ fn render(content: &Content) -> Result<String, minijinja::Error> {
     })
 }
 
-fn largest_residual(validation: &Validation) -> f64 {
-    let samples = validation.cases.iter().flat_map(|case| case.run.samples());
+fn largest_residual(content: &Content) -> f64 {
+    let samples = content.drops.iter().flat_map(|drop| drop.run.samples());
     samples.fold(0.0, |largest, sample| f64::max(largest, sample.energy.residual().abs()))
 }
 
@@ -80,7 +89,7 @@ fn rows(case: &Comparison) -> Vec<Value> {
             experiment => text(case.paper.experiment[i], paper::DECIMALS[i]),
             ls_dyna => text(case.paper.ls_dyna[i], paper::DECIMALS[i]),
             ls_dyna_error => format!("{:+.1} %", ls_dyna_errors[i]),
-            softanvil => text(case.record.values[i], quantity.decimals),
+            softanvil => case.run.ending().marked(quantity.output, text(case.record.values[i], quantity.decimals)),
             softanvil_error => format!("{:+.1} %", errors[i]),
         }
     };

@@ -2,6 +2,7 @@
 //! `[group]`. Keys left out keep their value in the scenario that the file is read upon; a value that has no effect is
 //! refused, and written behind a `#` (`softanvil_kernel::Changes`).
 
+pub mod assign;
 mod read;
 mod write;
 

@@ -3,10 +3,10 @@
 use std::ops::Range;
 use std::path::Path;
 
-use softanvil_kernel::parameter::Kind;
 use softanvil_kernel::{Changes, PARAMETERS, Parameter, ParameterError, Scenario, ScenarioError};
-use toml_edit::{Document, Item, TableLike, TomlError};
+use toml_edit::{Document, Item, TableLike, TomlError, Value};
 
+use super::assign::{self, Written};
 use super::split;
 use crate::failure::Failure;
 
@@ -135,17 +135,13 @@ struct Place<'a> {
 impl Place<'_> {
     /// The number that `item` gives to `parameter`; for a choice, its index.
     fn value(&self, parameter: &Parameter, item: &Item) -> Result<f64, ScenarioFileError> {
-        match parameter.kind {
-            Kind::Real { unit, min, max, .. } => item
-                .as_float()
-                .or_else(|| item.as_integer().map(|integer| integer as f64))
-                .ok_or_else(|| self.wrong_type(parameter.name, item, format!("a number, {}", legal(min, max, unit)))),
-            Kind::Choice { labels, .. } => item
-                .as_str()
-                .and_then(|found| labels.iter().position(|label| *label == found))
-                .map(|index| index as f64)
-                .ok_or_else(|| self.wrong_type(parameter.name, item, quoted(labels))),
-        }
+        let written = match item {
+            Item::Value(Value::Float(number)) => Written::Number(*number.value()),
+            Item::Value(Value::Integer(number)) => Written::Number(*number.value() as f64),
+            Item::Value(Value::String(text)) => Written::Label(text.value()),
+            _ => Written::Other,
+        };
+        assign::number(parameter, written).map_err(|legal| self.wrong_type(parameter.name, item, legal))
     }
 
     fn unknown(&self, name: &str) -> ScenarioFileError {
@@ -159,14 +155,6 @@ impl Place<'_> {
         };
         ScenarioFileError::Type { line: self.line, name: name.into(), found, legal }
     }
-}
-
-fn legal(min: f64, max: f64, unit: &str) -> String {
-    if unit == "1" { format!("{min} to {max}") } else { format!("{min} to {max} {unit}") }
-}
-
-fn quoted(labels: &[&str]) -> String {
-    labels.iter().map(|label| format!("\"{label}\"")).collect::<Vec<_>>().join(" or ")
 }
 
 /// The known name most like `name`, if one is like it.

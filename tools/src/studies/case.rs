@@ -3,9 +3,10 @@
 use softanvil_kernel::Scenario;
 use softanvil_kernel::scenario::Motion;
 
+use crate::ending::Ending;
 use crate::quantity::{self, COUNT, PEAK_FORCE};
 use crate::reading::Reading;
-use crate::run::{Drop, Run};
+use crate::run::{Drop, Run, Until};
 use crate::series::{Sensor, Series};
 
 /// What is to be simulated.
@@ -30,13 +31,13 @@ pub struct Outcome {
 pub const CHANNEL_CLASS: f64 = 600.0;
 
 impl Case {
-    /// Simulates; nothing if `go_on`, which hears of the steps made, says no.
+    /// Simulates `until` then; nothing if `go_on`, which hears of the steps made, says no.
     ///
     /// # Errors
     /// A scenario that is refused, or a step that fails.
-    pub fn simulate(&self, go_on: impl FnMut(u64) -> bool) -> Result<Option<Outcome>, String> {
+    pub fn simulate(&self, until: Until, go_on: impl FnMut(u64) -> bool) -> Result<Option<Outcome>, String> {
         let scenario = self.scenario.clone()?;
-        let run = Drop::new(&scenario).and_then(|drop| drop.run_while(go_on));
+        let run = Drop::until(&scenario, until).and_then(|drop| drop.run_while(go_on));
         run.map(|run| run.map(Outcome::new)).map_err(|error| error.to_string())
     }
 
@@ -50,6 +51,11 @@ impl Case {
 impl Outcome {
     fn new(run: Run) -> Self {
         Self { values: quantity::measure(&run), run }
+    }
+
+    /// How the simulation ended.
+    pub fn ending(&self) -> Ending {
+        self.run.ending()
     }
 
     /// Peak force, N; of a press, the force that holds it.

@@ -26,7 +26,7 @@ pub static STUDY: Study = Study {
     values: "moduli G of the damping spring, MPa",
     default_values: &["0.06", "1", "5", "20", "47", "100"],
     settings: &["limit stress [kPa]", "G [MPa]"],
-    plan,
+    plan: |_, scenario, values| plan(scenario, values),
     evaluate,
 };
 

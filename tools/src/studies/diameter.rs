@@ -23,7 +23,7 @@ pub static STUDY: Study = Study {
     values: "outer diameters, mm",
     default_values: &["105", "110", "115"],
     settings: &["diameter [mm]", "made by"],
-    plan,
+    plan: |_, scenario, values| plan(scenario, values),
     evaluate,
 };
 
@@ -92,9 +92,10 @@ fn against_experiment(results: &Results, own: &Outcome, standard: &str) -> Optio
     let case = paper::TABLE_1.iter().find(|case| is_energy(&results.scenario, case.energy))?;
     let error = |outcome: &Outcome| mean_absolute(errors_percent(&outcome.values, &case.experiment).into_iter());
     let [core, layer] = [CORE, LAYER].map(|part| results.find(&[standard, part]).map(error));
+    let fitted = results.fitted().map_or(String::new(), |fitted| format!(" {fitted}"));
     Some(format!(
         "Mean error of the {} numbers against the experiment: {:.1} % as it is, {:.1} % with {standard} mm by the core, \
-         {:.1} % by the layer; the material was not identified anew.",
+         {:.1} % by the layer; the material was not identified anew.{fitted}",
         QUANTITIES.len(),
         error(own),
         core?,
@@ -102,8 +103,11 @@ fn against_experiment(results: &Results, own: &Outcome, standard: &str) -> Optio
     ))
 }
 
-/// Whether the drop has the impact energy `energy`, J.
+/// Whether this is the paper's drop with the impact energy `energy`, J.
 pub fn is_energy(scenario: &Scenario, energy: f64) -> bool {
+    if !paper::is_its_model(scenario) {
+        return false;
+    }
     let speed = scenario.impactor.start_speed();
     (0.5 * scenario.impactor.mass * speed * speed / energy - 1.0).abs() < 1e-6
 }

@@ -28,7 +28,7 @@ pub static STUDY: Study = Study {
     values: "friction coefficients of the impact",
     default_values: &["0", "0.1", "0.2", "0.3", "0.4", "0.6"],
     settings: &["loading", "core", "damping", "Poisson's ratio", "friction"],
-    plan,
+    plan: |_, scenario, values| plan(scenario, values),
     evaluate,
 };
 

@@ -41,7 +41,7 @@ pub static STUDY: Study = Study {
         "ogden_3",
     ],
     settings: &["law", "fit to [%]", "stable", "residual [%]"],
-    plan,
+    plan: |_, scenario, values| plan(scenario, values),
     evaluate,
 };
 
@@ -140,7 +140,7 @@ fn evaluate(results: &Results) -> Evaluation {
     Evaluation {
         sheets: vec![results.sheet("Impacts", &[0, 1, 2, 3], |_| true, own)],
         findings: own.map_or_else(Vec::new, |own| findings(results, own)),
-        notes: own.and_then(|own| note(results, own)).into_iter().collect(),
+        notes: own.and_then(|own| note(results, own)).into_iter().chain(against_experiment(results)).collect(),
         picture: picture(results, own),
     }
 }
@@ -175,6 +175,12 @@ fn findings(results: &Results, own: &Outcome) -> Vec<Finding> {
         }
     }
     findings
+}
+
+/// What the errors against the experiment are worth.
+fn against_experiment(results: &Results) -> Option<String> {
+    let compared = TABLE_1.iter().any(|case| is_energy(&results.scenario, case.energy));
+    results.fitted().filter(|_| compared)
 }
 
 /// What the laws that under-predict in the paper do here.

@@ -31,7 +31,7 @@ pub static STUDY: Study = Study {
     values: "rows of cells through the layer",
     default_values: &["2", "3", "4", "5", "7", "10", "14", "20"],
     settings: &["rows", "columns", "element size [mm]"],
-    plan,
+    plan: |_, scenario, values| plan(scenario, values),
     evaluate,
 };
 

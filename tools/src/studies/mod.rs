@@ -11,6 +11,7 @@ pub mod friction;
 pub mod law;
 pub mod mesh;
 pub mod page;
+pub mod parameter;
 pub mod poisson;
 pub mod results;
 pub mod richardson;
@@ -25,6 +26,10 @@ use self::case::Case;
 use self::page::Evaluation;
 use self::results::Results;
 use crate::failure::Failure;
+use crate::scenario_file::assign;
+
+/// Makes the cases of a study for a scenario and some values.
+pub type Plan = fn(&Study, &Scenario, &[String]) -> Result<Vec<Case>, Failure>;
 
 /// One of the studies.
 pub struct Study {
@@ -41,7 +46,7 @@ pub struct Study {
     /// Names of what tells its cases apart, with units.
     pub settings: &'static [&'static str],
     /// Its cases for a scenario and some values.
-    pub plan: fn(&Scenario, &[String]) -> Result<Vec<Case>, Failure>,
+    pub plan: Plan,
     /// What the results say.
     pub evaluate: fn(&Results) -> Evaluation,
 }
@@ -64,9 +69,10 @@ pub static STUDIES: [&Study; 7] = [
 ];
 
 impl Study {
-    /// The study called `name`.
+    /// The study called `name`, or that of the parameter called so.
     pub fn find(name: &str) -> Option<&'static Study> {
-        STUDIES.into_iter().find(|study| study.name == name)
+        let named = STUDIES.into_iter().find(|study| study.name == name);
+        named.or_else(|| Parameter::find(name).map(parameter::study))
     }
 }
 
@@ -75,6 +81,6 @@ impl Study {
 /// # Errors
 /// A value that is refused, with its unit and legal range.
 pub(crate) fn set(scenario: &mut Scenario, name: &str, value: f64) -> Result<(), Failure> {
-    let parameter = Parameter::find(name).ok_or_else(|| Failure::Failed(format!("{name} is unknown")))?;
+    let parameter = assign::find(name).map_err(Failure::Failed)?;
     parameter.set(scenario, value).map_err(|error| Failure::Input(error.to_string()))
 }

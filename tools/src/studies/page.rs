@@ -2,14 +2,14 @@
 
 use std::fmt::Write;
 
-use comfy_table::ContentArrangement;
 use serde_json::{Map, Value, json};
 
 use super::columns::{self, COLUMNS};
 use super::results::Results;
 use crate::picture_format::PictureFormat;
 use crate::plot::{self, PlotError, StudyLine};
-use crate::table;
+use crate::subject::{Subject, warning_lines, warnings_of};
+use crate::{ending, paper, table};
 
 /// A table for people.
 pub struct Sheet {
@@ -75,15 +75,20 @@ pub struct Evaluation {
 pub struct Page {
     results: Results,
     evaluation: Evaluation,
-    subject: String,
+    subject: Subject,
 }
 
 impl Page {
-    /// Evaluates `results` of the drop that `subject` describes.
-    pub fn new(results: Results, subject: String) -> Self {
+    /// Evaluates `results`, changes of the drop of `subject`.
+    pub fn new(results: Results, subject: Subject) -> Self {
         let mut evaluation = (results.study.evaluate)(&results);
         for (case, reason) in results.failures() {
             evaluation.notes.push(format!("Not simulated: {}: {reason}.", named(&results, &case.settings)));
+        }
+        for (case, outcome) in results.cut() {
+            let remark = ending::remark(&outcome.run);
+            let remark = remark.trim_start_matches("! ").trim_end().replace('\n', " ");
+            evaluation.notes.push(format!("{}: {remark}", named(&results, &case.settings)));
         }
         if results.missing() > 0 {
             let (missing, all) = (results.missing(), results.cases.len());
@@ -107,23 +112,33 @@ impl Page {
         &self.evaluation.findings
     }
 
+    /// Whether the anvil is the paper's, so that its figures stand beside ours.
+    fn is_of_the_paper(&self) -> bool {
+        paper::is_its_model(&self.results.scenario)
+    }
+
+    fn warnings(&self) -> String {
+        warning_lines(&warnings_of(&self.results.scenario).unwrap_or_default())
+    }
+
     /// For a terminal.
     pub fn text(&self) -> String {
         let study = self.results.study;
-        let mut text = format!("{}\n{}\n\n{}\n", study.title, study.about, self.subject);
+        let about = table::filled(study.about);
+        let mut text = format!("{}\n{about}\n{}{}", study.title, self.subject.text(), self.warnings());
         for sheet in self.sheets() {
             let header: Vec<&str> = sheet.header.iter().map(String::as_str).collect();
             let mut table = table::new_plain_table(&header);
-            table.set_content_arrangement(ContentArrangement::Dynamic);
-            table.add_rows(&sheet.rows);
+            let fixed = |text: &String| text.replace(" %", &format!("{}%", table::FIXED_BLANK));
+            table.add_rows(sheet.rows.iter().map(|row| row.iter().map(fixed).collect::<Vec<_>>()));
             table::align_right(&mut table, sheet.n_text..sheet.header.len());
-            let _ = write!(text, "\n{}\n{}\n", sheet.title, table.trim_fmt());
+            let _ = write!(text, "\n{}\n{}\n", sheet.title, table::text(&mut table));
         }
         if !self.evaluation.notes.is_empty() {
             text.push('\n');
         }
         for note in &self.evaluation.notes {
-            let _ = writeln!(text, "* {note}");
+            text += &table::filled(&format!("* {note}"));
         }
         text
     }
@@ -131,7 +146,7 @@ impl Page {
     /// For the documentation; the picture is expected beside the page, in this format.
     pub fn markdown(&self, pictures: PictureFormat) -> String {
         let study = self.results.study;
-        let mut text = format!("# {}\n\n{}\n\n{}\n", study.title, study.about, self.subject);
+        let mut text = format!("# {}\n\n{}\n\n{}{}", study.title, study.about, self.subject.text(), self.warnings());
         for sheet in self.sheets() {
             let _ = write!(text, "\n## {}\n\n{}", sheet.title, sheet.markdown());
         }
@@ -152,24 +167,30 @@ impl Page {
 
     /// The tables, the one of the findings first.
     fn sheets(&self) -> impl Iterator<Item = Sheet> {
-        let findings = (!self.evaluation.findings.is_empty()).then(|| findings_sheet(&self.evaluation.findings));
+        let findings = (!self.evaluation.findings.is_empty()).then(|| findings_sheet(self));
         findings.into_iter().chain(self.evaluation.sheets.iter().map(Sheet::copy))
     }
 
     /// For other programs, in SI.
     pub fn json(&self) -> Value {
         let study = self.results.study;
+        let with_paper = self.is_of_the_paper();
         let findings = self.evaluation.findings.iter().map(|finding| {
-            json!({ "key": finding.key, "what": finding.what, "paper": finding.paper, "here": finding.here,
+            let paper = with_paper.then_some(finding.paper.as_str());
+            json!({ "key": finding.key, "what": finding.what, "paper": paper, "here": finding.here,
                     "value": finding.value })
         });
         let rows = self.results.cases.iter().zip(&self.results.outcomes).filter_map(|(case, outcome)| {
             let mut object = Map::new();
             let settings = study.settings.iter().zip(&case.settings);
-            object.extend(settings.map(|(name, text)| ((*name).to_string(), Value::from(text.as_str()))));
+            object.extend(settings.map(|(name, text)| {
+                let (name, text) = columns::si(name, text);
+                (name, Value::from(text))
+            }));
             match outcome.as_ref()? {
                 Ok(outcome) => {
                     object.extend(COLUMNS.iter().map(|column| (column.key.into(), (column.read)(outcome).into())));
+                    object.extend(crate::json::of_ending(&outcome.run));
                     object.insert("trace_hash".into(), outcome.run.trace_hash().into());
                 }
                 Err(reason) => {
@@ -180,7 +201,8 @@ impl Page {
         });
         json!({
             "study": study.name,
-            "subject": self.subject,
+            "drop": self.subject.json(),
+            "warnings": warnings_of(&self.results.scenario).unwrap_or_default(),
             "missing": self.results.missing(),
             "findings": findings.collect::<Vec<_>>(),
             "notes": self.evaluation.notes,
@@ -195,7 +217,7 @@ impl Page {
     pub fn svg(&self) -> Result<String, PlotError> {
         match &self.evaluation.picture {
             Picture::Lines { title, x, y, lines } => plot::study(title, *x, y, lines),
-            Picture::Forces { title, curves } => plot::forces(title, curves.clone()),
+            Picture::Forces { title, curves } => plot::forces(title, plot::CONTACT_FORCE, curves.clone()),
         }
     }
 
@@ -208,7 +230,12 @@ impl Page {
         csv.write_record(columns::header(self.results.study))?;
         for (number, outcome) in self.results.outcomes.iter().enumerate() {
             if let Some(outcome) = outcome {
-                csv.write_record(columns::record(number, &self.results.cases[number].settings, outcome))?;
+                csv.write_record(columns::record(
+                    self.results.study,
+                    number,
+                    &self.results.cases[number].settings,
+                    outcome,
+                ))?;
             }
         }
         csv.into_inner().map_err(|error| csv::Error::from(error.into_error()))
@@ -231,27 +258,37 @@ impl Sheet {
 }
 
 /// The findings as a table.
-fn findings_sheet(findings: &[Finding]) -> Sheet {
-    let rows = findings.iter().map(|finding| vec![finding.what.clone(), finding.paper.clone(), finding.here.clone()]);
-    Sheet {
-        title: "The paper beside this model".into(),
-        header: ["", "paper", "here"].map(String::from).to_vec(),
-        rows: rows.collect(),
-        n_text: 3,
-    }
+fn findings_sheet(page: &Page) -> Sheet {
+    let with_paper = page.is_of_the_paper();
+    let title = if with_paper { "The paper beside this model" } else { "Findings" };
+    let (header, rows) = findings_table(page, with_paper);
+    Sheet { title: title.into(), n_text: header.len(), header, rows }
+}
+
+/// Header and rows of the findings, with or without what the paper says.
+fn findings_table(page: &Page, with_paper: bool) -> (Vec<String>, Vec<Vec<String>>) {
+    let row = |what: &str, paper: &str, here: &str| {
+        let texts = if with_paper { vec![what, paper, here] } else { vec![what, here] };
+        texts.into_iter().map(String::from).collect()
+    };
+    let rows = page.findings().iter().map(|finding| row(&finding.what, &finding.paper, &finding.here));
+    (row("", "paper", "here"), rows.collect())
 }
 
 /// A table of the findings of all `pages`, in Markdown, with links to the pages.
 pub fn overview(pages: &[Page]) -> String {
-    let mut rows = Vec::new();
+    let with_paper = pages.iter().all(Page::is_of_the_paper);
+    let mut sheet = Sheet { title: String::new(), header: Vec::new(), rows: Vec::new(), n_text: 0 };
     for page in pages {
-        for (index, finding) in page.findings().iter().enumerate() {
+        let (header, rows) = findings_table(page, with_paper);
+        for (index, row) in rows.into_iter().enumerate() {
             let study = if index == 0 { format!("[{}]({}.md)", page.name(), page.name()) } else { String::new() };
-            rows.push(vec![study, finding.what.clone(), finding.paper.clone(), finding.here.clone()]);
+            sheet.rows.push([study].into_iter().chain(row).collect());
         }
+        sheet.header = ["study".to_string()].into_iter().chain(header).collect();
     }
-    let header = ["study", "", "paper", "here"].map(String::from).to_vec();
-    Sheet { title: String::new(), header, rows, n_text: 4 }.markdown()
+    sheet.n_text = sheet.header.len();
+    sheet.markdown()
 }
 
 /// Settings with their names.

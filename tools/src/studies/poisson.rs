@@ -27,7 +27,7 @@ pub static STUDY: Study = Study {
     values: "Poisson's ratios",
     default_values: &["0.38", "0.42", "0.45", "0.47", "0.48", "0.49"],
     settings: &["variant", "Poisson's ratio"],
-    plan,
+    plan: |_, scenario, values| plan(scenario, values),
     evaluate,
 };
 

@@ -1,10 +1,12 @@
 //! The cases of a study with what came of them.
 
 use softanvil_kernel::Scenario;
+use softanvil_kernel::preset::Preset;
 
 use super::Study;
 use super::case::{Case, Outcome};
 use super::page::Sheet;
+use crate::ending::Ending;
 use crate::quantity::QUANTITIES;
 use crate::validation::error_percent;
 
@@ -14,6 +16,8 @@ pub struct Results {
     pub study: &'static Study,
     /// The scenario that it starts from.
     pub scenario: Scenario,
+    /// The preset that this one starts from.
+    pub preset: &'static Preset,
     /// Its cases.
     pub cases: Vec<Case>,
     /// For each case what came of it, or why nothing did; none if it was not simulated.
@@ -40,6 +44,19 @@ impl Results {
     /// How many cases were not simulated.
     pub fn missing(&self) -> usize {
         self.outcomes.iter().filter(|outcome| outcome.is_none()).count()
+    }
+
+    /// What errors of the scenario's own silicone against the experiment are worth, in a sentence; none of a silicone that is
+    /// not the preset's.
+    pub fn fitted(&self) -> Option<String> {
+        let own = (self.preset.scenario)().silicone;
+        let text = format!("Of the silicone as it is, {}.", self.preset.fitted);
+        (self.scenario.silicone == own).then_some(text)
+    }
+
+    /// The cases whose numbers are not those of a whole impact, or a whole press, with their simulations.
+    pub fn cut(&self) -> impl Iterator<Item = (&Case, &Outcome)> {
+        self.done().filter(|(_, outcome)| matches!(outcome.ending(), Ending::InContact | Ending::NoContact))
     }
 
     /// The outcome of the case with these settings.
@@ -73,15 +90,17 @@ fn numbers_of(outcome: Option<&Outcome>, reference: Option<&Outcome>) -> Vec<Str
     let Some(outcome) = outcome else { return vec!["-".into(); QUANTITIES.len() + 1] };
     let number = |(i, quantity): (usize, &crate::quantity::Quantity)| {
         let value = format!("{:.*}", quantity.decimals, outcome.values[i] * quantity.display_scale);
+        let value = outcome.ending().marked(quantity.output, value);
         match reference {
-            Some(reference) if !std::ptr::eq(reference, outcome) => {
+            Some(reference) if !std::ptr::eq(reference, outcome) && outcome.ending() != Ending::NoContact => {
                 format!("{value} ({})", percent(error_percent(outcome.values[i], reference.values[i])))
             }
             _ => value,
         }
     };
     let numbers = QUANTITIES.iter().enumerate().map(number);
-    numbers.chain([format!("{:.2}", outcome.restitution())]).collect()
+    let restitution = outcome.ending().marked("result.restitution", format!("{:.2}", outcome.restitution()));
+    numbers.chain([restitution]).collect()
 }
 
 /// A change in %, to a tenth, or to two digits where it is small.

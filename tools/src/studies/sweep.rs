@@ -13,10 +13,12 @@ use super::columns;
 use super::results::Results;
 use crate::failure::Failure;
 use crate::progress;
+use crate::subject::Subject;
 
 /// The file of a running study: a line as soon as a case is done, in the order in which they end.
 pub struct Journal<'a> {
     path: &'a Path,
+    study: &'static Study,
     csv: csv::Writer<File>,
 }
 
@@ -25,28 +27,28 @@ impl<'a> Journal<'a> {
     ///
     /// # Errors
     /// A file that cannot be written.
-    pub fn new(path: &'a Path, study: &Study) -> Result<Self, Failure> {
+    pub fn new(path: &'a Path, study: &'static Study) -> Result<Self, Failure> {
         let failed = |error: &dyn std::fmt::Display| Failure::writing(path, error);
         let mut csv = csv::Writer::from_path(path).map_err(|error| failed(&error))?;
         csv.write_record(columns::header(study)).map_err(|error| failed(&error))?;
         csv.flush().map_err(|error| failed(&error))?;
-        Ok(Self { path, csv })
+        Ok(Self { path, study, csv })
     }
 
     fn add(&mut self, number: usize, case: &Case, outcome: &Result<Outcome, String>) -> Result<(), Failure> {
-        let written = self.csv.write_record(columns::record(number, &case.settings, outcome));
+        let written = self.csv.write_record(columns::record(self.study, number, &case.settings, outcome));
         written.map_err(|error| Failure::writing(self.path, error))?;
         self.csv.flush().map_err(|error| Failure::writing(self.path, error))
     }
 }
 
-/// Simulates the cases of `study` until `stop`; what is done by then is in the results.
+/// Simulates the cases of `study`, changes of the drop of `subject`, until `stop`; what is done by then is in the results.
 ///
 /// # Errors
 /// A journal that cannot be written.
 pub fn sweep(
     study: &'static Study,
-    scenario: &Scenario,
+    subject: &Subject,
     cases: Vec<Case>,
     stop: &AtomicBool,
     journal: Option<Journal>,
@@ -64,7 +66,7 @@ pub fn sweep(
         while let Some(&index) = order.get(next.fetch_add(1, Ordering::Relaxed)) {
             let case = &cases[index];
             let elements = case.scenario.as_ref().map_or(0, elements);
-            let outcome = case.simulate(|steps| {
+            let outcome = case.simulate(subject.until, |steps| {
                 bar.inc(steps * elements);
                 !stop.load(Ordering::Relaxed)
             });
@@ -79,7 +81,7 @@ pub fn sweep(
         return Err(failure);
     }
     let outcomes = outcomes.into_iter().map(|outcome| outcome.into_inner().unwrap_or(None)).collect();
-    Ok(Results { study, scenario: *scenario, cases, outcomes })
+    Ok(Results { study, scenario: subject.scenario, preset: subject.preset, cases, outcomes })
 }
 
 fn elements(scenario: &Scenario) -> u64 {

@@ -21,7 +21,7 @@ pub static STUDY: Study = Study {
     values: "thicknesses of the layer (of the silicone, under a skin of its own), mm",
     default_values: &["11", "13", "14", "15", "16", "17", "19"],
     settings: &["thickness [mm]"],
-    plan,
+    plan: |_, scenario, values| plan(scenario, values),
     evaluate,
 };
 

@@ -52,6 +52,140 @@ fn a_search_that_was_cut_off_continues_as_if_nothing_had_happened() {
     assert!(refused.contains("another folder by --out"), "{refused}");
 }
 
+/// Not one more, not one less, whatever the population.
+#[test]
+fn the_evaluations_asked_for_are_spent() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    fs::write(folder.join("problem.toml"), PROBLEM).unwrap();
+    let whole = search(folder, "whole", "15", "3");
+    assert_eq!(whole.lines().count(), 16);
+    assert_eq!(search(folder, "cut", "4", "3").lines().count(), 5);
+    assert_eq!(search(folder, "cut", "15", "3"), whole);
+}
+
+#[test]
+fn a_log_of_another_problem_is_refused_and_says_what_differs() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let problem = |text: &str| fs::write(folder.join("problem.toml"), text).unwrap();
+    problem(&(PROBLEM.to_string() + "peak_force = 5400\n"));
+    let log = search(folder, "out", "6", "1");
+    let continued = ["calibrate", "problem.toml", "--out", "out", "--evaluations", "6", "--seed", "1"];
+    for (text, difference) in [
+        (PROBLEM.to_string() + "peak_force = 3000\n", "impacts[0].peak_force.measured was 5400.0 and is 3000.0"),
+        (PROBLEM.to_string() + "peak_force = 5400\nimpulse = 3\n", "impacts[0].impulse.measured was 16.0 and is 3.0"),
+        (
+            PROBLEM.replace("7.5e-3", "7.6e-3") + "peak_force = 5400\n",
+            "scenario.mesh.element_size was 0.0075 and is 0.0076",
+        ),
+        (
+            PROBLEM.replace("max = 0.15", "max = 0.16") + "peak_force = 5400\n",
+            "parameters.geometry.length.max was 0.15",
+        ),
+        (
+            PROBLEM.to_string() + "peak_force = 5400\n[objective]\nroot_mean_square = 0.5\n",
+            "objective.root_mean_square",
+        ),
+        (PROBLEM.to_string() + "peak_force = 5400\n[objective]\nforce = \"core\"\n", "objective.force was \"contact\""),
+        (PROBLEM.to_string() + "peak_force = 5400\n[prior]\nweight = 1\nyoungs_modulus = 1e6\n", "prior is another"),
+    ] {
+        problem(&text);
+        let line = fail(folder, &continued, 2);
+        assert!(line.contains("this is the log of another problem") && line.contains(difference), "{line}");
+        assert!(line.contains("choose another folder by --out"), "{line}");
+        assert_eq!(fs::read_to_string(folder.join("out/evaluations.csv")).unwrap(), log);
+    }
+    // The digest in the log stands for itself, without the file beside it.
+    fs::remove_file(folder.join("out/problem.json")).unwrap();
+    assert!(fail(folder, &continued, 2).contains("this is the log of another problem"));
+    // Told to, the search starts anew.
+    succeed(folder, &[&continued[..], &["--overwrite"]].concat());
+    assert_ne!(fs::read_to_string(folder.join("out/evaluations.csv")).unwrap(), log);
+}
+
+/// A trace that was measured anew is another problem; a log that this program would not write is another program's.
+#[test]
+fn a_log_of_another_trace_or_program_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let text = PROBLEM.replace("table_1 = true", "trace = \"measured.csv\"");
+    fs::write(folder.join("problem.toml"), text).unwrap();
+    let measured =
+        |force: u32| fs::write(folder.join("measured.csv"), format!("t,f\n0,0\n0.004,{force}\n0.008,0\n")).unwrap();
+    measured(5000);
+    let log = search(folder, "out", "6", "1");
+    let continued = ["calibrate", "problem.toml", "--out", "out", "--evaluations", "6", "--seed", "1"];
+    measured(5001);
+    assert!(fail(folder, &continued, 2).contains("impacts[0].trace was"));
+    measured(5000);
+    succeed(folder, &continued);
+    let score = log.lines().nth(1).unwrap().split(',').nth(2).unwrap();
+    fs::write(folder.join("out/evaluations.csv"), log.replacen(score, "1.25", 1)).unwrap();
+    assert!(fail(folder, &continued, 2).contains("the log one of 1.25: it is of another version"));
+}
+
+#[test]
+fn a_search_that_has_not_converged_says_so_and_tells_no_spread() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    fs::write(folder.join("problem.toml"), PROBLEM).unwrap();
+    let summary = |out: &str| -> serde_json::Value {
+        serde_json::from_str(&fs::read_to_string(folder.join(out).join("summary.json")).unwrap()).unwrap()
+    };
+    let text = succeed(folder, &["calibrate", "problem.toml", "--evaluations", "18", "--out", "short"]);
+    assert!(text.contains("! Not converged: no descent ended") && text.contains("120 evaluations"), "{text}");
+    assert!(text.contains("Spread: untold"), "{text}");
+    let short = summary("short");
+    assert_eq!(short["convergence"]["converged"], false);
+    assert!(short["parameters"]["silicone.c10"]["spread"]["part"].is_null(), "{short}");
+    let best = fs::read_to_string(folder.join("short/best.toml")).unwrap();
+    assert!(best.starts_with("# The best of 18 evaluations") && best.contains("# ! Not converged"), "{best}");
+    // One parameter is soon found, and found again.
+    let one = PROBLEM.replace("\"geometry.length\" = { min = 0.06, max = 0.15 }\n", "");
+    fs::write(folder.join("problem.toml"), one).unwrap();
+    let text = succeed(folder, &["calibrate", "problem.toml", "--evaluations", "600", "--out", "long"]);
+    assert!(text.contains("Converged: "), "{text}");
+    let long = summary("long");
+    assert_eq!(long["convergence"]["converged"], true);
+    assert!(long["parameters"]["silicone.c10"]["spread"]["part"].as_f64().unwrap() > 0.0, "{long}");
+}
+
+#[test]
+fn a_best_value_on_a_bound_of_its_range_is_marked() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    // The impact asks for a softer layer than the range has.
+    let bounded = PROBLEM
+        .replace("min = 2e4, max = 4e5, scale = \"log\", start = 3e5", "min = 4e5, max = 8e5")
+        .replace("\"geometry.length\" = { min = 0.06, max = 0.15 }\n", "");
+    fs::write(folder.join("problem.toml"), bounded).unwrap();
+    let text = succeed(folder, &["calibrate", "problem.toml", "--evaluations", "90", "--out", "out"]);
+    assert!(
+        text.contains("(lower bound)") && text.contains("! silicone.c10 = 400000 Pa lies on the lower bound"),
+        "{text}"
+    );
+    let best = fs::read_to_string(folder.join("out/best.toml")).unwrap();
+    assert!(best.contains("# ! silicone.c10 = 400000 Pa lies on the lower bound of its range"), "{best}");
+    succeed(folder, &["run", "--scenario", "out/best.toml", "--json"]);
+}
+
+#[test]
+fn files_of_others_are_left_alone() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    fs::write(folder.join("problem.toml"), PROBLEM).unwrap();
+    for name in ["best.toml", "summary.json", "summary.txt", "problem.json", "evaluations.csv"] {
+        fs::create_dir(folder.join("out")).unwrap();
+        fs::write(folder.join("out").join(name), "mine\n").unwrap();
+        let line = fail(folder, &["calibrate", "problem.toml", "--out", "out", "--evaluations", "6"], 2);
+        assert!(line.contains(name), "{line}");
+        assert_eq!(crate::common::entries(&folder.join("out")), [name]);
+        assert_eq!(fs::read_to_string(folder.join("out").join(name)).unwrap(), "mine\n");
+        fs::remove_dir_all(folder.join("out")).unwrap();
+    }
+}
+
 #[test]
 fn the_best_values_score_better_than_the_start() {
     let folder = tempfile::tempdir().unwrap();
@@ -85,10 +219,20 @@ fn the_page_of_the_protocols_has_the_errors_of_the_presets() {
     let folder = tempfile::tempdir().unwrap();
     let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/protocols.md");
     let page = fs::read_to_string(page).unwrap();
+    let readme = Path::new(env!("CARGO_MANIFEST_DIR")).join("../README.md");
+    let readme = fs::read_to_string(readme).unwrap().replace('\n', " ");
     for preset in ["study", "study-14.7", "study-incompressible"] {
         let found = crate::common::json(folder.path(), &["validate", "--preset", preset, "--json"]);
         let mean = found["mean_error_percent"].as_f64().unwrap();
         let row = page.lines().find(|line| line.starts_with(&format!("| preset `{preset}`"))).unwrap();
-        assert_eq!(row.split('|').nth(2).unwrap().trim(), format!("{mean:.1}"), "{row}");
+        assert_eq!(row.split('|').nth(3).unwrap().trim(), format!("{mean:.1}"), "{row}");
+        let fitted = &found["fitted"];
+        let fitted = format!("{} / {}", fitted["parameters"], fitted["numbers"]);
+        assert_eq!(row.split('|').nth(2).unwrap().trim(), fitted, "{row}");
+        match preset {
+            "study" => assert!(readme.contains(&format!("the mean error of {mean:.1} %")), "{mean}"),
+            "study-14.7" => assert!(readme.contains(&format!("a mean error of the twelve of {mean:.1} %")), "{mean}"),
+            _ => {}
+        }
     }
 }

@@ -68,3 +68,36 @@ fn the_study_gives_a_start_with_its_contradictions() {
     let folder = folder();
     assert!(succeed(folder.path(), &["fit", "--study"]).contains("contradict"));
 }
+
+#[test]
+fn files_of_others_are_left_alone_and_own_ones_replaced() {
+    let folder = folder();
+    let path = |name: &str| folder.path().join(name);
+    let fit = ["fit", "--uniaxial", "curve.csv", "--law", "neo_hookean", "--out", "."];
+    std::fs::write(path("scenario.toml"), "mine").unwrap();
+    let line = fail(folder.path(), &fit, 2);
+    assert!(line.contains("scenario.toml is there and not as this program left it; --overwrite replaces it"), "{line}");
+    assert_eq!(std::fs::read_to_string(path("scenario.toml")).unwrap(), "mine");
+    assert_eq!(entries(folder.path()), ["curve.csv", "scenario.toml"]);
+    std::fs::remove_file(path("scenario.toml")).unwrap();
+    succeed(folder.path(), &fit);
+    succeed(folder.path(), &fit);
+    // Changed by hand, a file is no longer the program's.
+    let mut material = std::fs::read_to_string(path("material.toml")).unwrap();
+    material += "# mine";
+    std::fs::write(path("material.toml"), &material).unwrap();
+    assert!(fail(folder.path(), &fit, 2).contains("material.toml is there"));
+    assert_eq!(std::fs::read_to_string(path("material.toml")).unwrap(), material);
+    succeed(folder.path(), &[&fit[..], &["--overwrite"]].concat());
+    assert_ne!(std::fs::read_to_string(path("material.toml")).unwrap(), material);
+}
+
+#[test]
+fn poissons_ratio_is_the_preset_s_unless_given() {
+    let folder = folder();
+    let fit = ["fit", "--uniaxial", "curve.csv", "--law", "neo_hookean", "--out", "out"];
+    succeed(folder.path(), &fit);
+    let text = std::fs::read_to_string(folder.path().join("out/material.toml")).unwrap();
+    let own = softanvil_kernel::preset::study().silicone.poissons_ratio;
+    assert!(text.contains(&format!("\npoissons_ratio = {own} ")), "{text}");
+}

@@ -33,6 +33,20 @@ fn the_files_are_what_the_command_writes() {
     assert_eq!(std::fs::read_dir(kept).unwrap().count(), SCENES.len() + 1);
 }
 
+/// Traces are written over traces, and over nothing else.
+#[test]
+fn a_file_that_is_no_trace_is_left_alone() {
+    let folder = TempDir::new().unwrap();
+    let path = folder.path().join("yeoh.txt");
+    succeed(folder.path(), &["golden", "write", ".", "yeoh"]);
+    succeed(folder.path(), &["golden", "write", ".", "yeoh"]);
+    std::fs::write(&path, "mine").unwrap();
+    assert!(fail(folder.path(), &["golden", "write", ".", "yeoh"], 2).contains("yeoh.txt is refused"));
+    assert_eq!(std::fs::read_to_string(&path).unwrap(), "mine");
+    succeed(folder.path(), &["golden", "write", ".", "yeoh", "--overwrite"]);
+    assert_ne!(std::fs::read_to_string(&path).unwrap(), "mine");
+}
+
 #[test]
 fn an_unknown_scene_is_refused() {
     let error = fail(Path::new("."), &["golden", "check", "drop"], 2);

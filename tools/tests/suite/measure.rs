@@ -98,3 +98,26 @@ fn refused_readings_say_what_is_legal() {
     let error = fail(folder.path(), &["measure", "--trace", "flat.csv"], 2);
     assert!(error.contains("the peaks are 1.0 N measured"), "{error}");
 }
+
+#[test]
+fn the_picture_names_the_force_that_is_read() {
+    let folder = tempfile::tempdir().unwrap();
+    for (force, axis) in [("contact", "contact force (N)"), ("core", "core reaction (N)")] {
+        let name = format!("{force}.svg");
+        succeed(folder.path(), &["measure", "--force", force, "--energy", "4.9", "--plot", &name]);
+        let texts = svg_texts(&folder.path().join(&name));
+        assert!(texts.iter().any(|text| text == axis), "{axis} in {texts:?}");
+        assert_eq!(texts.iter().filter(|text| text.ends_with("(N)")).count(), 1, "{texts:?}");
+        assert!(texts.iter().any(|text| text.starts_with("Softanvil, 4.9 J")), "{texts:?}");
+    }
+}
+
+#[test]
+fn a_measurement_that_ends_in_contact_says_so() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = succeed(folder.path(), &["measure", "--duration", "0.004"]);
+    let row = text.lines().find(|line| line.starts_with("contact force, CFC 600")).unwrap();
+    assert!(text.contains("! Cut off in contact") && row.matches('*').count() == 4, "{text}");
+    let result = json(folder.path(), &["measure", "--duration", "0.004", "--json"]);
+    assert_eq!((&result["complete"], &result["ending"]), (&false.into(), &"in_contact".into()));
+}

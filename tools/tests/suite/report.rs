@@ -192,3 +192,47 @@ fn the_presets_are_nearer_to_the_experiment_than_the_study_s_own_model() {
         }
     }
 }
+
+#[test]
+fn a_drop_of_ones_own_has_every_picture_and_no_figure_of_the_paper() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("mine.toml"), "[impactor]\nmass = 3\n").unwrap();
+    let arguments = ["report", "--scenario", "mine.toml", "--energy", "6", "--set", "silicone.c10=2e5", "--out", "own"];
+    let text = succeed(folder.path(), &arguments);
+    assert!(text.starts_with("Scenario: preset study, mine.toml, silicone.c10=2e5.\nDrop: 3 kg with 6 J"), "{text}");
+    let own = folder.path().join("own");
+    let mut expected: Vec<&str> = FILES.into_iter().filter(|name| !name.starts_with("trace-")).collect();
+    expected.push("trace.csv");
+    expected.sort();
+    assert_eq!(entries(&own), expected);
+    for picture in expected.iter().filter(|name| name.ends_with(".svg")) {
+        let texts = svg_texts(&own.join(picture));
+        assert!(texts.iter().any(|text| text.contains("6 J")), "{picture}: {texts:?}");
+        assert!(!texts.iter().any(|text| text.contains("experiment")), "{picture}: {texts:?}");
+    }
+    let page = fs::read_to_string(own.join("report.html")).unwrap();
+    assert!(page.contains("preset study, mine.toml") && !page.contains("LS-DYNA"), "the page of another drop");
+    let run = json(folder.path(), &["run", "--scenario", "own/scenario.toml", "--json"]);
+    let summary: Value = serde_json::from_str(&fs::read_to_string(own.join("summary.json")).unwrap()).unwrap();
+    assert_eq!(summary["run"]["trace_hash"], run["trace_hash"]);
+    assert!(fail(folder.path(), &["report", "--set", "impactor.mass=-1", "--out", "own"], 2).contains("impactor.mass"));
+}
+
+/// The number of fitted parameters stands beside every mean error, and is the preset's.
+#[test]
+fn errors_stand_beside_how_many_parameters_were_fitted_to_how_many_numbers() {
+    let folder = tempfile::tempdir().unwrap();
+    for preset in softanvil_kernel::preset::PRESETS {
+        let (parameters, numbers) = (preset.fitted.parameters, preset.fitted.numbers);
+        let text = succeed(folder.path(), &["validate", "--preset", preset.name]);
+        assert!(text.contains(&format!("{parameters} / {numbers}")), "{text}");
+        assert!(text.replace('\n', " ").contains(&preset.fitted.to_string()), "{text}");
+        let result = json(folder.path(), &["validate", "--preset", preset.name, "--json"]);
+        assert_eq!(result["fitted"], serde_json::json!({ "parameters": parameters, "numbers": numbers }));
+    }
+    succeed(folder.path(), &["--out", "out"]);
+    let page = fs::read_to_string(folder.path().join("out/report.html")).unwrap();
+    let fitted = softanvil_kernel::preset::PRESETS[0].fitted.to_string();
+    let beside = page.find("Mean deviation from the experiment").unwrap();
+    assert!(page[beside..beside + 300].contains(&fitted), "{}", &page[beside..beside + 300]);
+}

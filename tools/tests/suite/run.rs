@@ -94,8 +94,175 @@ fn the_printed_scenario_gives_the_same_bits_as_the_preset() {
     let folder = tempfile::tempdir().unwrap();
     let text = succeed(folder.path(), &["scenario", "--preset", "study"]);
     std::fs::write(folder.path().join("study.toml"), text).unwrap();
-    let from_file = json(folder.path(), &["run", "--scenario", "study.toml", "--json"]);
+    let mut from_file = json(folder.path(), &["run", "--scenario", "study.toml", "--json"]);
+    assert_eq!(from_file["drop"]["scenario_file"].take(), "study.toml");
     assert_eq!(from_file, json(folder.path(), &["run", "--json"]));
+}
+
+/// A layer on which the contact lasts longer than the preset's 15 ms.
+const SOFT: [&str; 7] = ["run", "--set", "silicone.c10=2e3", "--set", "silicone.c01=0", "--set", "silicone.c20=1e3"];
+
+#[test]
+fn a_drop_is_simulated_until_the_contact_has_ended_unless_a_duration_is_given() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = |more: &[&str]| json(folder.path(), &[&SOFT[..], more, &["--json"]].concat());
+    let whole = run(&[]);
+    assert_eq!((&whole["complete"], &whole["ending"]), (&true.into(), &"complete".into()));
+    assert!(whole["simulated_time"].as_f64().unwrap() > 15e-3 && whole["cut"].as_array().unwrap().is_empty());
+    assert!(whole["restitution"].as_f64().unwrap() > 0.0);
+    std::fs::write(folder.path().join("short.toml"), "[time]\nduration = 0.008\n").unwrap();
+    for own in [&["--duration", "0.008"][..], &["--set", "time.duration=8e-3"], &["--scenario", "short.toml"]] {
+        let cut = run(own);
+        assert_eq!((&cut["complete"], &cut["ending"]), (&false.into(), &"in_contact".into()), "{own:?}");
+        assert!((cut["simulated_time"].as_f64().unwrap() - 8e-3).abs() < 1e-9);
+        let keys: Vec<&str> = cut["cut"].as_array().unwrap().iter().map(|key| key.as_str().unwrap()).collect();
+        for key in ["peak_force", "impulse", "impact_duration", "restitution", "rebound_speed", "contact_time"] {
+            assert!(keys.contains(&key), "{key} in {keys:?}");
+        }
+        assert!(cut["impulse"].as_f64().unwrap() < whole["impulse"].as_f64().unwrap());
+    }
+    // The preset itself is not extended.
+    let preset = json(folder.path(), &["run", "--json"]);
+    assert!((preset["simulated_time"].as_f64().unwrap() - 15e-3).abs() < 1e-9 && preset["complete"] == true);
+}
+
+#[test]
+fn numbers_that_are_cut_are_marked_wherever_they_stand() {
+    let folder = tempfile::tempdir().unwrap();
+    let cut = ["run", "--duration", "0.004", "--plot", "cut.svg"];
+    let text = succeed(folder.path(), &cut);
+    assert!(text.contains("! Cut off in contact after 4 ms, the duration asked for"), "{text}");
+    let row = |name: &str| text.lines().find(|line| line.starts_with(name)).unwrap().to_string();
+    for name in ["peak force", "impulse", "restitution", "rebound speed"] {
+        assert!(row(name).contains('*'), "{text}");
+    }
+    assert!(!row("impact speed").contains('*'));
+    let label = "Softanvil, 14.7 J, cut off in contact";
+    assert!(svg_texts(&folder.path().join("cut.svg")).iter().any(|text| text == label));
+    assert!(!succeed(folder.path(), &["run"]).contains('*'));
+}
+
+#[test]
+fn what_never_touches_has_no_results() {
+    let folder = tempfile::tempdir().unwrap();
+    let press = ["--set", "impactor.motion=prescribed"];
+    for (more, what) in [(&[][..], "impactor"), (&press[..], "press")] {
+        let arguments = [&["run", "--duration", "0.0005"], more].concat();
+        let text = succeed(folder.path(), &arguments);
+        assert!(text.contains(&format!("! The {what} did not touch the layer in 0.5 ms")), "{text}");
+        let result = json(folder.path(), &[&arguments[..], &["--json"]].concat());
+        assert_eq!((&result["ending"], &result["complete"]), (&"no_contact".into(), &false.into()));
+        assert!(result["peak_force"].is_null() && result["impulse"].is_null(), "{result}");
+    }
+    // Without a duration a press goes on until it has come to its depth.
+    let held = json(folder.path(), &[&["run", "--json"], &press[..]].concat());
+    assert_eq!((&held["ending"], &held["max_deformation"]), (&"held".into(), &5e-3.into()));
+    assert!(held["cut"].as_array().unwrap().iter().any(|key| key == "impulse"));
+}
+
+/// What comes to rest on the layer never leaves it.
+#[test]
+fn the_wait_for_the_end_of_a_contact_is_bounded() {
+    let folder = tempfile::tempdir().unwrap();
+    let arguments = ["run", "--energy", "0", "--set", "impactor.gap=0", "--set", "mesh.element_size=7.5e-3"];
+    let text = succeed(folder.path(), &arguments);
+    assert!(text.contains("! Cut off in contact after 300 ms, 20 times time.duration"), "{text}");
+}
+
+#[test]
+fn the_first_lines_say_which_drop_was_simulated() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("mine.toml"), "[impactor]\nmass = 4\n").unwrap();
+    for command in ["run", "measure"] {
+        let arguments =
+            [command, "--scenario", "mine.toml", "--set", "geometry.silicone_thickness=0.012", "--height", "0.1"];
+        let text = succeed(folder.path(), &arguments);
+        let lines: Vec<&str> = text.lines().take(3).collect();
+        assert_eq!(lines[0], "Scenario: preset study, mine.toml, geometry.silicone_thickness=0.012.");
+        assert_eq!(lines[1], "Drop: 4 kg with 3.924 J, at 1.401 m/s, as from a height of 0.100 m.");
+        assert!(lines[2].starts_with("Anvil: a layer of 13 mm on a core of 75 mm diameter"), "{text}");
+        let result = json(folder.path(), &[&arguments[..], &["--json"]].concat());
+        let drop = &result["drop"];
+        assert_eq!((&drop["preset"], &drop["scenario_file"]), (&"study".into(), &"mine.toml".into()));
+        assert_eq!(drop["set"], serde_json::json!(["geometry.silicone_thickness=0.012"]));
+        assert_eq!((&drop["impactor"]["mass"], &drop["impactor"]["height"]), (&4.0.into(), &0.1.into()));
+        assert!((drop["layer_thickness"].as_f64().unwrap() - 0.013).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn a_parameter_is_set_over_the_files() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("mine.toml"), "[silicone]\nc10 = 2e5\n[geometry]\nlayers = \"two\"\n").unwrap();
+    let mut from_file = json(folder.path(), &["run", "--scenario", "mine.toml", "--json"]);
+    let arguments = ["run", "--set", "silicone.c10=2e5", "--set", "geometry.layers=two", "--json"];
+    let mut set = json(folder.path(), &arguments);
+    for result in [&mut from_file, &mut set] {
+        result["drop"].take();
+    }
+    assert_eq!(from_file, set);
+    for (text, message) in [
+        ("silicone.c10", "--set silicone.c10: silicone.c10 is refused: legal is group.field=value"),
+        ("silicone.c1=1", "silicone.c1 is unknown (did you mean silicone.c11?)"),
+        ("geometry.layers=2", "geometry.layers = 2 is refused: legal is \"one\" or \"two\""),
+        ("impactor.mass=0", "impactor.mass = 0 kg is refused: legal is 0.001 to 10000 kg"),
+        ("impactor.face_diameter=0.05", "impactor.face_diameter = 0.05 m is refused"),
+    ] {
+        let line = fail(folder.path(), &["run", "--set", text], 2);
+        assert!(line.contains(message), "{line}");
+    }
+}
+
+#[test]
+fn a_mesh_too_coarse_for_the_layer_is_warned_of() {
+    let folder = tempfile::tempdir().unwrap();
+    let coarse = ["run", "--set", "mesh.element_size=0.05"];
+    let text = succeed(folder.path(), &coarse);
+    assert!(text.contains("! Warning: the mesh is too coarse") && text.contains("1 row of cells"), "{text}");
+    let result = json(folder.path(), &[&coarse[..], &["--json"]].concat());
+    assert!(result["warnings"][0].as_str().unwrap().contains("mesh.element_size = 50 mm"), "{result}");
+    assert_eq!(json(folder.path(), &["run", "--json"])["warnings"], serde_json::json!([]));
+}
+
+/// What reads a pipe gets 80 characters a line, whole words and no lines but of ASCII.
+#[test]
+fn tables_fit_a_pipe() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("curve.csv"), "stretch,stress [Pa]\n1,0\n0.9,-20000\n0.8,-46000\n0.7,-82000\n")
+        .unwrap();
+    for arguments in [
+        &["run"][..],
+        &["run", "--duration", "0.004", "--set", "mesh.element_size=0.05"],
+        &["measure", "--energy", "4.9"],
+        &["validate"],
+        &["study", "silicone.poissons_ratio", "--values", "0.45"],
+        &["fit", "--uniaxial", "curve.csv", "--law", "mooney_rivlin_2"],
+    ] {
+        let text = succeed(folder.path(), arguments);
+        let table = text.lines().filter(|line| !line.contains("curve.csv"));
+        for line in table {
+            assert!(line.chars().count() <= 80 && line.is_ascii(), "{arguments:?}: {line}");
+        }
+    }
+    let study = succeed(folder.path(), &["study", "geometry.silicone_thickness", "--values", "0.01"]);
+    assert!(study.contains("geometry.silicone_thickness") && study.contains("restitution"), "{study}");
+}
+
+#[test]
+fn files_that_are_there_are_replaced_only_when_told_to() {
+    let folder = tempfile::tempdir().unwrap();
+    let mine = |name: &str| std::fs::write(folder.path().join(name), "mine").unwrap();
+    let read = |name: &str| std::fs::read_to_string(folder.path().join(name)).unwrap();
+    for command in ["run", "measure"] {
+        for (option, name) in [("--csv", "trace.csv"), ("--plot", "force.svg")] {
+            mine(name);
+            let line = fail(folder.path(), &[command, option, name], 2);
+            assert_eq!(line, format!("{option} {name} is refused: the file is there; --overwrite replaces it"));
+            assert_eq!(read(name), "mine");
+            succeed(folder.path(), &[command, option, name, "--overwrite"]);
+            assert_ne!(read(name), "mine");
+        }
+    }
 }
 
 #[test]
@@ -111,7 +278,9 @@ fn a_scenario_file_and_an_option_together_change_the_run() {
 #[test]
 fn help_and_version_are_no_errors() {
     let folder = tempfile::tempdir().unwrap();
-    for arguments in [&["--help"][..], &["run", "--help"], &["validate", "--help"], &["--version"]] {
+    for arguments in
+        [&["--help"][..], &["run", "--help"], &["validate", "--help"], &["report", "--help"], &["--version"]]
+    {
         assert!(!succeed(folder.path(), arguments).is_empty());
     }
 }

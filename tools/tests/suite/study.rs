@@ -138,11 +138,11 @@ fn laws_that_fit_the_curve_give_the_same_drop() {
     let rows = rows("law");
     let own = rows[0].values.unwrap();
     assert_eq!(rows[0].settings[0], "as it is");
-    for row in rows[1..].iter().filter(|row| row.settings[3] == "0.00") {
+    for row in rows[1..].iter().filter(|row| row.settings[3] == "0") {
         let peak = row.values.unwrap()[0];
         assert!((peak / own[0] - 1.0).abs() < 0.01, "{:?}: {peak} N", row.settings);
     }
-    assert!(rows[1..].iter().any(|row| row.settings[3] == "0.00"));
+    assert!(rows[1..].iter().any(|row| row.settings[3] == "0"));
 }
 
 #[test]
@@ -151,8 +151,10 @@ fn a_thicker_layer_is_softer() {
     let (thin, thick) = (values[0], values[values.len() - 1]);
     assert!(thin[0] > 1.1 * thick[0] && thin[1] < 0.9 * thick[1], "{values:?}");
     let rows = rows("diameter");
-    let own = force(&rows, &["105", "as it is"]);
-    assert!(force(&rows, &["115", "layer"]) < 0.95 * own && (force(&rows, &["115", "core"]) / own - 1.0).abs() < 0.1);
+    let own = force(&rows, &["0.105", "as it is"]);
+    assert!(
+        force(&rows, &["0.115", "layer"]) < 0.95 * own && (force(&rows, &["0.115", "core"]) / own - 1.0).abs() < 0.1
+    );
 }
 
 #[test]
@@ -160,10 +162,10 @@ fn a_study_starts_from_the_drop_it_is_given() {
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();
     let study = json(folder, &["study", "thickness", "--energy", "4.9", "--values", "14", "--json", "--threads", "1"]);
-    assert!(study["subject"].as_str().unwrap().contains("4.9 J"), "{study}");
+    assert_eq!(study["drop"]["impactor"]["energy"], 4.9, "{study}");
     let cases = study["cases"].as_array().unwrap();
-    let settings: Vec<&str> = cases.iter().map(|case| case["thickness [mm]"].as_str().unwrap()).collect();
-    assert_eq!(settings, ["14", "15"]);
+    let settings: Vec<&str> = cases.iter().map(|case| case["thickness [m]"].as_str().unwrap()).collect();
+    assert_eq!(settings, ["0.014", "0.015"]);
     let run = json(folder, &["run", "--energy", "4.9", "--json"]);
     assert_eq!(cases[1]["trace_hash"], run["trace_hash"]);
     assert_eq!(cases[1]["peak_force"], run["peak_force"]);
@@ -193,6 +195,105 @@ fn refused_values_say_what_is_legal_and_nothing_is_written() {
         assert!(line.contains(message), "{arguments:?}: {line}");
         assert!(entries(folder.path()).is_empty(), "{arguments:?}");
     }
+}
+
+#[test]
+fn any_parameter_is_studied_over_values_in_its_unit() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let arguments = ["study", "silicone.c10", "--energy", "4.9", "--values", "1e5,2e5", "--out", "."];
+    let text = succeed(folder, &arguments);
+    assert!(text.contains("silicone.c10") && text.contains("the scenario's own value"), "{text}");
+    let names = ["csv", "md", "svg"].map(|extension| format!("silicone.c10.{extension}"));
+    assert_eq!(entries(folder), [&names[..], &["softanvil-files.json".to_string()]].concat());
+    let (header, lines) = read_table(&folder.join("silicone.c10.csv"));
+    assert_eq!(header[1], "silicone.c10 [Pa]");
+    let values: Vec<&str> = lines.iter().map(|line| line[1].as_str()).collect();
+    assert_eq!(values, ["100000", "148000", "200000"]);
+    let peak = |line: &[String]| line[2].parse::<f64>().unwrap();
+    let run = json(folder, &["run", "--energy", "4.9", "--set", "silicone.c10=2e5", "--json"]);
+    assert_eq!(peak(&lines[2]), run["peak_force"].as_f64().unwrap());
+    assert!(peak(&lines[0]) < peak(&lines[1]) && peak(&lines[1]) < peak(&lines[2]));
+    assert!(crate::common::svg_texts(&folder.join("silicone.c10.svg")).iter().any(|text| text == "silicone.c10 (Pa)"));
+    // A choice by its labels, and a parameter that the scenario does not use.
+    let layers = json(folder, &["study", "geometry.layers", "--values", "two", "--json"]);
+    let labels: Vec<&str> =
+        layers["cases"].as_array().unwrap().iter().map(|case| case["geometry.layers"].as_str().unwrap()).collect();
+    assert_eq!(labels, ["one", "two"]);
+    let skin = succeed(folder, &["study", "skin.c10", "--values", "1e5"]);
+    assert!(skin.contains("skin.c10 changes nothing in this scenario"), "{skin}");
+    for (arguments, message) in [
+        (&["study", "silicone.c10"][..], "without --values is refused: legal is a list of values of silicone.c10 (Pa)"),
+        (&["study", "silicone.c10", "--values", "-1e20"], "silicone.c10 = -100000000000000000000 Pa is refused"),
+        (&["study", "geometry.layers", "--values", "2"], "legal is \"one\" or \"two\""),
+        (&["study", "silicone.c1", "--values", "1"], "did you mean silicone.c11?"),
+    ] {
+        let line = fail(folder, arguments, 2);
+        assert!(line.contains(message), "{line}");
+    }
+}
+
+/// A CSV has no lengths in mm beside lengths in m.
+#[test]
+fn csv_files_are_in_si() {
+    for study in STUDIES {
+        let (header, _) = read_table(&all().join(format!("{}.csv", study.name)));
+        for unit in ["[mm]", "[ms]", "[kPa]", "[MPa]", "[%]"] {
+            assert!(!header.iter().any(|title| title.contains(unit)), "{}: {header:?}", study.name);
+        }
+        assert!(header.iter().any(|title| title == "ending"), "{header:?}");
+    }
+}
+
+#[test]
+fn a_case_that_is_cut_off_is_marked_in_table_csv_and_page() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let arguments = ["study", "thickness", "--values", "12", "--duration", "0.004", "--out", "."];
+    let text = succeed(folder, &arguments);
+    let page = fs::read_to_string(folder.join("thickness.md")).unwrap();
+    for text in [&text, &page] {
+        assert!(text.contains("thickness [mm] 12: Cut off in contact after 4 ms"), "{text}");
+    }
+    let row = page.lines().find(|line| line.starts_with("| 12 |")).unwrap();
+    assert_eq!(row.matches('*').count(), 5, "{row}");
+    let (header, lines) = read_table(&folder.join("thickness.csv"));
+    let ending = header.iter().position(|title| title == "ending").unwrap();
+    assert!(lines.iter().all(|line| line[ending] == "in_contact"), "{lines:?}");
+}
+
+/// The paper's figures stand beside its own anvil and impactor only.
+#[test]
+fn a_model_that_is_not_the_paper_s_has_no_column_of_the_paper() {
+    let folder = tempfile::tempdir().unwrap();
+    let study = ["study", "thickness", "--values", "13,15"];
+    assert!(succeed(folder.path(), &study).contains("The paper beside this model"));
+    let own = succeed(folder.path(), &[&study[..], &["--set", "impactor.mass=3"]].concat());
+    assert!(own.contains("Findings") && !own.contains("The paper beside this model"), "{own}");
+    let result = json(folder.path(), &[&study[..], &["--set", "impactor.mass=3", "--json"]].concat());
+    assert!(result["findings"].as_array().unwrap().iter().all(|finding| finding["paper"].is_null()), "{result}");
+}
+
+#[test]
+fn files_of_others_are_left_alone_and_own_ones_replaced() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let study = ["study", "thickness", "--values", "14", "--out", "."];
+    for name in ["thickness.md", "thickness.csv", "thickness.svg"] {
+        fs::write(folder.join(name), "mine").unwrap();
+        let line = fail(folder, &study, 2);
+        assert!(line.contains(&format!("{name} is there and not as this program left it")), "{line}");
+        assert_eq!(fs::read_to_string(folder.join(name)).unwrap(), "mine");
+        assert_eq!(entries(folder), [name]);
+        fs::remove_file(folder.join(name)).unwrap();
+    }
+    fs::write(folder.join("README.md"), "mine").unwrap();
+    assert!(fail(folder, &["study", "all", "--out", "."], 2).contains("README.md is there"));
+    assert_eq!(fs::read_to_string(folder.join("README.md")).unwrap(), "mine");
+    // A study of its own beside it, made twice.
+    succeed(folder, &study);
+    succeed(folder, &study);
+    assert_eq!(fs::read_to_string(folder.join("README.md")).unwrap(), "mine");
 }
 
 /// The first Ctrl-C ends a study with what is done.

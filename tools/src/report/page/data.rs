@@ -6,14 +6,15 @@ use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use serde_json::{Value, json};
 
+use crate::ending;
+use crate::paper::Case;
 use crate::plot::curve::{self, Curve, Measured};
 use crate::plot::{self, Term, style};
 use crate::quantity::{MAX_DEFORMATION, PEAK_FORCE};
-use crate::report::{Content, shown};
+use crate::report::{Content, Reported, shown};
 use crate::section::film::DISPLACEMENT;
 use crate::section::picture::SLAB;
 use crate::section::{Film, Frame, Levels, Mesh, SHADES};
-use crate::validation::Comparison;
 
 /// Milliseconds in a second, millimetres in a metre.
 const MILLI: f64 = 1e3;
@@ -22,19 +23,20 @@ const AROUND: usize = 10;
 
 /// Everything that the scripts need.
 pub fn of(content: &Content) -> Value {
-    let Some(mesh) = content.films.first().and_then(Film::mesh) else { return Value::Null };
+    let Some(mesh) = content.drops.first().and_then(|drop| drop.film.mesh()) else { return Value::Null };
     let impactor = &mesh.constants.scenario.impactor;
-    let displacements = content.films.iter().flat_map(Film::frames).flat_map(|frame| frame.values(DISPLACEMENT));
+    let films = || content.drops.iter().map(|drop| drop.film);
+    let displacements = films().flat_map(Film::frames).flat_map(|frame| frame.values(DISPLACEMENT));
     let displacement = quantum(displacements.copied());
     let ranges = SHADES.each_ref().map(|shade| {
-        let ranges = content.films.iter().map(|film| film.range(shade));
+        let ranges = films().map(|film| film.range(shade));
         ranges.fold([0.0, 0.0], |[a, b]: [f64; 2], [low, high]| [a.min(low), b.max(high)])
     });
     let stresses = ranges.map(|[low, high]| quantum([low, high].into_iter()));
     let terms = terms(content);
-    let times = curve::force_time(&shown(content.validation));
-    let loops = curve::force_deformation(&shown(content.validation));
-    let cases = content.validation.cases.iter().zip(content.films).zip(times.iter().zip(&loops)).enumerate();
+    let times = curve::force_time(&shown(content));
+    let loops = curve::force_deformation(&shown(content));
+    let drops = content.drops.iter().zip(times.iter().zip(&loops)).enumerate();
     json!({
         "mesh": mesh_data(mesh),
         "impactor": {
@@ -59,13 +61,13 @@ pub fn of(content: &Content) -> Value {
         "terms": terms.iter().map(|term| json!({
             "label": term.label, "colour": hex(term.colour)
         })).collect::<Vec<_>>(),
-        "films": cases.map(|(number, ((case, film), (time, path)))| {
-            let mut value = film_data(film, displacement, &stresses);
-            value["label"] = format!("{} J", case.paper.energy).into();
+        "films": drops.map(|(number, (drop, (time, path)))| {
+            let mut value = film_data(drop.film, displacement, &stresses);
+            value["label"] = format!("{}{}", drop.label, ending::suffix(drop.run)).into();
             value["colour"] = hex({ let c = style::colour(number); [c.0, c.1, c.2] }).into();
             value["curve"] = curve_data(time, path);
-            value["measured"] = measured(case, time);
-            value["energy"] = energy(case, film, &terms);
+            value["measured"] = drop.paper.map_or(Value::Null, |case| measured(case, time));
+            value["energy"] = energy(drop, &terms);
             value
         }).collect::<Vec<_>>(),
     })
@@ -128,14 +130,14 @@ fn curve_data(time: &Curve, path: &Curve) -> Value {
     })
 }
 
-fn measured(case: &Comparison, time: &Curve) -> Value {
+fn measured(case: &Case, time: &Curve) -> Value {
     let over = match time.measured {
         Some(Measured::Level { over, .. }) => over,
         _ => [0.0, 0.0],
     };
     json!({
-        "force": case.paper.experiment[PEAK_FORCE],
-        "deformation": MILLI * case.paper.experiment[MAX_DEFORMATION],
+        "force": case.experiment[PEAK_FORCE],
+        "deformation": MILLI * case.experiment[MAX_DEFORMATION],
         "over": over,
     })
 }
@@ -143,13 +145,14 @@ fn measured(case: &Comparison, time: &Curve) -> Value {
 /// The terms of the balance that occur in any of the runs.
 fn terms(content: &Content) -> Vec<&'static Term> {
     let occurs = |term: &&Term| {
-        content.validation.cases.iter().any(|case| plot::of_output(&case.run, term.output).iter().any(|e| *e != 0.0))
+        content.drops.iter().any(|drop| plot::of_output(drop.run, term.output).iter().any(|e| *e != 0.0))
     };
     plot::TERMS.iter().filter(occurs).collect()
 }
 
-fn energy(case: &Comparison, film: &Film, terms: &[&Term]) -> Value {
-    let numbers = |name: &str| plot::of_output(&case.run, name).into_iter().map(|e| round(e, 5)).collect::<Vec<_>>();
+fn energy(drop: &Reported, terms: &[&Term]) -> Value {
+    let film = drop.film;
+    let numbers = |name: &str| plot::of_output(drop.run, name).into_iter().map(|e| round(e, 5)).collect::<Vec<_>>();
     json!({
         "time": film.frames().iter().map(|frame| since_contact(film, frame)).collect::<Vec<_>>(),
         "terms": terms.iter().map(|term| numbers(term.output)).collect::<Vec<_>>(),

@@ -1,0 +1,117 @@
+//! One value for one parameter, wherever it is written: in a scenario file, under [fixed] of a problem file, with --set, or
+//! in the list of a study. All of them are read by [`number`] and given to the kernel's [`Changes`], which see to it that each
+//! of them acts.
+
+use softanvil_kernel::parameter::Kind;
+use softanvil_kernel::{Changes, Parameter};
+
+use super::suggestion;
+
+/// A value as it is written.
+#[derive(Clone, Copy, Debug)]
+pub enum Written<'a> {
+    /// A number, in the parameter's unit.
+    Number(f64),
+    /// A text, in quotation marks where the language has them: the label of a choice.
+    Label(&'a str),
+    /// Text of a command line, where a number looks like a label.
+    Bare(&'a str),
+    /// Anything else.
+    Other,
+}
+
+/// The parameter called `name`.
+///
+/// # Errors
+/// That there is none, with the nearest name.
+pub fn find(name: &str) -> Result<&'static Parameter, String> {
+    Parameter::find(name).ok_or_else(|| format!("{name} is unknown{}", suggestion(name)))
+}
+
+/// The number that `written` gives to `parameter`; for a choice, its index.
+///
+/// # Errors
+/// What is legal, if it is of the wrong kind.
+pub fn number(parameter: &Parameter, written: Written) -> Result<f64, String> {
+    let found = match (&parameter.kind, written) {
+        (Kind::Real { .. }, Written::Number(number)) => Some(number),
+        (Kind::Real { .. }, Written::Bare(text)) => text.parse().ok(),
+        (Kind::Choice { labels, .. }, Written::Label(text) | Written::Bare(text)) => {
+            labels.iter().position(|label| *label == text).map(|index| index as f64)
+        }
+        _ => None,
+    };
+    found.ok_or_else(|| legal(parameter))
+}
+
+/// What a parameter may be.
+fn legal(parameter: &Parameter) -> String {
+    match parameter.kind {
+        Kind::Real { unit: "1", min, max, .. } => format!("a number, {min} to {max}"),
+        Kind::Real { unit, min, max, .. } => format!("a number, {min} to {max} {unit}"),
+        Kind::Choice { labels, .. } => {
+            labels.iter().map(|label| format!("\"{label}\"")).collect::<Vec<_>>().join(" or ")
+        }
+    }
+}
+
+/// Sets what `text`, `group.field=value`, says.
+///
+/// # Errors
+/// A text of another form, an unknown name, or a value that is refused.
+pub fn set_text(changes: &mut Changes, text: &str) -> Result<&'static Parameter, String> {
+    let (name, value) = text.split_once('=').ok_or_else(|| {
+        format!("{text} is refused: legal is group.field=value, such as silicone.c10=2e5 or geometry.layers=two")
+    })?;
+    let parameter = find(name.trim())?;
+    set_bare(changes, parameter, value)?;
+    Ok(parameter)
+}
+
+/// Sets `parameter` to what `text` says on a command line.
+///
+/// # Errors
+/// A value that is refused.
+pub fn set_bare(changes: &mut Changes, parameter: &Parameter, text: &str) -> Result<(), String> {
+    let text = text.trim();
+    let number = number(parameter, Written::Bare(text))
+        .map_err(|legal| format!("{} = {text} is refused: legal is {legal}", parameter.name))?;
+    changes.set(parameter, number).map_err(|error| error.to_string())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use softanvil_kernel::preset;
+    use softanvil_kernel::scenario::Layers;
+
+    #[test]
+    fn numbers_and_labels_of_a_command_line_are_set() {
+        let mut changes = Changes::of(&preset::study());
+        for text in
+            ["silicone.c10=2e5", "geometry.layers=two", "geometry.silicone_thickness=0.014", " impactor.mass = 4 "]
+        {
+            set_text(&mut changes, text).unwrap();
+        }
+        let scenario = changes.apply().unwrap();
+        assert_eq!((scenario.silicone.c10, scenario.impactor.mass), (2e5, 4.0));
+        assert_eq!(scenario.geometry.layers, Layers::Two);
+    }
+
+    #[test]
+    fn what_is_refused_says_what_is_legal_and_changes_nothing() {
+        for (text, message) in [
+            ("silicone.c10", "silicone.c10 is refused: legal is group.field=value"),
+            ("silicon.c10=1", "silicon.c10 is unknown (did you mean silicone.c10?)"),
+            ("impactor.mass=heavy", "impactor.mass = heavy is refused: legal is a number, 0.001 to 10000 kg"),
+            ("impactor.mass=-1", "impactor.mass = -1 kg is refused: legal is 0.001 to 10000 kg"),
+            ("impactor.mass=nan", "impactor.mass = NaN kg is refused: legal is 0.001 to 10000 kg"),
+            ("geometry.layers=2", "geometry.layers = 2 is refused: legal is \"one\" or \"two\""),
+        ] {
+            let mut changes = Changes::of(&preset::study());
+            let error = set_text(&mut changes, text).err().unwrap();
+            assert!(error.starts_with(message), "{error}");
+            assert_eq!(changes.apply().unwrap(), preset::study());
+        }
+    }
+}

@@ -1,0 +1,195 @@
+//! Which drop a command simulates: where its numbers come from, what it is, and what speaks against it.
+
+use std::path::PathBuf;
+
+use serde_json::{Value, json};
+use softanvil_kernel::mesh::Grid;
+use softanvil_kernel::preset::Preset;
+use softanvil_kernel::scenario::{DropBy, Formulation, Layers, Motion, Section, Shape};
+use softanvil_kernel::{Constants, ModelError, Scenario};
+
+use crate::material_summary;
+use crate::run::Until;
+use crate::studies::values::short;
+use crate::table::{filled, four_digits};
+
+/// The drop that a command simulates.
+#[derive(Clone, Debug)]
+pub struct Subject {
+    /// The scenario.
+    pub scenario: Scenario,
+    /// When its runs end.
+    pub until: Until,
+    /// The preset that it starts from.
+    pub preset: &'static Preset,
+    /// The scenario file upon it.
+    pub scenario_file: Option<PathBuf>,
+    /// The material file upon that.
+    pub material_file: Option<PathBuf>,
+    /// The parameters set on the command line, as they were given.
+    pub set: Vec<String>,
+}
+
+/// Rows of cells through the layer below which a warning is due: fewer do not show how a layer bulges that is held on both
+/// sides, and at two the study's peak is off by more than its experiment scatters.
+const FEWEST_ROWS: usize = 3;
+/// The same of columns along it.
+const FEWEST_COLUMNS: usize = 3;
+
+impl Subject {
+    /// The scenario of `preset` as it is.
+    pub fn of_preset(preset: &'static Preset) -> Self {
+        let scenario = (preset.scenario)();
+        Self { scenario, until: Until::Over, preset, scenario_file: None, material_file: None, set: Vec::new() }
+    }
+
+    /// What is simulated, in lines.
+    pub fn text(&self) -> String {
+        let mut source = vec![format!("preset {}", self.preset.name)];
+        source.extend(self.scenario_file.iter().map(|path| path.display().to_string()));
+        source.extend(self.material_file.iter().map(|path| path.display().to_string()));
+        source.extend(self.set.iter().cloned());
+        let head = format!("Scenario: {}.\n{}\n{}\n", source.join(", "), drop(&self.scenario), anvil(&self.scenario));
+        filled(&head) + &material_summary::text(&self.scenario)
+    }
+
+    /// The same for programs, in SI.
+    pub fn json(&self) -> Value {
+        let (impactor, geometry) = (&self.scenario.impactor, &self.scenario.geometry);
+        let path = |path: &Option<PathBuf>| path.as_ref().map(|path| path.display().to_string());
+        let motion = match impactor.motion {
+            Motion::Prescribed => json!({
+                "motion": "prescribed", "speed": impactor.prescribed_speed, "depth": impactor.prescribed_depth,
+            }),
+            _ => json!({
+                "motion": "drop", "mass": impactor.mass, "energy": energy(&self.scenario), "speed": impactor.start_speed(),
+                "height": height(&self.scenario),
+            }),
+        };
+        json!({
+            "preset": self.preset.name,
+            "scenario_file": path(&self.scenario_file),
+            "material_file": path(&self.material_file),
+            "set": self.set,
+            "impactor": motion,
+            "layer_thickness": geometry.layer_thickness(),
+            "materials": material_summary::json(&self.scenario),
+            "layers": if geometry.layers == Layers::Two { 2 } else { 1 },
+        })
+    }
+}
+
+/// Kinetic energy at the start, J.
+fn energy(scenario: &Scenario) -> f64 {
+    match scenario.impactor.drop_by {
+        DropBy::Energy => scenario.impactor.drop_energy,
+        DropBy::Height | DropBy::Speed => 0.5 * scenario.impactor.mass * scenario.impactor.start_speed().powi(2),
+    }
+}
+
+/// Height from which a fall gives the speed at the start, m; none without gravity.
+fn height(scenario: &Scenario) -> Option<f64> {
+    if scenario.impactor.drop_by == DropBy::Height {
+        return Some(scenario.impactor.drop_height);
+    }
+    let (speed, gravity) = (scenario.impactor.start_speed(), scenario.impactor.gravity);
+    (gravity > 0.0).then(|| speed * speed / (2.0 * gravity))
+}
+
+/// What the impactor does.
+pub fn drop(scenario: &Scenario) -> String {
+    let impactor = &scenario.impactor;
+    if impactor.motion == Motion::Prescribed {
+        let (speed, depth) = (four_digits(impactor.prescribed_speed), short(1e3 * impactor.prescribed_depth));
+        return format!("Press: at {speed} m/s to a depth of {depth} mm, then held.");
+    }
+    let height = height(scenario).map_or(String::new(), |height| format!(", as from a height of {height:.3} m"));
+    format!(
+        "Drop: {} kg with {} J, at {} m/s{height}.",
+        short(impactor.mass),
+        short(energy(scenario)),
+        four_digits(impactor.start_speed())
+    )
+}
+
+/// What it falls on.
+fn anvil(scenario: &Scenario) -> String {
+    let geometry = &scenario.geometry;
+    let in_mm = |length: f64| short(1e3 * length);
+    let layer = match geometry.layers {
+        Layers::One => format!("a layer of {} mm", in_mm(geometry.layer_thickness())),
+        Layers::Two => format!(
+            "{} mm under a skin of {} mm of its own material",
+            in_mm(geometry.silicone_thickness),
+            in_mm(geometry.skin_thickness)
+        ),
+    };
+    let axisymmetric = geometry.formulation == Formulation::Axisymmetric;
+    let on = match (geometry.shape, axisymmetric) {
+        (Shape::Round, false) => format!("a core of {} mm diameter", in_mm(2.0 * geometry.core_radius)),
+        (Shape::Round, true) => format!("a ball of {} mm diameter", in_mm(2.0 * geometry.core_radius)),
+        (Shape::Block, false) => format!("a flat core, {} mm wide", in_mm(geometry.block_width)),
+        (Shape::Block, true) => format!("a flat core, {} mm in diameter", in_mm(geometry.block_width)),
+    };
+    let kind = if axisymmetric { "axisymmetric" } else { "plane strain" };
+    let section = if geometry.section == Section::Full { "whole" } else { "half" };
+    format!("Anvil: {layer} on {on}; {kind}, {section} section.")
+}
+
+/// What makes the numbers of a model doubtful before it runs, in lines without a break.
+pub fn warnings(constants: &Constants) -> Vec<String> {
+    let size = 1e3 * constants.scenario.mesh.element_size;
+    coarse(&constants.grid, size).into_iter().collect()
+}
+
+/// The same of a scenario.
+///
+/// # Errors
+/// A mesh that is refused.
+pub fn warnings_of(scenario: &Scenario) -> Result<Vec<String>, ModelError> {
+    Ok(coarse(&Grid::new(scenario)?, 1e3 * scenario.mesh.element_size).into_iter().collect())
+}
+
+fn coarse(grid: &Grid, size: f64) -> Option<String> {
+    let (rows, columns) = (grid.n_v, grid.n_u);
+    let cells = |count: usize, one: &str| format!("{count} {one}{}", if count == 1 { "" } else { "s" });
+    (rows < FEWEST_ROWS || columns < FEWEST_COLUMNS).then(|| {
+        format!(
+            "the mesh is too coarse for numbers to mean much: {} of cells through the layer and {} along it, \
+             with mesh.element_size = {} mm; at least {FEWEST_ROWS} and {FEWEST_COLUMNS} are advised, and `softanvil study \
+             mesh` tells the error",
+            cells(rows, "row"),
+            cells(columns, "column"),
+            short(size)
+        )
+    })
+}
+
+/// Warnings as lines of text.
+pub fn warning_lines(warnings: &[String]) -> String {
+    warnings.iter().map(|warning| filled(&format!("! Warning: {warning}.\n"))).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use softanvil_kernel::preset;
+
+    #[test]
+    fn a_mesh_of_few_cells_is_warned_of_and_the_preset_is_not() {
+        let mut scenario = preset::study();
+        assert!(warnings_of(&scenario).unwrap().is_empty());
+        scenario.mesh.element_size = 7.5e-3;
+        let warnings = warnings_of(&scenario).unwrap();
+        assert!(warnings.len() == 1 && warnings[0].contains("2 rows of cells"), "{warnings:?}");
+        assert!(warnings[0].contains("mesh.element_size = 7.5 mm"), "{warnings:?}");
+    }
+
+    #[test]
+    fn a_drop_is_told_by_mass_energy_speed_and_height_and_a_press_by_speed_and_depth() {
+        let mut scenario = preset::study();
+        assert_eq!(drop(&scenario), "Drop: 5 kg with 14.7 J, at 2.425 m/s, as from a height of 0.300 m.");
+        scenario.impactor.motion = Motion::Prescribed;
+        assert_eq!(drop(&scenario), "Press: at 0.1000 m/s to a depth of 5 mm, then held.");
+    }
+}
