@@ -4,7 +4,7 @@ use std::fs;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-use softanvil_fmu::{Options, Version, package};
+use softanvil_fmu::{Options, Version, is_ours, package};
 
 /// A file that begins as a Linux library for x86-64 does.
 fn library(folder: &Path, name: &str) -> PathBuf {
@@ -29,6 +29,19 @@ fn two_builds_give_the_same_bytes() {
         let first = fs::read(package(&options).unwrap()).unwrap();
         let second = fs::read(package(&options).unwrap()).unwrap();
         assert!(first == second);
+    }
+}
+
+#[test]
+fn an_fmu_of_ours_is_told_from_anything_else() {
+    let folder = tempfile::tempdir().unwrap();
+    for version in [Version::Fmi2, Version::Fmi3] {
+        let options = Options { version, ..options(folder.path()) };
+        assert!(!is_ours(&options.path()));
+        assert_eq!(package(&options).unwrap(), options.path());
+        assert!(is_ours(&options.path()));
+        fs::write(options.path(), "mine").unwrap();
+        assert!(!is_ours(&options.path()));
     }
 }
 

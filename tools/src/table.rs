@@ -226,7 +226,13 @@ pub fn text(table: &mut Table) -> String {
             longest[column] = longest[column].max(words);
         }
     }
+    // Where even the words alone are too wide, the columns come closer: one blank between them stays.
+    let needed = longest.iter().map(|longest| longest + 2).sum::<usize>();
+    let crowded = table.width().is_some_and(|width| needed > usize::from(width));
     for (column, longest) in table.column_iter_mut().zip(longest) {
+        if crowded {
+            column.set_padding((0, 0));
+        }
         let width = longest as u16 + column.padding_width();
         column.set_constraint(ColumnConstraint::LowerBoundary(Width::Fixed(width)));
     }

@@ -9,6 +9,7 @@ use softanvil_kernel::Simulation;
 use softanvil_kernel::preset::PRESETS;
 
 use super::drop_options::DropOptions;
+use super::output_files::Overwrite;
 use super::run::{load, simulate_watched};
 use crate::failure::Failure;
 use crate::paper::TABLE_1;
@@ -22,12 +23,14 @@ use crate::validation::Validation;
 /// Where the report goes.
 #[derive(Debug, Args)]
 pub struct Options {
-    /// Folder of the report; a report that stands there is replaced
+    /// Folder of the report; a report that stands there as it was written is replaced
     #[arg(long, value_name = "DIR", default_value = "softanvil-report")]
     out: PathBuf,
     /// Format of the pictures beside the report's page
     #[arg(long, value_enum, default_value = "svg")]
     pictures: PictureFormat,
+    #[command(flatten)]
+    overwrite: Overwrite,
 }
 
 /// Simulate one drop of your own and write every picture, the page with the animation, numbers and trace to a folder.
@@ -44,7 +47,7 @@ pub struct OwnOptions {
 /// # Errors
 /// A folder that is not ours to replace, a simulation that failed, or a file that cannot be written.
 pub fn carry_out(options: &Options) -> Result<String, Failure> {
-    let place = Place::new(&options.out, &report::KIND)?;
+    let place = Place::new(&options.out, &report::KIND, options.overwrite.overwrite)?;
     let mut films: [Film; TABLE_1.len()] = Default::default();
     let watch = |number: usize, simulation: &mut Simulation| Ok(films[number].take(simulation)?);
     let validation = Validation::watched(&PRESETS[0], Reading::PLAIN, watch)?;
@@ -57,7 +60,7 @@ pub fn carry_out(options: &Options) -> Result<String, Failure> {
 /// As [`carry_out`], and a scenario that is refused.
 pub fn carry_out_own(options: &OwnOptions) -> Result<String, Failure> {
     let subject = options.drop.subject()?;
-    let place = Place::new(&options.report.out, &report::KIND)?;
+    let place = Place::new(&options.report.out, &report::KIND, options.report.overwrite.overwrite)?;
     let mut film = Film::default();
     let run = simulate_watched(&subject, |simulation| Ok(film.take(simulation)?))?;
     options.report.write(&Content::of_run(&subject, load(&run), &run, &film), place)

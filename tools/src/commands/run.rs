@@ -72,7 +72,7 @@ pub fn carry_out(options: &Options) -> Result<String, Failure> {
 impl Options {
     fn series(&self) -> Result<Option<Series>, Failure> {
         let Some(folder) = &self.vtu else { return Ok(None) };
-        Series::new(Place::new(folder, &paraview::KIND)?, self.vtu_interval).map(Some)
+        Series::new(Place::new(folder, &paraview::KIND, self.overwrite.overwrite)?, self.vtu_interval).map(Some)
     }
 
     fn files(&self, run: &Run) -> Result<Vec<(&Path, Vec<u8>)>, Failure> {

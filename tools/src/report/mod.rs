@@ -5,14 +5,15 @@ mod page;
 use std::fs;
 use std::path::Path;
 
-use serde_json::{Value, json};
+use serde_json::{Map, Value, json};
 use softanvil_kernel::Scenario;
 
 use crate::ending;
 use crate::failure::Failure;
+use crate::folder::digest;
 use crate::paper;
 use crate::picture_format::PictureFormat;
-use crate::place::{Kind, Place};
+use crate::place::{Kind, Listed, Place};
 use crate::plot::{self, Shown};
 use crate::run::Run;
 use crate::section::picture::{self, Shot};
@@ -30,14 +31,18 @@ const GENERATOR: &str = "softanvil report";
 pub const KIND: Kind = Kind { option: "--out", what: "a report", listed_files };
 
 /// The files that the summary in `folder` lists; none if it is not ours.
-fn listed_files(folder: &Path) -> Vec<String> {
+fn listed_files(folder: &Path) -> Vec<Listed> {
     let text = fs::read_to_string(folder.join(SUMMARY)).unwrap_or_default();
     let summary: Value = serde_json::from_str(&text).unwrap_or_default();
     if summary["generator"] != GENERATOR {
         return Vec::new();
     }
     let files = summary["files"].as_array().cloned().unwrap_or_default();
-    files.iter().filter_map(|file| file.as_str().map(String::from)).collect()
+    let listed = files
+        .iter()
+        .filter_map(|file| file.as_str())
+        .map(|name| Listed { name: name.into(), digest: summary["digests"][name].as_str().map(String::from) });
+    listed.collect()
 }
 
 /// What a report tells.
@@ -153,7 +158,9 @@ fn files(content: &Content, format: PictureFormat) -> Result<Vec<(String, Vec<u8
         files.push((drop.trace.clone(), trace::csv(drop.run)?));
     }
     let names = files.iter().map(|(name, _)| name.as_str()).chain([SUMMARY]).collect::<Vec<_>>();
-    let summary = summary(content, &names);
+    let digests: Map<String, Value> =
+        files.iter().map(|(name, content)| (name.clone(), digest(content).into())).collect();
+    let summary = summary(content, &names, digests);
     files.push((SUMMARY.to_string(), json::text(&summary).into()));
     Ok(files)
 }
@@ -186,11 +193,12 @@ fn pictures(content: &Content) -> Result<Vec<(&'static str, String)>, Failure> {
     Ok(pictures)
 }
 
-fn summary(content: &Content, files: &[&str]) -> Value {
+fn summary(content: &Content, files: &[&str], digests: Map<String, Value>) -> Value {
     let mut summary = json!({
         "generator": GENERATOR,
         "version": env!("CARGO_PKG_VERSION"),
         "files": files,
+        "digests": digests,
     });
     let (key, value) = match content.about {
         About::Validation(validation) => ("validation", json::of_validation(validation)),

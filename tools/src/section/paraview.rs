@@ -13,7 +13,7 @@ use tempfile::TempDir;
 use super::vtu::{Array, Cell, Grid};
 use super::{Frame, Mesh};
 use crate::failure::Failure;
-use crate::place::{Kind, Place};
+use crate::place::{Kind, Listed, Place};
 use crate::staging;
 
 /// The file that lists the others, and by which a series is known.
@@ -142,11 +142,11 @@ fn collection(times: &[f64]) -> Result<Vec<u8>, SeriesError> {
 }
 
 /// The files of the series in `folder`; none if it is not ours.
-fn listed_files(folder: &Path) -> Vec<String> {
+fn listed_files(folder: &Path) -> Vec<Listed> {
     let collection = fs::read_to_string(folder.join(COLLECTION)).unwrap_or_default();
     let names = collection.split(" file=\"").skip(1).filter_map(|rest| rest.split('"').next());
     if collection.contains("<!-- Softanvil.") {
-        names.chain([COLLECTION]).map(String::from).collect()
+        names.chain([COLLECTION]).map(|name| Listed { name: name.into(), digest: None }).collect()
     } else {
         Vec::new()
     }

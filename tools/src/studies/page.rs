@@ -132,7 +132,7 @@ impl Page {
             let fixed = |text: &String| text.replace(" %", &format!("{}%", table::FIXED_BLANK));
             table.add_rows(sheet.rows.iter().map(|row| row.iter().map(fixed).collect::<Vec<_>>()));
             table::align_right(&mut table, sheet.n_text..sheet.header.len());
-            let _ = write!(text, "\n{}\n{}\n", sheet.title, table::text(&mut table));
+            let _ = write!(text, "\n{}{}\n", table::filled(&sheet.title), table::text(&mut table));
         }
         if !self.evaluation.notes.is_empty() {
             text.push('\n');

@@ -73,7 +73,9 @@ impl Results {
         wanted: impl Fn(&Case) -> bool,
         reference: Option<&Outcome>,
     ) -> Sheet {
-        let names = settings.iter().filter_map(|index| self.study.settings.get(*index)).map(|name| (*name).into());
+        // A parameter goes by its field: the page has its whole name.
+        let short = |name: &&str| name.split_once('.').map_or(*name, |(_, field)| field).to_string();
+        let names = settings.iter().filter_map(|index| self.study.settings.get(*index)).map(short);
         let numbers = QUANTITIES.iter().map(|quantity| format!("{} ({})", quantity.label, quantity.display_unit));
         let header = names.chain(numbers).chain(["restitution".into()]).collect();
         let rows = self.cases.iter().zip(&self.outcomes).filter(|(case, _)| wanted(case)).map(|(case, outcome)| {

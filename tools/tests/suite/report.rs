@@ -112,14 +112,19 @@ fn a_report_is_replaced_and_anything_else_is_left_alone() {
     fs::create_dir(&report).unwrap();
     succeed(folder.path(), &["--out", "out"]);
     let first = fs::read(report.join("summary.json")).unwrap();
-    fs::write(report.join("table.txt"), "stale").unwrap();
     succeed(folder.path(), &["--out", "out"]);
+    // A file that was changed since is no longer the program's.
+    fs::write(report.join("scenario.toml"), "mine").unwrap();
+    let line = fail(folder.path(), &["--out", "out"], 2);
+    assert!(line.contains("scenario.toml in it was changed since it was written; --overwrite replaces it"), "{line}");
+    assert_eq!(fs::read_to_string(report.join("scenario.toml")).unwrap(), "mine");
+    succeed(folder.path(), &["--out", "out", "--overwrite"]);
     assert_eq!(fs::read(report.join("summary.json")).unwrap(), first);
-    assert_ne!(fs::read_to_string(report.join("table.txt")).unwrap(), "stale");
+    assert_ne!(fs::read_to_string(report.join("scenario.toml")).unwrap(), "mine");
     assert_eq!(entries(folder.path()), ["out"]);
 
     fs::write(report.join("notes.txt"), "mine").unwrap();
-    let line = fail(folder.path(), &["--out", "out"], 2);
+    let line = fail(folder.path(), &["--out", "out", "--overwrite"], 2);
     assert!(line.contains("--out out") && line.contains("notes.txt"), "{line}");
     assert_eq!(entries(&report).len(), FILES.len() + 1);
 

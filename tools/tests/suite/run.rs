@@ -236,6 +236,7 @@ fn tables_fit_a_pipe() {
         &["measure", "--energy", "4.9"],
         &["validate"],
         &["study", "silicone.poissons_ratio", "--values", "0.45"],
+        &["study", "mesh", "--values", "3,4"],
         &["fit", "--uniaxial", "curve.csv", "--law", "mooney_rivlin_2"],
     ] {
         let text = succeed(folder.path(), arguments);

@@ -66,6 +66,16 @@ fn refused_files_name_file_and_line_and_leave_no_output() {
     }
 }
 
+/// Refused before anything is built.
+#[test]
+fn an_fmu_does_not_replace_what_is_none() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("softanvil-fmi2.fmu"), "mine").unwrap();
+    let line = fail(folder.path(), &["fmu", "--fmi", "2"], 2);
+    assert!(line.contains("softanvil-fmi2.fmu is refused: the file is there; --overwrite replaces it"), "{line}");
+    assert_eq!(std::fs::read_to_string(folder.path().join("softanvil-fmi2.fmu")).unwrap(), "mine");
+}
+
 #[test]
 fn a_file_that_cannot_be_written_keeps_the_others_back() {
     let folder = tempfile::tempdir().unwrap();
