@@ -190,8 +190,8 @@ pub const FIELD_FORCE: f64 = 1e-10;
 /// of 6e-8 in each of 5,000 steps grows with their square root at best, in proportion at worst.
 pub const SINGLE_PRECISION: f64 = 1e-3;
 
-/// Kinetic energy and work of gravity in free fall, over what was brought in: round-off of some hundred sums.
-pub const FREE_FALL_ENERGY: f64 = 1e-13;
+/// Kinetic energy and work of gravity in free fall, over the energy at contact: round-off of up to twenty thousand sums.
+pub const FREE_FALL_ENERGY: f64 = 1e-12;
 
 /// A row's momentum against its impulse, over the momentum at the start: round-off of some thousand steps.
 pub const ROW_MOMENTUM: f64 = 1e-11;
