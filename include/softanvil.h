@@ -583,7 +583,7 @@ enum SoftanvilOutput {
     SOFTANVIL_OUTPUT_IMPACTOR_POSITION = 3,
     /** impactor.velocity, m/s: velocity of the impactor, upwards. */
     SOFTANVIL_OUTPUT_IMPACTOR_VELOCITY = 4,
-    /** impactor.acceleration, m/s2: acceleration of the impactor, upwards. */
+    /** impactor.acceleration, m/s2: acceleration of the impactor in the last step, upwards. */
     SOFTANVIL_OUTPUT_IMPACTOR_ACCELERATION = 5,
     /** impactor.deformation, m: depth of the face below the undeformed anvil. */
     SOFTANVIL_OUTPUT_IMPACTOR_DEFORMATION = 6,
@@ -864,18 +864,38 @@ SoftanvilStatus softanvil_scenario_get_by_name(const SoftanvilScenario *scenario
 /** A simulation. Its content is private; it lives at the front of the memory given to `softanvil_init`. */
 typedef struct SoftanvilSimulation SoftanvilSimulation;
 
-/** What acts on the impactor from outside during steps. It always comes from `softanvil_input_default`. */
+/**
+ * What acts on the impactor from outside during a call that makes steps, of one or of many. It always comes from
+ * `softanvil_input_default`.
+ *
+ * A driven face is at `driven_position` at the end of the call, that is, after its last step, and moves there from where it
+ * is: along a straight line, or, if `driven_velocity` is given, along the cubic that starts with the velocity that
+ * `impactor.velocity` tells before the call and ends with `driven_velocity`. So a master that cuts time into calls gives
+ * with each where the face is to be at the end of that call, and the motion has no jump.
+ *
+ * A value that is not legal, NaN among them, is refused as ILLEGAL_INPUT; the call makes no step then, changes nothing, and
+ * the next one may go on. An input that does not act (a force on a driven impactor, a position of a falling one) may be
+ * any finite number.
+ */
 typedef struct SoftanvilInput {
     /** Tells an initialised input; do not change. */
     uint32_t marker;
     /** Bytes of this structure; do not change. */
     uint32_t struct_size;
-    /** Upward force on a falling impactor besides gravity and contact, N. */
+    /** Upward force on a falling impactor besides gravity and contact, from -1e6 to 1e6 N; held over the call. */
     double external_force;
-    /** Height of the face of a driven impactor above the undeformed anvil at the end of the step, m; negative presses. */
+    /**
+     * Height of the face of a driven impactor above the undeformed anvil at the end of the call, from -1 to 1 m; negative
+     * presses.
+     */
     double driven_position;
     /** Always 0. */
-    double reserved[5];
+    double reserved[4];
+    /**
+     * Upward velocity of the face of a driven impactor at the end of the call, from -100 to 100 m/s; NaN, which stands there
+     * at first, for a straight line.
+     */
+    double driven_velocity;
 } SoftanvilInput;
 
 /**
@@ -931,20 +951,22 @@ SoftanvilStatus softanvil_close(SoftanvilSimulation *simulation);
 SoftanvilStatus softanvil_reset(SoftanvilSimulation *simulation);
 
 /**
- * Fills an input that leaves things as they are: no external force, and a driven impactor stays where it is.
+ * Fills an input that leaves things as they are: no external force, and a driven impactor stays where it is, without a
+ * velocity for the end.
  *
  * @param simulation The simulation.
  * @param input The input to fill.
  * @return NULL_POINTER, MISALIGNED, UNINITIALISED.
  */
-SoftanvilStatus softanvil_input_default(const SoftanvilSimulation *simulation, SoftanvilInput *input);
+SoftanvilStatus softanvil_input_default(const SoftanvilSimulation *simulation,
+                                        SoftanvilInput *input);
 
 /**
- * Makes steps of the simulation's fixed time step, all with the same input. The work of a step is bounded and does not
- * depend on the state.
+ * Makes steps of the simulation's fixed time step: the force is held, and a driven face is at `driven_position` after the
+ * last of them. The work of a step is bounded and does not depend on the state.
  *
- * A step that fails leaves the steps before it done and stops the simulation: every further step fails alike until the
- * simulation is reset or restored.
+ * A step that fails (INVERTED, UNSTABLE) leaves the steps before it done and stops the simulation: every further step fails
+ * alike until the simulation is reset or restored. Arguments that are refused, an ILLEGAL_INPUT among them, change nothing.
  *
  * @param simulation The simulation.
  * @param steps Number of steps; 0 does nothing.
@@ -959,7 +981,7 @@ SoftanvilStatus softanvil_step(SoftanvilSimulation *simulation,
 
 /**
  * Makes the steps up to the end of the running sampling interval of 50 us, where `contact.force` and `core.reaction`
- * get a new value; all with the same input.
+ * get a new value, and where a driven face is at `driven_position`.
  *
  * @param simulation The simulation.
  * @param input What acts on the impactor, or NULL for the input of `softanvil_input_default` at the call.
@@ -971,8 +993,8 @@ SoftanvilStatus softanvil_step_to_sample(SoftanvilSimulation *simulation,
                                          SoftanvilError *error);
 
 /**
- * Makes the steps that cover a time, rounded up to whole sampling intervals of 50 us; all with the same input. A drop
- * of the study is over after the 15 ms of `time.duration`.
+ * Makes the steps that cover a time, rounded up to whole sampling intervals of 50 us, at whose end a driven face is at
+ * `driven_position`. A drop of the study is over after the 15 ms of `time.duration`.
  *
  * @param simulation The simulation.
  * @param duration Time, s, in the legal range of `time.duration`.
@@ -987,9 +1009,8 @@ SoftanvilStatus softanvil_run(SoftanvilSimulation *simulation,
 
 /**
  * Makes the steps to the one nearest to a time, of two equally near to the later; none if the simulation is there. So it is
- * never more than half a step away from the time asked for, and makes the same steps however time is cut. The external
- * force is held; a driven face moves evenly from where it is to `driven_position`, which it reaches with the last step, at
- * the time that `softanvil_time` tells then.
+ * never more than half a step away from the time asked for, and makes the same steps however time is cut. A driven face is
+ * at `driven_position` after the last step, at the time that `softanvil_time` tells then.
  *
  * @param simulation The simulation.
  * @param time Time since the start of the drop, s: from half a step before the present to 100 s after it.
@@ -1025,13 +1046,15 @@ SoftanvilStatus softanvil_output_by_name(const SoftanvilSimulation *simulation,
                                          double *value);
 
 /**
- * Tells the simulated time: exactly the number of steps times the step, never an accumulated sum.
+ * Tells the simulated time, from the number of steps made and never an accumulated sum: whole sampling intervals of 50 us,
+ * for which it is the double nearest to the time, and the steps beyond them times the step.
  *
  * @param simulation The simulation.
  * @param time Time since the start of the drop, s.
  * @return NULL_POINTER, MISALIGNED, UNINITIALISED.
  */
-SoftanvilStatus softanvil_time(const SoftanvilSimulation *simulation, double *time);
+SoftanvilStatus softanvil_time(const SoftanvilSimulation *simulation,
+                               double *time);
 
 /**
  * Tells the number of steps made since the start of the drop.

@@ -349,7 +349,7 @@ public:
             [&](SoftanvilError *error) { return softanvil_run(simulation_, duration, input, error); });
     }
 
-    /** Makes the steps to the one nearest to `time`, s since the start of the drop; a driven face moves evenly. */
+    /** Makes the steps to the one nearest to `time`, s since the start of the drop. */
     Result<void> run_until(double time, const SoftanvilInput *input = nullptr)
     {
         return detail::explained(

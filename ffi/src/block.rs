@@ -19,8 +19,9 @@ pub(crate) const ALIGNMENT: usize = align_of::<SoftanvilSimulation>();
 pub(crate) const GRANULE: usize = 64;
 
 /// A simulation. Its content is private to the library; it lives at the front of the memory given to `softanvil_init`.
+#[repr(C)]
 pub struct SoftanvilSimulation {
-    /// Tells that a simulation lives here.
+    /// Tells that a simulation lives here; the first bytes, so that every version of the library finds it.
     pub(crate) marker: u64,
     /// Length of the block.
     pub(crate) bytes: usize,
@@ -31,9 +32,12 @@ pub struct SoftanvilSimulation {
 }
 
 impl SoftanvilSimulation {
-    /// "SOFTANV" and the version of the block's layout.
-    pub(crate) const MARKER: u64 = u64::from_le_bytes(*b"SOFTANV\x01");
+    /// "SOFTANV" and the version of the block's layout. The types of the kernel behind it are laid out as one build of the
+    /// library has it: a block stays in its process.
+    pub(crate) const MARKER: u64 = u64::from_le_bytes(*b"SOFTANV\x02");
 }
+
+const _: () = assert!(core::mem::offset_of!(SoftanvilSimulation, marker) == 0);
 
 /// The arrays behind the header.
 struct Arrays<'a> {

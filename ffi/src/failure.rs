@@ -4,7 +4,7 @@ use core::ffi::c_char;
 use core::fmt::{self, Write};
 
 use softanvil_kernel::decimal::Decimal;
-use softanvil_kernel::{ModelError, NoEffect, ParameterError, ScenarioError, SnapshotError, StepError};
+use softanvil_kernel::{MemoryError, ModelError, NoEffect, ParameterError, ScenarioError, SnapshotError, StepError};
 
 use crate::environment;
 use crate::ids::PARAMETER_BY_ID;
@@ -75,6 +75,12 @@ impl From<ModelError> for Failure {
             ModelError::Scenario(error) => Self::Scenario(error),
             error => Self::Model(error),
         }
+    }
+}
+
+impl From<MemoryError> for Failure {
+    fn from(error: MemoryError) -> Self {
+        Self::Model(ModelError::Memory(error))
     }
 }
 
@@ -162,7 +168,7 @@ impl Failure {
             Self::Model(ModelError::StepTooSmall { .. }) => Status::StepTooSmall,
             Self::Model(ModelError::StepTooLarge { .. }) => Status::StepTooLarge,
             Self::Model(ModelError::NoArea { .. }) => Status::NoArea,
-            Self::Model(ModelError::Memory { .. }) => Status::ShortBuffer,
+            Self::Model(ModelError::Memory(_)) | Self::Step(StepError::Memory(_)) => Status::ShortBuffer,
             Self::Step(StepError::Inverted { .. }) => Status::Inverted,
             Self::Step(StepError::Unstable { .. }) => Status::Unstable,
             Self::Step(StepError::Input { .. }) => Status::IllegalInput,
@@ -197,7 +203,10 @@ impl Failure {
             Self::Model(ModelError::StepTooSmall { step, smallest }) => [step, smallest, NAN],
             Self::Model(ModelError::StepTooLarge { step, limit }) => [step, 0.0, limit],
             Self::Step(StepError::Unstable { limit, step, .. }) => [step, 0.0, limit],
-            Self::Step(StepError::Input { value, .. }) => [value, NAN, NAN],
+            Self::Step(StepError::Input { error, .. }) => [error.value, error.min, error.max],
+            Self::Model(ModelError::Memory(error)) | Self::Step(StepError::Memory(error)) => {
+                [error.given as f64, error.needed as f64, NAN]
+            }
             _ => [NAN; 3],
         }
     }

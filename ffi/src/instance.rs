@@ -12,7 +12,7 @@ mod values;
 
 use core::fmt::{self, Display};
 
-use softanvil_kernel::{Changes, ModelError, Scenario, Simulation, preset};
+use softanvil_kernel::{Changes, MemoryError, ModelError, Scenario, Simulation, preset};
 
 use crate::variables::{Inputs, Table, Version, profile, same_bits};
 
@@ -196,7 +196,7 @@ impl Instance {
         let simulation = match kept {
             Some(mut kept) => {
                 if kept.scalars().step_index != 0 || kept.scalars().failure.is_some() {
-                    kept.reset();
+                    kept.reset().map_err(memory)?;
                 }
                 kept
             }
@@ -204,6 +204,11 @@ impl Instance {
         };
         Ok(self.simulation.insert(simulation))
     }
+}
+
+/// Too little memory for model or state.
+fn memory(error: MemoryError) -> Error {
+    Error::Model(ModelError::Memory(error))
 }
 
 #[cfg(test)]

@@ -6,6 +6,7 @@
 
 use core::ffi::c_char;
 use core::marker::PhantomData;
+use core::mem::MaybeUninit;
 use core::ptr::NonNull;
 
 use softanvil_kernel::element::{CellConstants, CellHistory, HoopConstants};
@@ -108,34 +109,20 @@ pub(crate) unsafe fn bytes<'a>(pointer: *const u8, length: usize, argument: &'st
     Ok(unsafe { core::slice::from_raw_parts(pointer.as_ptr(), length) })
 }
 
-/// Bytes to write.
+/// Room for bytes or numbers, in which nothing need stand yet.
 ///
 /// # Safety
-/// If `pointer` is not null, it points to `length` bytes that nobody else uses for `'a`.
-pub(crate) unsafe fn bytes_mut<'a>(
-    pointer: *mut u8,
-    length: usize,
-    argument: &'static str,
-) -> Result<&'a mut [u8], Failure> {
-    let pointer = checked(pointer, argument)?;
-    check_addressable(length, argument)?;
-    // SAFETY: as `bytes`, and nobody else uses them.
-    Ok(unsafe { core::slice::from_raw_parts_mut(pointer.as_ptr(), length) })
-}
-
-/// Numbers to write.
-///
-/// # Safety
-/// If `pointer` is neither null nor misaligned, it points to `count` numbers that nobody else uses for `'a`.
-pub(crate) unsafe fn numbers_mut<'a>(
-    pointer: *mut f64,
+/// If `pointer` is neither null nor misaligned, it points to room for `count` items that nobody else uses for `'a`.
+pub(crate) unsafe fn room<'a, T>(
+    pointer: *mut T,
     count: usize,
     argument: &'static str,
-) -> Result<&'a mut [f64], Failure> {
+) -> Result<&'a mut [MaybeUninit<T>], Failure> {
     let pointer = checked(pointer, argument)?;
-    check_addressable(count.saturating_mul(size_of::<f64>()), argument)?;
-    // SAFETY: not null, aligned, the length is addressable, and the caller guarantees the rest.
-    Ok(unsafe { core::slice::from_raw_parts_mut(pointer.as_ptr(), count) })
+    check_addressable(count.saturating_mul(size_of::<T>()), argument)?;
+    // SAFETY: not null, aligned, the length is addressable, the caller guarantees the rest, and `MaybeUninit` asks nothing
+    // of what stands there.
+    Ok(unsafe { core::slice::from_raw_parts_mut(pointer.as_ptr().cast(), count) })
 }
 
 /// No object is longer than half the address space, whatever the caller says.

@@ -33,7 +33,7 @@ fn the_layout_is_the_frozen_one() {
     lines.push(format!("VALUE(SOFTANVIL_PARAMETER_SLOTS, {SOFTANVIL_PARAMETER_SLOTS})"));
     structure!(lines, SoftanvilError: status parameter element reserved_word value min max time reserved text);
     structure!(lines, SoftanvilScenario: marker struct_size preset count value);
-    structure!(lines, SoftanvilInput: marker struct_size external_force driven_position reserved);
+    structure!(lines, SoftanvilInput: marker struct_size external_force driven_position reserved driven_velocity);
     structure!(lines, SoftanvilParameterInfo: id choices min max reserved name unit description);
     structure!(lines, SoftanvilOutputInfo: id reserved_word reserved name unit description);
     structure!(lines, SoftanvilFieldInfo: id components reserved name unit description);

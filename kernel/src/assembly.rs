@@ -15,7 +15,7 @@ use crate::scenario::{Formulation, Interface, Scenario, Section};
 use crate::storage::{MODEL_NODE_FIELDS, ModelArrays, Size, split_row};
 
 /// Fills `arrays` with the model of `scenario` whose nodes rest at `position(u, v)`, m, and gives its constants, for steps
-/// of a sampling interval until [`Constants::set_step`] says otherwise.
+/// of a sampling interval until [`Constants::set_step`] says otherwise; without a [`fingerprint`].
 ///
 /// # Errors
 /// A cell without area, too little memory, or a channel that is refused.
@@ -41,17 +41,22 @@ pub(crate) fn assemble(
         laws: scenario.layers().map(|layer| Laws::new(layer.material, SAMPLING_INTERVAL)),
         section_factor: section_factor(scenario),
         top_height: position(grid.centre, grid.n_v)[1],
-        fingerprint: fingerprint(scenario),
+        fingerprint: 0,
     })
 }
 
-fn fingerprint(scenario: &Scenario) -> u64 {
+/// Digest of the parameters and of where the nodes of the filled `nodes` rest, which need not follow from them.
+pub(crate) fn fingerprint(scenario: &Scenario, grid: &Grid, nodes: &[Real]) -> u64 {
     let mut digest = Digest::new();
     for parameter in PARAMETERS {
         digest.number(parameter.get(scenario));
     }
+    nodes.iter().take(REFERENCE_FIELDS * grid.n_node()).for_each(|coordinate| digest.number(*coordinate));
     digest.value()
 }
+
+/// Coordinates at rest come first among the numbers of the nodes: x, then y.
+const REFERENCE_FIELDS: usize = 2;
 
 /// Forces of the whole anvil per force of what is meshed.
 fn section_factor(scenario: &Scenario) -> Real {

@@ -98,5 +98,6 @@ fn pass<'a>(coefficients: &Coefficients, record: impl Iterator<Item = &'a mut Re
     }
 }
 
-#[cfg(all(test, not(feature = "single")))]
+#[cfg(test)]
+#[allow(clippy::excessive_precision, reason = "numbers of double precision")]
 mod tests;

@@ -63,7 +63,7 @@ impl<'s> Base<'s> {
     /// Adds the forces of the core to those of nodes that may slide and, unless they are on rollers, lift.
     #[inline(always)]
     fn touch<S: Instructions>(&mut self, set: S, constants: &Constants) -> Contact {
-        let (mut total, mut catching, mut sliding) = (ZERO, [ZERO; 2], [ZERO; 2]);
+        let (mut total, mut catching, mut sliding) = (ZERO, ZERO, ZERO);
         let zero = set.splat(0.0);
         for i in 0..self.mass.len() {
             for chunk in 0..LANES / S::WIDTH {
@@ -78,15 +78,14 @@ impl<'s> Base<'s> {
                     before[1] + (set.load(&self.inverse_mass[1][i], chunk) * force_y).times(constants.dt),
                 ];
                 set.add(pull[1], &mut total, chunk);
-                for (half, velocity) in [before, after].into_iter().enumerate() {
-                    let outwards = velocity[0] * normal[0] + velocity[1] * normal[1];
-                    let along = velocity[0] * normal[1] - velocity[1] * normal[0];
-                    set.add(zero - pressure * outwards, &mut catching[half], chunk);
-                    set.add(zero - shear * along, &mut sliding[half], chunk);
-                }
+                let double_mean = [before[0] + after[0], before[1] + after[1]];
+                let outwards = double_mean[0] * normal[0] + double_mean[1] * normal[1];
+                let along = double_mean[0] * normal[1] - double_mean[1] * normal[0];
+                set.add(zero - pressure * outwards, &mut catching, chunk);
+                set.add(zero - shear * along, &mut sliding, chunk);
             }
         }
-        let energy = |lanes: [Lane; 2]| lanes.map(|lane| 0.5 * constants.dt * sum(&lane));
+        let energy = |lane: Lane| 0.5 * constants.dt * sum(&lane);
         Contact { normal_force: sum(&total), catching: energy(catching), sliding: energy(sliding) }
     }
 

@@ -43,7 +43,7 @@ impl Default for Digest {
     }
 }
 
-#[cfg(all(test, not(feature = "single")))]
+#[cfg(test)]
 mod tests {
     use super::*;
 

@@ -283,9 +283,10 @@ fn patch_pressure<S: Instructions>(
 ) -> S::Vector {
     let [a, b] = &block.constants.triangle;
     let [j, k] = [kinematics[0].jacobian, kinematics[1].jacobian];
-    let (zero, one) = (set.splat(0.0), set.splat(1.0));
+    // What is next to nothing counts as inverted: roots want a normal number.
+    let (least, one) = (set.splat(Real::MIN_POSITIVE), set.splat(1.0));
     let inverted = set.load(&energy.inverted, chunk);
-    let inverted = j.if_greater(zero, k.if_greater(zero, inverted, one), one);
+    let inverted = j.if_greater(least, k.if_greater(least, inverted, one), one);
     set.store(inverted, &mut energy.inverted, chunk);
     let mean = (set.load(&a.patch_weight, chunk) * (j - one) + set.load(&b.patch_weight, chunk) * (k - one)).plus(1.0);
     let density = block.laws.volumetric.strain_energy_density(set, mean);

@@ -1,8 +1,14 @@
 //! The energy ledger: where the impactor's energy is, term by term, and what the sum leaves unexplained.
 //!
-//! Kinetic energy is 1/2 m v(n-1/2) v(n+1/2), for which the central difference scheme balances exactly against the
-//! trapezoidal work of the nodal forces. Elastic and spring energy are evaluated from their potentials, viscous work and
-//! slip from the stresses, so the residual compares the laws with the forces that they gave.
+//! All terms belong to the end of the last step, as position and velocity of the impactor do. Its forces have then given
+//! their whole impulse: kinetic energies are 1/2 m v^2 with the velocities after it, and against them balances exactly what
+//! each force does over its impulse, F dt (v(n-1/2) + v(n+1/2)) / 2. Gravity works over the way of the impactor, whose
+//! velocity holds it to the end of the step.
+//!
+//! Elastic and spring energy are evaluated from their potentials, viscous work and slip from the stresses, so the residual
+//! compares the laws with the forces that they gave. They are known where the stresses were, at the positions before the
+//! step, and are carried on by half of their last change: with the other half of the impulse to come, that is where the
+//! impulse leaves them. What is dissipated never falls by that.
 //!
 //! The work on the viscous overstress is one term of the sum and stays whole: what of it is dissipated and what the
 //! branches could still give back is not told apart. For additive terms it could be, with H : H / (4 G) in the spring of
@@ -14,16 +20,18 @@
 
 use crate::element::ElementEnergy;
 use crate::face::Contact;
-use crate::impactor::{Prediction, StepInput};
+use crate::impactor::{ImpactorState, Prediction};
+use crate::input::StepInput;
 use crate::lanes::sum;
+use crate::math;
 use crate::model::Model;
 use crate::real::Real;
 use crate::scenario::Motion;
 
 /// Numbers of a [`Ledger`] in a snapshot.
-pub(crate) const LEDGER_WORDS: usize = 13;
+pub(crate) const LEDGER_WORDS: usize = 16;
 
-/// Energies of the whole anvil and impactor at the time of the last completed step's forces, J.
+/// Energies of the whole anvil and impactor at the end of the last step, J.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ledger {
     /// Kinetic energy of a falling impactor.
@@ -47,8 +55,20 @@ pub struct Ledger {
     /// Energy brought in: kinetic energy at the start, work of gravity and of the external force, or the work of the
     /// drive.
     pub external: Real,
-    /// The halves of this step's works that belong to the time after its forces: friction, contact, external.
-    pending: [Real; 3],
+    /// What the last step knew at its forces.
+    pub(crate) at_forces: AtForces,
+}
+
+/// Energies at the positions before a step, J.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct AtForces {
+    /// Of the layer, 1/2 m v(n-1/2) v(n+1/2), which a mode above its stability limit brings below zero.
+    pub kinetic: Real,
+    elastic: Real,
+    viscous: Real,
+    slider_stored: Real,
+    slider_dissipation: Real,
+    tear: Real,
 }
 
 impl Ledger {
@@ -64,7 +84,14 @@ impl Ledger {
         friction: 0.0,
         contact: 0.0,
         external: 0.0,
-        pending: [0.0; 3],
+        at_forces: AtForces {
+            kinetic: 0.0,
+            elastic: 0.0,
+            viscous: 0.0,
+            slider_stored: 0.0,
+            slider_dissipation: 0.0,
+            tear: 0.0,
+        },
     };
 
     /// The start of the drop.
@@ -93,7 +120,7 @@ impl Ledger {
 
     /// Every number, for snapshots.
     pub(crate) fn words_mut(&mut self) -> [&mut Real; LEDGER_WORDS] {
-        let [friction, contact, external] = &mut self.pending;
+        let AtForces { kinetic, elastic, viscous, slider_stored, slider_dissipation, tear } = &mut self.at_forces;
         [
             &mut self.impactor_kinetic,
             &mut self.layer_kinetic,
@@ -105,9 +132,12 @@ impl Ledger {
             &mut self.friction,
             &mut self.contact,
             &mut self.external,
-            friction,
-            contact,
-            external,
+            kinetic,
+            elastic,
+            viscous,
+            slider_stored,
+            slider_dissipation,
+            tear,
         ]
     }
 }
@@ -117,9 +147,12 @@ pub(crate) struct StepWork<'w> {
     pub element: &'w ElementEnergy,
     pub face: &'w Contact,
     pub core: &'w Contact,
-    pub layer_kinetic: Real,
+    /// Kinetic energy of the layer at the forces, from the velocities on both sides, and after their impulse, J.
+    pub layer_kinetic: [Real; 2],
     /// Velocity of the impactor before and after the forces, m/s.
     pub impactor_velocity: [Real; 2],
+    /// The impactor at the end of the step.
+    pub impactor: &'w ImpactorState,
     pub prediction: &'w Prediction,
     pub input: &'w StepInput,
 }
@@ -128,40 +161,46 @@ impl Ledger {
     /// Books one step.
     pub(crate) fn book(&mut self, model: &Model, work: &StepWork) {
         let factor = model.constants.section_factor;
-        let element = work.element;
-        self.layer_kinetic = factor * work.layer_kinetic;
-        self.elastic = factor * sum(&element.elastic);
-        self.slider_stored = factor * sum(&element.slider_stored);
-        self.viscous += factor * sum(&element.viscous_increment);
-        self.slider_dissipation += factor * sum(&element.slider_increment);
-        self.tear += factor * sum(&element.tear_increment);
-        let (friction, contact) = (halves(work, |c| c.sliding), halves(work, |c| c.catching));
-        let external = external_work(model, work);
-        let [pending_friction, pending_contact, pending_external] = self.pending;
-        self.friction += pending_friction + factor * friction[0];
-        self.contact += pending_contact + factor * contact[0];
-        self.external += pending_external + external[0];
-        self.pending = [factor * friction[1], factor * contact[1], external[1]];
+        let (element, before) = (work.element, self.at_forces);
+        let now = AtForces {
+            kinetic: factor * work.layer_kinetic[0],
+            elastic: factor * sum(&element.elastic),
+            viscous: before.viscous + factor * sum(&element.viscous_increment),
+            slider_stored: factor * sum(&element.slider_stored),
+            slider_dissipation: before.slider_dissipation + factor * sum(&element.slider_increment),
+            tear: before.tear + factor * sum(&element.tear_increment),
+        };
+        self.at_forces = now;
+        self.layer_kinetic = factor * work.layer_kinetic[1];
+        self.elastic = carried(before.elastic, now.elastic);
+        self.viscous = carried(before.viscous, now.viscous);
+        self.slider_stored = carried(before.slider_stored, now.slider_stored);
+        let slid = carried(before.slider_dissipation, now.slider_dissipation);
+        self.slider_dissipation = math::larger(self.slider_dissipation, slid);
+        self.tear = math::larger(self.tear, carried(before.tear, now.tear));
+        self.friction += factor * (work.face.sliding + work.core.sliding);
+        self.contact += factor * (work.face.catching + work.core.catching);
+        self.external += external_work(model, work);
         if work.prediction.free {
-            let [before, after] = work.impactor_velocity;
-            self.impactor_kinetic = 0.5 * model.constants.scenario.impactor.mass * before * after;
+            let velocity = work.impactor.velocity;
+            self.impactor_kinetic = 0.5 * model.constants.scenario.impactor.mass * velocity * velocity;
         }
     }
 }
 
-/// A pair of half-step works, at the face and the core together.
-fn halves(work: &StepWork, which: fn(&Contact) -> [Real; 2]) -> [Real; 2] {
-    let (face, core) = (which(work.face), which(work.core));
-    [face[0] + core[0], face[1] + core[1]]
+/// An energy half a step after its forces. One that was not there before is what a state starts with, and has no rate yet.
+fn carried(before: Real, now: Real) -> Real {
+    if before == 0.0 { now } else { now + 0.5 * (now - before) }
 }
 
-/// Work of the forces from outside in the half steps before and after, J.
-fn external_work(model: &Model, work: &StepWork) -> [Real; 2] {
-    let impactor = &model.constants.scenario.impactor;
-    let force = if work.prediction.free {
-        work.input.external_force - impactor.mass * impactor.gravity
+/// Work from outside in one step, J.
+fn external_work(model: &Model, work: &StepWork) -> Real {
+    let (constants, [before, after]) = (model.constants, work.impactor_velocity);
+    let over_impulse = |force: Real| force * (0.5 * constants.dt * (before + after));
+    if work.prediction.free {
+        let impactor = &constants.scenario.impactor;
+        over_impulse(work.input.external_force) - impactor.mass * impactor.gravity * (constants.dt * after)
     } else {
-        -model.constants.section_factor * work.face.normal_force
-    };
-    work.impactor_velocity.map(|velocity| 0.5 * model.constants.dt * force * velocity)
+        over_impulse(-constants.section_factor * work.face.normal_force)
+    }
 }

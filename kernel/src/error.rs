@@ -229,20 +229,39 @@ pub enum ModelError {
         /// Index of the triangle.
         element: u32,
     },
-    /// The memory given is smaller than [`crate::storage::Size`] says.
-    Memory {
-        /// What the memory is for.
-        what: &'static str,
-        /// Items given.
-        given: usize,
-        /// Items needed.
-        needed: usize,
-    },
+    /// There is too little memory.
+    Memory(MemoryError),
 }
+
+/// The memory given is smaller than [`crate::storage::Size`] says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct MemoryError {
+    /// What the memory is for.
+    pub what: &'static str,
+    /// Items given.
+    pub given: usize,
+    /// Items needed.
+    pub needed: usize,
+}
+
+impl fmt::Display for MemoryError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { what, given, needed } = self;
+        write!(f, "memory for {what} holds {given} items: legal is at least {needed}")
+    }
+}
+
+impl core::error::Error for MemoryError {}
 
 impl From<ScenarioError> for ModelError {
     fn from(error: ScenarioError) -> Self {
         Self::Scenario(error)
+    }
+}
+
+impl From<MemoryError> for ModelError {
+    fn from(error: MemoryError) -> Self {
+        Self::Memory(error)
     }
 }
 
@@ -267,17 +286,15 @@ impl fmt::Display for ModelError {
             Self::NoArea { element } => {
                 write!(f, "element {element} has no area: legal are corners in counter-clockwise order")
             }
-            Self::Memory { what, given, needed } => {
-                write!(f, "memory for {what} holds {given} items: legal is at least {needed}")
-            }
+            Self::Memory(error) => error.fmt(f),
         }
     }
 }
 
 impl core::error::Error for ModelError {}
 
-/// Why a step could not be completed. The state stays as the failing step left it; every further step gives the
-/// same error until the state is reset or restored.
+/// Why a step could not be completed. But for an input or a memory that is refused, the state stays as the failing step
+/// left it, and every further step gives the same error until the state is reset or restored.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum StepError {
     /// A triangle turned inside out, or its shape is not finite.
@@ -298,13 +315,21 @@ pub enum StepError {
         /// The fixed step, s.
         step: Real,
     },
-    /// The input of a step (driven position, m, or external force, N) is not a finite number.
+    /// An input is not legal. No step is made, and the state is as before.
     Input {
-        /// The refused value.
-        value: Real,
+        /// The input, its refused value and what is legal.
+        error: ParameterError,
         /// Simulated time, s.
         time: Real,
     },
+    /// There is too little memory for the state. No step is made.
+    Memory(MemoryError),
+}
+
+impl From<MemoryError> for StepError {
+    fn from(error: MemoryError) -> Self {
+        Self::Memory(error)
+    }
 }
 
 impl fmt::Display for StepError {
@@ -323,10 +348,8 @@ impl fmt::Display for StepError {
                      time.design_compression)"
                 )
             }
-            Self::Input { value, time } => {
-                let (value, time) = (Decimal(*value), Decimal(*time));
-                write!(f, "input {value} at {time} s is refused: legal is a finite number")
-            }
+            Self::Input { error, time } => write!(f, "{error} (input at {} s)", Decimal(*time)),
+            Self::Memory(error) => error.fmt(f),
         }
     }
 }

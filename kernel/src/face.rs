@@ -24,10 +24,10 @@ const PASSES: usize = 4;
 pub(crate) struct Contact {
     /// Sum of the normal forces, N.
     pub normal_force: Real,
-    /// Energy lost in catching nodes, in the half step before and the half step after the forces, J.
-    pub catching: [Real; 2],
+    /// Energy lost in catching nodes, over the impulse of the forces, J.
+    pub catching: Real,
     /// Energy lost in sliding, likewise, J.
-    pub sliding: [Real; 2],
+    pub sliding: Real,
 }
 
 /// Adds the contact forces to the forces of the surface nodes and returns what they did.
@@ -144,13 +144,13 @@ impl<'s> Surface<'s> {
         sum(&total)
     }
 
-    /// Friction. Returns the energy that the normal forces take in the half steps before and after, J, then that of
-    /// friction; the face has the velocities `face`, m/s.
+    /// Friction. Returns the energy that the normal forces take over their impulse, J, then that of friction; before and
+    /// after it the face has the velocities `face`, m/s.
     #[inline(always)]
-    fn slide<S: Instructions>(&mut self, set: S, constants: &Constants, face: [Real; 2]) -> [[Real; 2]; 2] {
+    fn slide<S: Instructions>(&mut self, set: S, constants: &Constants, face: [Real; 2]) -> [Real; 2] {
         let (dt, coefficient) = (constants.dt, constants.scenario.face.friction_coefficient);
-        let inverse_dt = 1.0 / dt;
-        let (zero, mut catching, mut sliding) = (set.splat(0.0), [ZERO; 2], [ZERO; 2]);
+        let (inverse_dt, face) = (1.0 / dt, face[0] + face[1]);
+        let (zero, mut catching, mut sliding) = (set.splat(0.0), ZERO, ZERO);
         for i in 0..self.normal.len() {
             for chunk in 0..LANES / S::WIDTH {
                 let (normal, mass) = (set.load(&self.normal[i], chunk), set.load(&self.mass[i], chunk));
@@ -167,14 +167,11 @@ impl<'s> Surface<'s> {
                 let after_x = x + (inverse_mass * force).times(dt);
                 let acceleration = set.load(&self.inverse_mass[1][i], chunk) * set.load(&self.force[1][i], chunk);
                 let after_y = y + acceleration.times(dt);
-                set.add(normal * y.plus(-face[0]), &mut catching[0], chunk);
-                set.add(normal * after_y.plus(-face[1]), &mut catching[1], chunk);
-                set.add(zero - friction * x, &mut sliding[0], chunk);
-                set.add(zero - friction * after_x, &mut sliding[1], chunk);
+                set.add(normal * (y + after_y).plus(-face), &mut catching, chunk);
+                set.add(zero - friction * (x + after_x), &mut sliding, chunk);
             }
         }
-        let energy = |lanes: [Lane; 2]| lanes.map(|lane| 0.5 * dt * sum(&lane));
-        [energy(catching), energy(sliding)]
+        [0.5 * dt * sum(&catching), 0.5 * dt * sum(&sliding)]
     }
 }
 

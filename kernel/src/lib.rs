@@ -7,7 +7,7 @@
 //! 2. [`model`] is everything that does not change ([`mesh`], element constants, masses, [`time_step`]), [`state`]
 //!    everything that does; both live in memory that the caller lends ([`storage`]).
 //! 3. [`step()`] is the algorithm: internal forces ([`element`], [`material`]), the core ([`core_contact`]), the
-//!    face ([`face`]), motion ([`impactor`], [`prescribed`]), the books ([`energy`], [`measurement`], [`cfc`]).
+//!    face ([`face`]), motion ([`input`], [`impactor`], [`prescribed`]), the books ([`energy`], [`measurement`], [`cfc`]).
 //! 4. [`output`] and [`field`] are the tables of what can be read ([`stress`], [`surface`]); [`snapshot`] saves and
 //!    restores a state, [`digest`] fingerprints it.
 //! 5. [`lanes`], [`stretch`], [`math`] and [`power`] are the ground: data in lanes, and mathematics with a fixed sequence
@@ -44,6 +44,7 @@ pub mod error;
 pub mod face;
 pub mod field;
 pub mod impactor;
+pub mod input;
 pub mod instruction_set;
 pub mod kinematics;
 pub mod lanes;
@@ -76,9 +77,9 @@ pub mod time_step;
 pub(crate) mod trial;
 pub mod vector;
 
-pub use error::{ModelError, NoEffect, ParameterError, ScenarioError, SnapshotError, StepError};
+pub use error::{MemoryError, ModelError, NoEffect, ParameterError, ScenarioError, SnapshotError, StepError};
 pub use field::{FIELDS, Field};
-pub use impactor::StepInput;
+pub use input::{DrivenPath, INPUTS, StepInput};
 pub use instruction_set::InstructionSet;
 pub use model::{Constants, Model};
 pub use output::{OUTPUTS, Output};
@@ -89,5 +90,5 @@ pub use scenario::Scenario;
 pub use simulation::Simulation;
 pub use state::{Scalars, State};
 pub use state_view::{StateContent, StateView};
-pub use step::{step, step_with};
+pub use step::{step, step_along, step_with, steps};
 pub use storage::{ModelMemory, Size, StateMemory};

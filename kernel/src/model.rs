@@ -3,9 +3,10 @@
 use crate::cfc::Coefficients;
 use crate::element::{CellConstants, HoopConstants};
 use crate::material::Laws;
+use crate::math;
 use crate::mesh::Grid;
 use crate::real::{self, Real};
-use crate::sampling::{SAMPLING_INTERVAL, SAMPLING_RATE};
+use crate::sampling::SAMPLING_RATE;
 use crate::scenario::{MAX_LAYERS, Scenario, Shape};
 use crate::storage::Size;
 
@@ -22,7 +23,7 @@ pub struct Constants {
     pub dt: Real,
     /// Smallest principal stretch in the section that the step was chosen for; 1 where the step was given.
     pub design_stretch: Real,
-    /// Steps in a sampling interval; `dt` times it is [`SAMPLING_INTERVAL`].
+    /// Steps in a sampling interval; `dt` times it is [`crate::SAMPLING_INTERVAL`].
     pub steps_per_sample: u32,
     /// Channel filter of the contact force.
     pub channel: Coefficients,
@@ -32,7 +33,7 @@ pub struct Constants {
     pub section_factor: Real,
     /// Height of the undeformed anvil's top above the origin, m.
     pub top_height: Real,
-    /// Fingerprint of the scenario, which a snapshot must match.
+    /// Fingerprint of the scenario and of the positions of the nodes at rest, which a snapshot must match.
     pub fingerprint: u64,
 }
 
@@ -72,8 +73,12 @@ impl Constants {
 
     /// Steps that cover `duration` s, rounded up to whole sampling intervals.
     pub fn steps_in(&self, duration: Real) -> u64 {
-        // A duration within one part in 10^9 of a whole number of samples counts as that number.
-        let samples = crate::math::ceil(duration / SAMPLING_INTERVAL * (1.0 - real::SAME));
+        // The rate is a whole number, the interval is rounded.
+        let samples = duration * SAMPLING_RATE;
+        let nearest = math::round(samples);
+        // A duration within rounding of a whole number of samples counts as that number.
+        let is_whole = math::abs(samples - nearest) <= real::SAME_DURATION * samples;
+        let samples = if is_whole { nearest } else { math::ceil(samples) };
         samples as u64 * u64::from(self.steps_per_sample)
     }
 }

@@ -73,8 +73,13 @@ pub static OUTPUTS: &[Output] = &[
         |_, s| s.impactor.position,
         "height of the face above the undeformed anvil; negative while it presses",
     ),
-    output("impactor.velocity", "m/s", |c, s| s.impactor.velocity(c.dt), "velocity of the impactor, upwards"),
-    output("impactor.acceleration", "m/s2", |_, s| s.impactor.acceleration, "acceleration of the impactor, upwards"),
+    output("impactor.velocity", "m/s", |_, s| s.impactor.velocity, "velocity of the impactor, upwards"),
+    output(
+        "impactor.acceleration",
+        "m/s2",
+        |_, s| s.impactor.acceleration,
+        "acceleration of the impactor in the last step, upwards",
+    ),
     output(
         "impactor.deformation",
         "m",

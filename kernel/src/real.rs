@@ -8,7 +8,7 @@ pub use chosen::*;
 #[cfg(not(feature = "single"))]
 mod chosen {
     pub use core::f64::consts;
-    pub use libm::{ceil, cos, exp, log as ln, round, sin, sqrt};
+    pub use libm::{ceil, cos, exp, expm1 as exp_less_one, log as ln, round, sin, sqrt};
 
     /// A floating-point number.
     pub type Real = f64;
@@ -17,10 +17,12 @@ mod chosen {
 
     /// Relative difference that rounding may leave between two quotients that should be equal.
     pub const SAME: Real = 1e-9;
+    /// The same between a duration and a whole number of sampling intervals.
+    pub const SAME_DURATION: Real = 1e-9;
     /// Guess of x^(-1/3): this and a third of the bits from x to [`CBRT_END`]; its error is smallest around x = 1.
-    pub const INVERSE_CBRT_MAGIC: Bits = 0x3fbe_e000_0000_0000;
-    /// No guess from here on.
-    pub const CBRT_END: Real = 512.0;
+    pub const INVERSE_CBRT_MAGIC: Bits = 0x2a99_8aaa_bfd0_0000;
+    /// The bits after those of the largest number.
+    pub const CBRT_END: Bits = Real::INFINITY.to_bits();
     /// Bits of the fraction of a number, below those of its exponent.
     pub const FRACTION_BITS: u32 = 52;
     /// Largest exponent of a power of two that [`crate::power`] forms: room is left to multiply it.
@@ -84,7 +86,10 @@ mod chosen {
 #[cfg(feature = "single")]
 mod chosen {
     pub use core::f32::consts;
-    pub use libm::{ceilf as ceil, cosf as cos, expf as exp, logf as ln, roundf as round, sinf as sin, sqrtf as sqrt};
+    pub use libm::{
+        ceilf as ceil, cosf as cos, expf as exp, expm1f as exp_less_one, logf as ln, roundf as round, sinf as sin,
+        sqrtf as sqrt,
+    };
 
     /// A floating-point number.
     pub type Real = f32;
@@ -93,10 +98,13 @@ mod chosen {
 
     /// Relative difference that rounding may leave between two quotients that should be equal.
     pub const SAME: Real = 1e-6;
+    /// The same between a duration and a whole number of sampling intervals, of which a minute has a million: the last digit
+    /// of the duration and that of a product, and no more, or a sample would be lost.
+    pub const SAME_DURATION: Real = 1.5 * Real::EPSILON;
     /// Guess of x^(-1/3): this and a third of the bits from x to [`CBRT_END`]; its error is smallest around x = 1.
-    pub const INVERSE_CBRT_MAGIC: Bits = 0x3df7_9556;
-    /// No guess from here on.
-    pub const CBRT_END: Real = 512.0;
+    pub const INVERSE_CBRT_MAGIC: Bits = 0x29f7_9556;
+    /// Bits after those of every finite number.
+    pub const CBRT_END: Bits = 0x8000_0000;
     /// Bits of the fraction of a number, below those of its exponent.
     pub const FRACTION_BITS: u32 = 23;
     /// Largest exponent of a power of two that [`crate::power`] forms: room is left to multiply it.

@@ -3,14 +3,14 @@
 use alloc::vec::Vec;
 
 use crate::element::{CellConstants, CellHistory, HoopConstants};
-use crate::error::{ModelError, StepError};
-use crate::impactor::StepInput;
+use crate::error::{MemoryError, ModelError, StepError};
+use crate::input::StepInput;
 use crate::lanes::Deviator;
 use crate::model::{Constants, Model};
 use crate::real::Real;
 use crate::scenario::Scenario;
 use crate::state::{Scalars, State};
-use crate::step::step;
+use crate::step::steps;
 use crate::storage::{ModelMemory, Size, StateMemory};
 
 /// An owned simulation.
@@ -86,7 +86,7 @@ impl Simulation {
     /// # Errors
     /// Never in practice: the memory was sized for this model.
     #[inline(always)]
-    pub fn with<R>(&mut self, work: impl FnOnce(&Model, &mut State) -> R) -> Result<R, ModelError> {
+    pub fn with<R>(&mut self, work: impl FnOnce(&Model, &mut State) -> R) -> Result<R, MemoryError> {
         let model = Model::view(&self.constants, &self.model_nodes, &self.model_cells, &self.model_hoops);
         let memory = StateMemory {
             scalars: &mut self.scalars,
@@ -97,18 +97,21 @@ impl Simulation {
         Ok(work(&model, &mut State::view(&model, memory)?))
     }
 
-    /// Makes `n` steps with the same input.
+    /// Makes `n` steps. The external force is held; a driven face is where the input says, and moves as it says, at the end of
+    /// the last of them.
     ///
     /// # Errors
-    /// What [`step`] refuses; the steps before it stay done.
+    /// As [`steps`]; the steps before a failure stay done.
     pub fn step(&mut self, n: u64, input: &StepInput) -> Result<(), StepError> {
-        self.with(|model, state| (0..n).try_for_each(|_| step(model, state, input)))
-            .unwrap_or(Err(StepError::Input { value: Real::NAN, time: 0.0 }))
+        self.with(|model, state| steps(model, state, n, input))?
     }
 
     /// Back to the start of the drop.
-    pub fn reset(&mut self) {
-        let _ = self.with(|model, state| state.reset(model));
+    ///
+    /// # Errors
+    /// As [`Simulation::with`].
+    pub fn reset(&mut self) -> Result<(), MemoryError> {
+        self.with(|model, state| state.reset(model))
     }
 }
 
@@ -118,7 +121,7 @@ impl Simulation {
 /// The heap has no room for them.
 fn filled<T: Copy>(value: T, n: usize, what: &'static str) -> Result<Vec<T>, ModelError> {
     let mut items = Vec::new();
-    items.try_reserve_exact(n).map_err(|_| ModelError::Memory { what, given: 0, needed: n })?;
+    items.try_reserve_exact(n).map_err(|_| MemoryError { what, given: 0, needed: n })?;
     items.resize(n, value);
     Ok(items)
 }

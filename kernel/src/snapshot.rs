@@ -1,6 +1,6 @@
 //! Saving and restoring a state as bytes that mean the same on every target.
 //!
-//! Format: little-endian 64-bit words. Header: magic, format version, fingerprint of the scenario, number of words that
+//! Format: little-endian 64-bit words. Header: magic, format version, fingerprint of the model, number of words that
 //! follow before the checksum; then the scalars and the arrays in the order of [`visit`]; last the FNV-1a digest of
 //! everything before it. Equal states give equal bytes. A number of single precision is a word whose upper half is zero;
 //! the fingerprints of the two precisions differ, so neither takes over a state of the other.
@@ -18,7 +18,7 @@ use crate::state_view::StateView;
 /// "SOFTANVL" in ASCII, least significant byte first.
 const MAGIC: u64 = u64::from_le_bytes(*b"SOFTANVL");
 /// Changes with the format.
-const VERSION: u64 = 5;
+const VERSION: u64 = 6;
 const HEADER_WORDS: usize = 4;
 const CHECKSUM_WORDS: usize = 1;
 /// Words of the scalars that are whole numbers.
@@ -26,7 +26,7 @@ const COUNTERS: usize = 7;
 /// Most steps that a state may have behind it: far from overflow, and every count is exact as a float of double
 /// precision.
 const MOST_STEPS: u64 = 1 << 53;
-const SCALAR_WORDS: usize = COUNTERS + 20 + LEDGER_WORDS;
+const SCALAR_WORDS: usize = COUNTERS + 21 + LEDGER_WORDS;
 /// Lanes per triangle: stretch, elastic stress, slider stress, largest stretch, stored energy.
 const HISTORY_LANES: usize = 4 + 3 + 3 + 1 + 1;
 
@@ -45,27 +45,27 @@ fn payload_words(constants: &Constants) -> usize {
 /// # Errors
 /// A wrong length, or a state that has failed. Nothing is written then.
 pub fn save(model: &Model, state: &State, bytes: &mut [u8]) -> Result<(), SnapshotError> {
-    save_view(model, &state.as_view(), bytes)
+    check_length(model, bytes.len())?;
+    let (words, _) = bytes.as_chunks_mut::<8>();
+    let mut words = words.iter_mut();
+    write_words(model, &state.as_view(), &mut |word| {
+        if let Some(chunk) = words.next() {
+            *chunk = word.to_le_bytes();
+        }
+    })
 }
 
-/// As [`save`], of a state that others may read at the same time.
+/// Hands a snapshot of `state` to `put`, word by word, for memory that is no slice of bytes, and of a state that others may
+/// read at the same time. The words make [`snapshot_size`] bytes, each with its least significant byte first.
 ///
 /// # Errors
-/// As [`save`].
-pub fn save_view(model: &Model, state: &StateView, bytes: &mut [u8]) -> Result<(), SnapshotError> {
-    check_length(model, bytes.len())?;
+/// A state that has failed. Nothing is handed out then.
+pub fn write_words(model: &Model, state: &StateView, put: &mut dyn FnMut(u64)) -> Result<(), SnapshotError> {
     if state.scalars.failure.is_some() {
         return Err(SnapshotError::Failed);
     }
     let payload = payload_words(model.constants) as u64;
     let mut digest = Digest::new();
-    let (words, _) = bytes.as_chunks_mut::<8>();
-    let mut words = words.iter_mut();
-    let mut put = |word: u64| {
-        if let Some(chunk) = words.next() {
-            *chunk = word.to_le_bytes();
-        }
-    };
     let mut put_and_digest = |word: u64| {
         digest.word(word);
         put(word);
@@ -209,6 +209,7 @@ fn visit_scalars(scalars: &mut Scalars, f: &mut dyn FnMut(&mut u64)) {
     let [[x_1, x_2], [y_1, y_2]] = [&mut sampler.filter.x, &mut sampler.filter.y];
     let numbers = [
         &mut impactor.position,
+        &mut impactor.velocity,
         &mut impactor.velocity_half,
         &mut impactor.acceleration,
         &mut force.contact,

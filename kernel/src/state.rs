@@ -2,7 +2,7 @@
 
 use crate::element::{CellHistory, Corners};
 use crate::energy::Ledger;
-use crate::error::{ModelError, StepError};
+use crate::error::{MemoryError, StepError};
 use crate::impactor::ImpactorState;
 use crate::lanes::{Deviator, LANES, Lane};
 use crate::measurement::{Metrics, Sampler};
@@ -76,7 +76,7 @@ impl<'a> State<'a> {
     ///
     /// # Errors
     /// Too little memory.
-    pub fn new(model: &Model, memory: StateMemory<'a>) -> Result<Self, ModelError> {
+    pub fn new(model: &Model, memory: StateMemory<'a>) -> Result<Self, MemoryError> {
         let mut state = Self::view(model, memory)?;
         state.reset(model);
         Ok(state)
@@ -88,7 +88,7 @@ impl<'a> State<'a> {
     /// Too little memory.
     // Of every call on a simulation: not inlined, the state would be written twice.
     #[inline(always)]
-    pub fn view(model: &Model, memory: StateMemory<'a>) -> Result<Self, ModelError> {
+    pub fn view(model: &Model, memory: StateMemory<'a>) -> Result<Self, MemoryError> {
         let size = &model.constants.size;
         let grid = &model.constants.grid;
         let given = memory.nodes.len();
@@ -96,7 +96,7 @@ impl<'a> State<'a> {
         let nodes = StateNodes::cut(nodes, grid.n_node(), grid.stride());
         Ok(Self {
             scalars: memory.scalars,
-            nodes: nodes.ok_or(ModelError::Memory { what: "state nodes", given, needed: size.state_nodes })?,
+            nodes: nodes.ok_or(MemoryError { what: "state nodes", given, needed: size.state_nodes })?,
             cells: take(memory.cells, size.state_cells, "state cells")?,
             viscous: take(memory.viscous, size.state_viscous, "state viscous history")?,
         })
@@ -268,7 +268,7 @@ impl Scalars {
     /// Of no state yet, for memory that is to be lent to one.
     pub const BLANK: Self = Self {
         step_index: 0,
-        impactor: ImpactorState { position: 0.0, velocity_half: 0.0, acceleration: 0.0 },
+        impactor: ImpactorState::BLANK,
         force: Forces { contact: 0.0, core_reaction: 0.0 },
         contact_half_width: 0.0,
         sampler: Sampler::START,

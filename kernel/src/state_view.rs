@@ -1,7 +1,7 @@
 //! [`StateView`]: a state that is only read, over memory that others may read at the same time.
 
 use crate::element::CellHistory;
-use crate::error::ModelError;
+use crate::error::MemoryError;
 use crate::lanes::Deviator;
 use crate::model::Model;
 use crate::real::Real;
@@ -34,7 +34,7 @@ impl<'a> StateView<'a> {
     ///
     /// # Errors
     /// Too little memory.
-    pub fn new(model: &Model, scalars: &'a Scalars, content: StateContent<'a>) -> Result<Self, ModelError> {
+    pub fn new(model: &Model, scalars: &'a Scalars, content: StateContent<'a>) -> Result<Self, MemoryError> {
         let (size, grid) = (&model.constants.size, &model.constants.grid);
         let mut nodes = content.nodes;
         let (n, surface) = (grid.n_node(), grid.stride());
@@ -46,7 +46,7 @@ impl<'a> StateView<'a> {
             }
             None => {
                 let given = content.nodes.len();
-                short = Some(ModelError::Memory { what: "state nodes", given, needed: size.state_nodes });
+                short = Some(MemoryError { what: "state nodes", given, needed: size.state_nodes });
                 &[]
             }
         });

@@ -7,7 +7,7 @@ use crate::element::{self, Block, CellHistory, Corners, ElementEnergy};
 use crate::energy::StepWork;
 use crate::error::StepError;
 use crate::face::{self, Contact};
-use crate::impactor::StepInput;
+use crate::input::{DrivenPath, StepInput};
 use crate::instruction_set::{InstructionSet, Work};
 use crate::lanes::{Deviator, LANES, Lane, ZERO, sum};
 use crate::model::Model;
@@ -23,8 +23,8 @@ use crate::vector::{Instructions, Scalar, Vector};
 /// The work is the same in every step: no iteration depends on the data.
 ///
 /// # Errors
-/// An inverted triangle, a step above the current stability limit, or an input that is not finite. The same error comes
-/// back until the state is reset or restored.
+/// An inverted triangle, or a step above the current stability limit; the same error comes back until the state is reset
+/// or restored. An input that is not legal, which changes nothing.
 pub fn step(model: &Model, state: &mut State, input: &StepInput) -> Result<(), StepError> {
     step_with(InstructionSet::best(), model, state, input)
 }
@@ -37,7 +37,34 @@ pub fn step_with(set: InstructionSet, model: &Model, state: &mut State, input: &
     if let Some(failure) = state.scalars.failure {
         return Err(failure);
     }
-    input.check(state.time(model))?;
+    input.check(model.constants, state.time(model))?;
+    recorded(set, model, state, input)
+}
+
+/// A step on a path whose input has been checked.
+///
+/// # Errors
+/// As [`step`].
+pub fn step_along(model: &Model, state: &mut State, path: &DrivenPath, number: u64) -> Result<(), StepError> {
+    if let Some(failure) = state.scalars.failure {
+        return Err(failure);
+    }
+    recorded(InstructionSet::best(), model, state, &path.input(number))
+}
+
+/// `count` steps, at whose end a driven face is where `input` says, and moves as it says.
+///
+/// # Errors
+/// As [`step`]; the steps before a failure stay done.
+pub fn steps(model: &Model, state: &mut State, count: u64, input: &StepInput) -> Result<(), StepError> {
+    input.check(model.constants, state.time(model))?;
+    let path = DrivenPath::new(model.constants, &state.scalars.impactor, input, count as Real);
+    (1..=count).try_for_each(|number| step_along(model, state, &path, number))
+}
+
+/// One step, whose failure every further one gives.
+#[inline(always)]
+fn recorded(set: InstructionSet, model: &Model, state: &mut State, input: &StepInput) -> Result<(), StepError> {
     match advance_once(set, model, state, input) {
         Ok(()) => Ok(()),
         Err(failure) => {
@@ -86,13 +113,14 @@ fn advance<S: Instructions>(set: S, model: &Model, state: &mut State, input: &St
     let face = face::contact(set, model, state, &prediction);
     state.scalars.contact_half_width = surface::contact_half_width(model, &state.as_view());
     let layer_kinetic = move_nodes(set, model, state);
-    stability::guard(model, state, model.constants.section_factor * layer_kinetic)?;
+    stability::guard(model, state, model.constants.section_factor * layer_kinetic[0])?;
     let work = StepWork {
         element: &energy,
         face: &face,
         core: &core,
         layer_kinetic,
         impactor_velocity: [before, state.scalars.impactor.velocity_half],
+        impactor: &state.scalars.impactor,
         prediction: &prediction,
         input,
     };
@@ -176,21 +204,23 @@ fn first_inverted(model: &Model, state: &State) -> StepError {
             let (t, l) = (i / LANES, i % LANES);
             let corners = state.corners(Scalar, l, grid, block);
             let jacobian = element::cell_kinematics(Scalar, l, &block_of, &corners)[t].jacobian;
-            if jacobian > 0.0 { None } else { Some(grid.element_index(block, l, t)) }
+            if jacobian > Real::MIN_POSITIVE { None } else { Some(grid.element_index(block, l, t)) }
         })
     });
     StepError::Inverted { element: found.unwrap_or_default(), time: model.constants.time(state.scalars.step_index) }
 }
 
-/// Moves the nodes under their forces; returns the kinetic energy of the section.
+/// Moves the nodes under their forces; returns the kinetic energy of the section at the forces, from the velocities on both
+/// sides, and after their impulse.
 #[inline(always)]
-fn move_nodes<S: Instructions>(set: S, model: &Model, state: &mut State) -> Real {
+fn move_nodes<S: Instructions>(set: S, model: &Model, state: &mut State) -> [Real; 2] {
     let dt = model.constants.dt;
     let (fixed, nodes) = (&model.nodes, &mut state.nodes);
     let masses = [fixed.nodal_mass, fixed.inverse_mass_x];
     let along_x = move_along(set, dt, masses, nodes.force_x, nodes.velocity_x, nodes.displacement_x);
     let masses = [fixed.nodal_mass, fixed.inverse_mass_y];
-    along_x + move_along(set, dt, masses, nodes.force_y, nodes.velocity_y, nodes.displacement_y)
+    let along_y = move_along(set, dt, masses, nodes.force_y, nodes.velocity_y, nodes.displacement_y);
+    [along_x[0] + along_y[0], along_x[1] + along_y[1]]
 }
 
 #[inline(always)]
@@ -201,8 +231,8 @@ fn move_along<S: Instructions>(
     force: &[Real],
     velocity: &mut [Real],
     displacement: &mut [Real],
-) -> Real {
-    let mut double_kinetic = ZERO;
+) -> [Real; 2] {
+    let mut double_kinetic = [ZERO; 2];
     let fixed = mass.as_chunks().0.iter().zip(inverse_mass.as_chunks().0).zip(force.as_chunks().0);
     let moving = velocity.as_chunks_mut().0.iter_mut().zip(displacement.as_chunks_mut().0);
     for (((mass, inverse_mass), force), (velocity, displacement)) in fixed.zip(moving) {
@@ -211,10 +241,12 @@ fn move_along<S: Instructions>(
             let after = before + (set.load(inverse_mass, chunk) * set.load(force, chunk)).times(dt);
             set.store(after, velocity, chunk);
             set.store(set.load(displacement, chunk) + after.times(dt), displacement, chunk);
-            set.add(set.load(mass, chunk) * (before * after), &mut double_kinetic, chunk);
+            let momentum = set.load(mass, chunk) * after;
+            set.add(momentum * before, &mut double_kinetic[0], chunk);
+            set.add(momentum * after, &mut double_kinetic[1], chunk);
         }
     }
-    0.5 * sum(&double_kinetic)
+    double_kinetic.map(|lane| 0.5 * sum(&lane))
 }
 
 /// Records the forces of the step and what the laboratory would read.

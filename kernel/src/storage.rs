@@ -1,7 +1,7 @@
 //! Sizes of the memory that the caller lends to a model and a state, known before anything is built.
 
 use crate::element::{CellConstants, CellHistory, HoopConstants};
-use crate::error::ModelError;
+use crate::error::{MemoryError, ModelError};
 use crate::lanes::Deviator;
 use crate::mesh::Grid;
 use crate::model::Constants;
@@ -108,9 +108,9 @@ impl StateMemory<'_> {
 
 /// The first `needed` items of `memory`.
 #[inline(always)]
-pub(crate) fn take<'a, T>(memory: &'a mut [T], needed: usize, what: &'static str) -> Result<&'a mut [T], ModelError> {
+pub(crate) fn take<'a, T>(memory: &'a mut [T], needed: usize, what: &'static str) -> Result<&'a mut [T], MemoryError> {
     let given = memory.len();
-    memory.get_mut(..needed).ok_or(ModelError::Memory { what, given, needed })
+    memory.get_mut(..needed).ok_or(MemoryError { what, given, needed })
 }
 
 /// Splits `n` numbers off the front of `memory`; none if it is too short, which [`take`] has excluded.

@@ -6,7 +6,7 @@
 //! the safety factor it gives the step. Where the ratio is small, a coarse mesh says too little of the cells that are
 //! pressed most, and the trial is repeated on the mesh itself.
 
-use crate::assembly::assemble;
+use crate::assembly::{assemble, fingerprint};
 use crate::error::ModelError;
 use crate::math;
 use crate::mesh::{Grid, reference_position};
@@ -57,6 +57,7 @@ pub(crate) fn with_chosen_step(
     };
     let count = steps_per_sample(step)?;
     constants.set_step(SAMPLING_INTERVAL / count as Real, count);
+    constants.fingerprint = fingerprint(scenario, &grid, arrays.nodes);
     constants.design_stretch = forecast.map_or(1.0, |forecast| forecast.stretch);
     Ok(constants)
 }

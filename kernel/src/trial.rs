@@ -6,7 +6,7 @@
 
 use crate::assembly::assemble;
 use crate::error::{ModelError, StepError};
-use crate::impactor::StepInput;
+use crate::input::StepInput;
 use crate::instruction_set::InstructionSet;
 use crate::math;
 use crate::mesh::Grid;
@@ -137,7 +137,7 @@ fn stride(model: &Model, state: &State) -> usize {
 fn march(model: &Model, state: &mut State, motion: &TrialMotion, steps: usize, time: &mut Real) -> Option<StepError> {
     for _ in 0..steps {
         *time += model.constants.dt;
-        let driven_position = motion.position(*time);
+        let driven_position = Some(motion.position(*time));
         let input = StepInput { driven_position, ..StepInput::default() };
         if let Err(error) = advance_once(InstructionSet::best(), model, state, &input) {
             return Some(error);

@@ -47,7 +47,7 @@ pub trait Vector: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = 
     /// Each moved on by one place, the first from the end of `before`.
     fn moved_on(self, before: Self) -> Self;
 
-    /// [`real::INVERSE_CBRT_MAGIC`] and a third of the bits from these to those of [`real::CBRT_END`].
+    /// [`real::INVERSE_CBRT_MAGIC`] and a third of the bits from these to [`real::CBRT_END`].
     fn guess_inverse_cbrt(self) -> Self;
 
     /// An integer k near the binary logarithm of this over `other`, and 2^k. It is the difference of the bits, which are
@@ -169,7 +169,7 @@ impl Vector for Real {
 
     #[inline(always)]
     fn guess_inverse_cbrt(self) -> Self {
-        let left = real::CBRT_END.to_bits().wrapping_sub(self.to_bits());
+        let left = real::CBRT_END.wrapping_sub(self.to_bits());
         Self::from_bits(real::INVERSE_CBRT_MAGIC.wrapping_add(real::third(left)))
     }
 

@@ -4,7 +4,7 @@ use softanvil_kernel::element::{CellConstants, CellHistory, HoopConstants};
 use softanvil_kernel::lanes::Deviator;
 use softanvil_kernel::scenario::StepBy;
 use softanvil_kernel::{
-    Model, ModelMemory, SAMPLING_INTERVAL, Scalars, Scenario, Size, State, StateMemory, StepInput, step,
+    Model, ModelError, ModelMemory, SAMPLING_INTERVAL, Scalars, Scenario, Size, State, StateMemory, StepInput, step,
 };
 
 use crate::{Error, Recorder};
@@ -55,7 +55,8 @@ impl Rig {
         let mut state = StateMemory { scalars: self.scalars.get_or_insert(Scalars::BLANK), nodes, cells, viscous };
         let model = Model::new(&scenario, memory, &mut state)?;
         self.step = model.constants.dt;
-        let mut state = if begins { State::new(&model, state)? } else { State::view(&model, state)? };
+        let state = if begins { State::new(&model, state) } else { State::view(&model, state) };
+        let mut state = state.map_err(ModelError::Memory)?;
         for _ in 0..(duration / SAMPLING_INTERVAL).ceil() as u64 {
             let before = state.scalars.impactor.deformation();
             for _ in 0..model.constants.steps_per_sample {

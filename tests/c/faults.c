@@ -371,8 +371,21 @@ static void stepping(SoftanvilSimulation *good)
     MUST(softanvil_input_default(good, &input));
     input.driven_position = (double)INFINITY;
     EXPLAIN(ILLEGAL_INPUT, softanvil_step_to_sample(good, &input, &error));
+    /* What acts has a range; what does not may be any number. */
     MUST(softanvil_input_default(good, &input));
-    input.reserved[4] = 1.0;
+    input.external_force = 1e300;
+    input.driven_position = 5.0;
+    EXPLAIN(ILLEGAL_INPUT, softanvil_step(good, 3, &input, &error));
+    softanvil_step(good, 3, &input, &error);
+    if (error.value != 1e300 || error.min != -1e6 || error.max != 1e6 || strstr(error.text, "external_force") == NULL
+        || strstr(error.text, " N ") == NULL) {
+        fail("softanvil_step", "the error does not tell input, value, unit and range");
+    }
+    input.external_force = 0.0;
+    MUST(softanvil_step(good, 3, &input, NULL));
+    memset(&error, PATTERN, sizeof error);
+    MUST(softanvil_input_default(good, &input));
+    input.reserved[3] = 1.0;
     EXPLAIN(RESERVED_SLOT, softanvil_step(good, 1, &input, &error));
     EXPLAIN(ILLEGAL_VALUE, softanvil_run(good, (double)NAN, NULL, &error));
     EXPLAIN(ILLEGAL_VALUE, softanvil_run(good, -1.0, NULL, &error));
@@ -483,6 +496,75 @@ static void times(void)
     MUST(softanvil_close(simulation));
 }
 
+/* The height of a driven face, and its velocity. */
+static double height_of(const SoftanvilSimulation *simulation, double *velocity)
+{
+    double height = 0.0;
+    MUST(softanvil_output(simulation, SOFTANVIL_OUTPUT_IMPACTOR_POSITION, &height));
+    MUST(softanvil_output(simulation, SOFTANVIL_OUTPUT_IMPACTOR_VELOCITY, velocity));
+    return height;
+}
+
+static int note_height(const SoftanvilSimulation *simulation, void *heights)
+{
+    double velocity, time;
+    MUST(softanvil_time(simulation, &time));
+    const int sample = (int)(time / 50e-6 + 0.5);
+    ((double *)heights)[sample] = height_of(simulation, &velocity);
+    return 0;
+}
+
+/* Whatever the call, a driven face is where its input says after the last step, moves there without a jump, and is told to be
+ * as fast as it is; an input that is refused makes no step and stops nothing. */
+static void driven(void)
+{
+    const SoftanvilScenario scenario = with(SOFTANVIL_PARAMETER_IMPACTOR_MOTION, SOFTANVIL_IMPACTOR_MOTION_DRIVEN);
+    SoftanvilSimulation *simulation = build(spare, &scenario);
+    SoftanvilInput input;
+    double dt, velocity, heights[8] = {0};
+    uint64_t before, after;
+    MUST(softanvil_dt(simulation, &dt));
+    MUST(softanvil_input_default(simulation, &input));
+    const double top = height_of(simulation, &velocity);
+    /* 1 m/s from the first step on, and a stop. */
+    input.driven_position = top - 7.0 * dt;
+    MUST(softanvil_step(simulation, 7, &input, NULL));
+    if (height_of(simulation, &velocity) != input.driven_position || !(fabs(velocity + 1.0) < 1e-9)) {
+        fail("softanvil_step", "not on a straight line to the end of the call");
+    }
+    MUST(softanvil_step(simulation, 5, NULL, NULL));
+    if (height_of(simulation, &velocity) != input.driven_position || velocity != 0.0) {
+        fail("softanvil_step", "without an input the face does not stay");
+    }
+    /* With a velocity: a cubic, half way at the mean of both ends and an eighth of the difference of the velocities. */
+    MUST(softanvil_reset(simulation));
+    MUST(softanvil_input_default(simulation, &input));
+    input.driven_velocity = -2.0;
+    input.driven_position = top - 200e-6;
+    MUST(softanvil_run_traced(simulation, 200e-6, &input, note_height, heights, NULL));
+    if (height_of(simulation, &velocity) != input.driven_position || velocity != -2.0
+        || !(fabs(heights[2] - (top - 100e-6 + 200e-6 * 2.0 / 8.0)) < 1e-15)) {
+        fail("softanvil_run_traced", "not along the cubic to the end of the run");
+    }
+    MUST(softanvil_step_index(simulation, &before));
+    const double bad[][2] = {{(double)NAN, 0.0}, {1.1, 0.0}, {-1e300, 0.0}, {0.0, 101.0}, {0.0, (double)-INFINITY}};
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        input.driven_position = bad[i][0];
+        input.driven_velocity = bad[i][1];
+        EXPLAIN(ILLEGAL_INPUT, softanvil_step(simulation, 2, &input, &error));
+        EXPLAIN(ILLEGAL_INPUT, softanvil_step_to_sample(simulation, &input, &error));
+        EXPLAIN(ILLEGAL_INPUT, softanvil_run(simulation, 1e-3, &input, &error));
+        EXPLAIN(ILLEGAL_INPUT, softanvil_run_until(simulation, 1e-3, &input, &error));
+        EXPLAIN(ILLEGAL_INPUT, softanvil_run_traced(simulation, 1e-3, &input, note_height, heights, &error));
+    }
+    MUST(softanvil_step_index(simulation, &after));
+    MUST(softanvil_step(simulation, 1, NULL, NULL));
+    if (before != after) {
+        fail("softanvil_step", "an input that is refused made a step");
+    }
+    MUST(softanvil_close(simulation));
+}
+
 /* A step that fails stops the simulation until it is restored. */
 static void failed_step(void)
 {
@@ -536,6 +618,7 @@ int main(void)
     stepping(simulation);
     snapshots(simulation);
     times();
+    driven();
     failed_step();
     if (trace(simulation) != undisturbed) {
         fail("trace", "refused calls have changed the simulation");

@@ -76,6 +76,10 @@ for linkage in "${linkages[@]}"; do
         "${library[@]}"
     check "build rig of faults, $linkage" "${c[@]}" "${include[@]}" "$tests/c/faults.c" -o "$work/faults-$linkage" \
         "${library[@]}"
+    check "build coupling, $linkage" "${c[@]}" "${include[@]}" "$tests/c/coupling.c" -o "$work/coupling-$linkage" \
+        "${library[@]}" -lm
+    check "mass outside, $linkage" "$work/coupling-$linkage"
+    check "a deviation is noticed, $linkage" fails "$work/coupling-$linkage" 1e-9
     check "run C rig, $linkage" trace "c-$linkage"
     check "run C++ rig, $linkage" trace "cpp-$linkage"
     check "run rig of faults, $linkage" "$work/faults-$linkage"

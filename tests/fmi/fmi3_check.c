@@ -45,7 +45,7 @@ static void load(const char *path)
 
 enum {
     TIME = 0, SHAPE = 1000, MOTION = 1100, MASS = 1101, GAP = 1103, SAFETY = 1601, N_POINTS = 1900, PUSH = 2000, HEIGHT = 2001, SPEED = 2002, FORCE = 3000,
-    FILTERED = 3003, POSITION = 3200,
+    FILTERED = 3003, POSITION = 3200, VELOCITY = 3201,
     PEAK = 3300, KERNEL_TIME = 3500, STEP = 4000, ELEMENTS = 4001, ACTIVE = 5000, HASH = 5001, PROFILE = 6001, PRESSURE = 6002, UNKNOWN = 999
 };
 
@@ -296,8 +296,8 @@ static void any_steps(const char *token)
 
 enum { N_PROFILE = 25 };
 
-/* A face that the master moves: 1 m/s downwards into the layer and up again, each command from where the last step ended,
- * also after an early return. Leaves the pressures at the lowest point in `pressure` and returns the peak force. */
+/* A face that the master moves: 1 m/s downwards into the layer and up again, with a command for the end of every step, also
+ * after an early return. Leaves the pressures at the lowest point in `pressure` and returns the peak force. */
 static double moved(const char *token, int kind, double *pressure)
 {
     const fmi3ValueReference motion = MOTION, profiles[2] = {PROFILE, PRESSURE};
@@ -313,13 +313,13 @@ static double moved(const char *token, int kind, double *pressure)
     const double top = height;
     for (int i = 1; i <= 100; i++) {
         const double speed = i <= 50 ? -1.0 : 1.0;
+        height += speed * 1e-4;
         do {
             set(c, HEIGHT, height);
             set(c, SPEED, speed);
             CHECK(step(c, time, i * 1e-4 - time) == fmi3OK);
-            height += speed * (told.time - time);
             time = told.time;
-            CHECK(fabs(real(c, POSITION) - height) < 1e-15);
+            CHECK(told.early || (fabs(real(c, POSITION) - height) < 1e-15 && fabs(real(c, VELOCITY) - speed) < 1e-9));
             if (told.event) {
                 events++;
                 CHECK(fmu.fmi3EnterEventMode(c) == fmi3OK);

@@ -27,7 +27,7 @@ impl Kernel {
 
 impl Host for Kernel {
     fn restart(&mut self) {
-        self.simulation.reset();
+        self.simulation.reset().expect("memory of the right size");
     }
 
     fn advance(&mut self, calls: u64, steps: u64) {

@@ -1,6 +1,7 @@
 //! Fields
 
 use core::ffi::c_char;
+use core::mem::MaybeUninit;
 
 use softanvil_kernel::Field;
 
@@ -165,7 +166,7 @@ pub unsafe extern "C" fn softanvil_field_read(
     // SAFETY: C keeps the conventions of the header.
     let (block, error) = unsafe { (ptr::shared_block(simulation), ptr::optional_out(error, "error")) };
     // SAFETY: as above.
-    let values = unsafe { ptr::numbers_mut(values, count, "values") };
+    let values = unsafe { ptr::room(values, count, "values") };
     report(error, || {
         let (block, values, row) = (block?, values?, field_row(field)?);
         check_component(row, component)?;
@@ -174,7 +175,7 @@ pub unsafe extern "C" fn softanvil_field_read(
             let mut room = strided(values, rows * columns, stride)?;
             for (r, c) in (0..rows).flat_map(|r| (0..columns).map(move |c| (r, c))) {
                 if let (Some(place), Some(value)) = (room.next(), row.value(model, state, r, c, component as usize)) {
-                    *place = value;
+                    place.write(value);
                 }
             }
             Ok(())
@@ -190,7 +191,11 @@ fn check_component(row: &Field, component: u32) -> Result<(), Failure> {
 }
 
 /// Every `stride`-th place, `needed` of them.
-fn strided(values: &mut [f64], needed: usize, stride: usize) -> Result<impl Iterator<Item = &mut f64>, Failure> {
+fn strided(
+    values: &mut [MaybeUninit<f64>],
+    needed: usize,
+    stride: usize,
+) -> Result<impl Iterator<Item = &mut MaybeUninit<f64>>, Failure> {
     let stride = stride.max(1);
     let room = needed.saturating_sub(1).saturating_mul(stride).saturating_add(1);
     if values.len() < room {

@@ -2,7 +2,7 @@
 
 use core::ffi::{c_char, c_void};
 
-use softanvil_kernel::{Constants, Model, Parameter, Scalars, Size, State, StepInput, step};
+use softanvil_kernel::{Constants, Model, Parameter, Size, State, StepInput, steps};
 
 use crate::block::{self, ALIGNMENT, SoftanvilSimulation};
 use crate::c_api::scenario::SoftanvilScenario;
@@ -12,7 +12,17 @@ use crate::ptr;
 use crate::status::SoftanvilStatus;
 use crate::whole_steps::{SAME, nearest};
 
-/// What acts on the impactor from outside during steps. It always comes from `softanvil_input_default`.
+/// What acts on the impactor from outside during a call that makes steps, of one or of many. It always comes from
+/// `softanvil_input_default`.
+///
+/// A driven face is at `driven_position` at the end of the call, that is, after its last step, and moves there from where it
+/// is: along a straight line, or, if `driven_velocity` is given, along the cubic that starts with the velocity that
+/// `impactor.velocity` tells before the call and ends with `driven_velocity`. So a master that cuts time into calls gives
+/// with each where the face is to be at the end of that call, and the motion has no jump.
+///
+/// A value that is not legal, NaN among them, is refused as ILLEGAL_INPUT; the call makes no step then, changes nothing, and
+/// the next one may go on. An input that does not act (a force on a driven impactor, a position of a falling one) may be
+/// any finite number.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct SoftanvilInput {
@@ -20,12 +30,16 @@ pub struct SoftanvilInput {
     pub marker: u32,
     /// Bytes of this structure; do not change.
     pub struct_size: u32,
-    /// Upward force on a falling impactor besides gravity and contact, N.
+    /// Upward force on a falling impactor besides gravity and contact, from -1e6 to 1e6 N; held over the call.
     pub external_force: f64,
-    /// Height of the face of a driven impactor above the undeformed anvil at the end of the step, m; negative presses.
+    /// Height of the face of a driven impactor above the undeformed anvil at the end of the call, from -1 to 1 m; negative
+    /// presses.
     pub driven_position: f64,
     /// Always 0.
-    pub reserved: [f64; 5],
+    pub reserved: [f64; 4],
+    /// Upward velocity of the face of a driven impactor at the end of the call, from -100 to 100 m/s; NaN, which stands there
+    /// at first, for a straight line.
+    pub driven_velocity: f64,
 }
 
 impl SoftanvilInput {
@@ -39,13 +53,16 @@ impl SoftanvilInput {
         if let Some((slot, value)) = self.reserved.into_iter().enumerate().find(|(_, value)| *value != 0.0) {
             return Err(Failure::ReservedSlot { array: "reserved", slot, value });
         }
-        Ok(StepInput { external_force: self.external_force, driven_position: self.driven_position })
+        Ok(StepInput {
+            external_force: self.external_force,
+            driven_position: Some(self.driven_position),
+            driven_velocity: (!self.driven_velocity.is_nan()).then_some(self.driven_velocity),
+        })
     }
 
     /// What `input` says; if nothing, that nothing acts and a driven impactor stays.
-    pub(crate) fn or_hold(input: Option<&Self>, scalars: &Scalars) -> Result<StepInput, Failure> {
-        let hold = StepInput { external_force: 0.0, driven_position: scalars.impactor.position };
-        input.map_or(Ok(hold), |input| input.to_kernel())
+    pub(crate) fn or_hold(input: Option<&Self>) -> Result<StepInput, Failure> {
+        input.map_or(Ok(StepInput::default()), |input| input.to_kernel())
     }
 }
 
@@ -155,7 +172,8 @@ pub unsafe extern "C" fn softanvil_reset(simulation: *mut SoftanvilSimulation) -
     })
 }
 
-/// Fills an input that leaves things as they are: no external force, and a driven impactor stays where it is.
+/// Fills an input that leaves things as they are: no external force, and a driven impactor stays where it is, without a
+/// velocity for the end.
 ///
 /// @param simulation The simulation.
 /// @param input The input to fill.
@@ -177,17 +195,18 @@ pub unsafe extern "C" fn softanvil_input_default(
             struct_size: size_of::<SoftanvilInput>() as u32,
             external_force: 0.0,
             driven_position: header.scalars.impactor.position,
-            reserved: [0.0; 5],
+            reserved: [0.0; 4],
+            driven_velocity: f64::NAN,
         });
         Ok(())
     })
 }
 
-/// Makes steps of the simulation's fixed time step, all with the same input. The work of a step is bounded and does not
-/// depend on the state.
+/// Makes steps of the simulation's fixed time step: the force is held, and a driven face is at `driven_position` after the
+/// last of them. The work of a step is bounded and does not depend on the state.
 ///
-/// A step that fails leaves the steps before it done and stops the simulation: every further step fails alike until the
-/// simulation is reset or restored.
+/// A step that fails (INVERTED, UNSTABLE) leaves the steps before it done and stops the simulation: every further step fails
+/// alike until the simulation is reset or restored. Arguments that are refused, an ILLEGAL_INPUT among them, change nothing.
 ///
 /// @param simulation The simulation.
 /// @param steps Number of steps; 0 does nothing.
@@ -209,7 +228,7 @@ pub unsafe extern "C" fn softanvil_step(
 }
 
 /// Makes the steps up to the end of the running sampling interval of 50 us, where `contact.force` and `core.reaction`
-/// get a new value; all with the same input.
+/// get a new value, and where a driven face is at `driven_position`.
 ///
 /// @param simulation The simulation.
 /// @param input What acts on the impactor, or NULL for the input of `softanvil_input_default` at the call.
@@ -228,8 +247,8 @@ pub unsafe extern "C" fn softanvil_step_to_sample(
     unsafe { advance(simulation, input, error, |model, state| Ok(steps_to_sample(model, state))) }
 }
 
-/// Makes the steps that cover a time, rounded up to whole sampling intervals of 50 us; all with the same input. A drop
-/// of the study is over after the 15 ms of `time.duration`.
+/// Makes the steps that cover a time, rounded up to whole sampling intervals of 50 us, at whose end a driven face is at
+/// `driven_position`. A drop of the study is over after the 15 ms of `time.duration`.
 ///
 /// @param simulation The simulation.
 /// @param duration Time, s, in the legal range of `time.duration`.
@@ -251,9 +270,8 @@ pub unsafe extern "C" fn softanvil_run(
 }
 
 /// Makes the steps to the one nearest to a time, of two equally near to the later; none if the simulation is there. So it is
-/// never more than half a step away from the time asked for, and makes the same steps however time is cut. The external
-/// force is held; a driven face moves evenly from where it is to `driven_position`, which it reaches with the last step, at
-/// the time that `softanvil_time` tells then.
+/// never more than half a step away from the time asked for, and makes the same steps however time is cut. A driven face is
+/// at `driven_position` after the last step, at the time that `softanvil_time` tells then.
 ///
 /// @param simulation The simulation.
 /// @param time Time since the start of the drop, s: from half a step before the present to 100 s after it.
@@ -276,15 +294,9 @@ pub unsafe extern "C" fn softanvil_run_until(
         let (block, input) = unsafe { (ptr::block(simulation), ptr::optional_shared(input, "input")) };
         let input = input?;
         block::with(block?, |model, state| {
-            let input = SoftanvilInput::or_hold(input, state.scalars)?;
-            let steps = steps_until(model.constants, state.scalars.step_index, time)?;
-            let from = state.scalars.impactor.position;
-            let made = (1..=steps).try_for_each(|made| {
-                let part = made as f64 / steps as f64;
-                let driven_position = from + (input.driven_position - from) * part;
-                step(model, state, &StepInput { driven_position, ..input })
-            });
-            made.map_err(Failure::from)
+            let input = SoftanvilInput::or_hold(input)?;
+            let count = steps_until(model.constants, state.scalars.step_index, time)?;
+            steps(model, state, count as u64, &input).map_err(Failure::from)
         })
     })
 }
@@ -309,7 +321,7 @@ pub(crate) fn steps_in(constants: &Constants, duration: f64) -> Result<u64, Fail
     Ok(constants.steps_in(duration))
 }
 
-/// Makes as many steps as `steps` says.
+/// Makes as many steps as `count` says.
 ///
 /// # Safety
 /// The conventions of the header.
@@ -317,7 +329,7 @@ unsafe fn advance(
     simulation: *mut SoftanvilSimulation,
     input: *const SoftanvilInput,
     error: *mut SoftanvilError,
-    steps: impl FnOnce(&Model, &State) -> Result<u64, Failure>,
+    count: impl FnOnce(&Model, &State) -> Result<u64, Failure>,
 ) -> SoftanvilStatus {
     // SAFETY: the caller's guarantee.
     report(unsafe { ptr::optional_out(error, "error") }, || {
@@ -325,9 +337,9 @@ unsafe fn advance(
         let (block, input) = unsafe { (ptr::block(simulation), ptr::optional_shared(input, "input")) };
         let input = input?;
         block::with(block?, |model, state| {
-            let input = SoftanvilInput::or_hold(input, state.scalars)?;
-            let steps = steps(model, state)?;
-            (0..steps).try_for_each(|_| step(model, state, &input)).map_err(Failure::from)
+            let input = SoftanvilInput::or_hold(input)?;
+            let count = count(model, state)?;
+            steps(model, state, count, &input).map_err(Failure::from)
         })
     })
 }
@@ -385,7 +397,8 @@ pub unsafe extern "C" fn softanvil_output_by_name(
     unsafe { tell(simulation, value, read) }
 }
 
-/// Tells the simulated time: exactly the number of steps times the step, never an accumulated sum.
+/// Tells the simulated time, from the number of steps made and never an accumulated sum: whole sampling intervals of 50 us,
+/// for which it is the double nearest to the time, and the steps beyond them times the step.
 ///
 /// @param simulation The simulation.
 /// @param time Time since the start of the drop, s.

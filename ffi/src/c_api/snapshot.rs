@@ -49,12 +49,18 @@ pub unsafe extern "C" fn softanvil_snapshot_save(
     // SAFETY: C keeps the conventions of the header.
     let (block, error) = unsafe { (ptr::shared_block(simulation), ptr::optional_out(error, "error")) };
     // SAFETY: as above.
-    let bytes = unsafe { ptr::bytes_mut(bytes, size, "bytes") };
+    let bytes = unsafe { ptr::room(bytes, size, "bytes") };
     report(error, || {
         let (block, bytes) = (block?, bytes?);
         let (given, needed) = (bytes.len(), snapshot::snapshot_size(&block.0.constants));
         let bytes = bytes.get_mut(..needed).ok_or(Failure::Short { argument: "bytes", given, needed })?;
-        block::look(block, |model, state| snapshot::save_view(model, state, bytes).map_err(Failure::from))
+        let mut places = bytes.iter_mut();
+        let mut put = |word: u64| {
+            word.to_le_bytes().iter().zip(&mut places).for_each(|(byte, place)| {
+                place.write(*byte);
+            })
+        };
+        block::look(block, |model, state| snapshot::write_words(model, state, &mut put).map_err(Failure::from))
     })
 }
 

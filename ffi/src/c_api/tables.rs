@@ -159,7 +159,7 @@ pub unsafe extern "C" fn softanvil_parameter_choice(
     size: usize,
 ) -> SoftanvilStatus {
     // SAFETY: C keeps the conventions of the header.
-    let room = unsafe { ptr::bytes_mut(name.cast(), size, "name") };
+    let room = unsafe { ptr::room(name.cast::<u8>(), size, "name") };
     status(|| {
         let (room, labels) = (room?, labels(parameter_row(parameter)?));
         let unknown = Failure::UnknownId { argument: "choice", id: choice, count: labels.len() };
@@ -167,8 +167,10 @@ pub unsafe extern "C" fn softanvil_parameter_choice(
         let short = Failure::Short { argument: "name", given: room.len(), needed: label.len() + 1 };
         let (text, rest) = room.split_at_mut_checked(label.len()).ok_or(short)?;
         let end = rest.first_mut().ok_or(short)?;
-        text.copy_from_slice(label.as_bytes());
-        *end = 0;
+        for (place, byte) in text.iter_mut().zip(label.bytes()) {
+            place.write(byte);
+        }
+        end.write(0);
         Ok(())
     })
 }

@@ -2,7 +2,7 @@
 
 use core::ffi::c_void;
 
-use softanvil_kernel::{StepInput, step};
+use softanvil_kernel::{Constants, DrivenPath, Scalars, StepInput, step_along};
 
 use crate::block::{self, SoftanvilSimulation};
 use crate::c_api::simulation::{SoftanvilInput, steps_in, steps_to_sample};
@@ -48,12 +48,11 @@ pub unsafe extern "C" fn softanvil_run_traced(
     report(error, || {
         let header = header?;
         let trace = trace.ok_or(Failure::Null { argument: "trace" })?;
-        let input = SoftanvilInput::or_hold(input?, &header.scalars)?;
-        let mut left = steps_in(&header.constants, duration)?;
-        while left > 0 {
+        let input = SoftanvilInput::or_hold(input?)?;
+        let mut call = Call::new(&header.constants, &header.scalars, &input, duration)?;
+        while call.left > 0 {
             // SAFETY: as above. The block is borrowed only while steps are made, not while the caller reads.
-            let (made, sampled) = advance(unsafe { ptr::block(simulation) }?, left, &input)?;
-            left -= made;
+            let sampled = call.advance(unsafe { ptr::block(simulation) }?)?;
             // SAFETY: C gave the function for this.
             if sampled && unsafe { trace(simulation, context) } != 0 {
                 break;
@@ -63,16 +62,30 @@ pub unsafe extern "C" fn softanvil_run_traced(
     })
 }
 
-/// Makes the steps to the next sample, but at most `left`; tells how many, and whether the sample is reached.
-fn advance(
-    block: (&mut SoftanvilSimulation, ptr::Region),
+/// The steps of a traced run.
+struct Call {
+    path: DrivenPath,
+    made: u64,
     left: u64,
-    input: &StepInput,
-) -> Result<(u64, bool), Failure> {
-    block::with(block, |model, state| {
-        let whole = steps_to_sample(model, state).max(1);
-        let steps = whole.min(left);
-        (0..steps).try_for_each(|_| step(model, state, input))?;
-        Ok((steps, steps == whole))
-    })
+}
+
+impl Call {
+    /// Of a run of `duration` s from where the simulation is.
+    fn new(constants: &Constants, scalars: &Scalars, input: &StepInput, duration: f64) -> Result<Self, Failure> {
+        input.check(constants, constants.time(scalars.step_index))?;
+        let left = steps_in(constants, duration)?;
+        Ok(Self { path: DrivenPath::new(constants, &scalars.impactor, input, left as f64), made: 0, left })
+    }
+
+    /// Makes the steps to the next sample, but no more than are left; tells whether the sample is reached.
+    fn advance(&mut self, block: (&mut SoftanvilSimulation, ptr::Region)) -> Result<bool, Failure> {
+        block::with(block, |model, state| {
+            let whole = steps_to_sample(model, state).max(1);
+            let count = whole.min(self.left);
+            (1..=count).try_for_each(|number| step_along(model, state, &self.path, self.made + number))?;
+            self.made += count;
+            self.left -= count;
+            Ok(count == whole)
+        })
+    }
 }

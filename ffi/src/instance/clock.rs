@@ -62,10 +62,17 @@ impl Clock {
         nearest((self.ahead + step) / dt)
     }
 
+    /// Kernel steps from the kernel's time to the end of a communication step of `step` s; whole where it is, but for
+    /// rounding, at the end of the `count` steps made.
+    pub fn steps_until_end(&self, step: f64, count: i64, dt: f64) -> f64 {
+        let (steps, whole) = ((self.ahead + step) / dt, count as f64);
+        if (steps - whole).abs() <= SAME { whole } else { steps }
+    }
+
     /// From the point to the kernel's time after `count` steps, s.
     pub fn until(&self, count: i64, dt: f64) -> f64 {
         let whole = count as f64 * dt;
-        // Next to a whole step nothing but rounding is left, which the driven motion of whole steps shall not see.
+        // Next to a whole step nothing but rounding is left.
         if self.ahead.abs() <= SAME * dt { whole } else { whole - self.ahead }
     }
 

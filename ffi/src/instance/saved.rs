@@ -2,7 +2,7 @@
 //!
 //! Format: little-endian 64-bit words. Magic, format version, digest of the variable table, length of the whole in
 //! bytes; mode, start, whether there is a stop, stop, communication point, by how much it is ahead of the kernel, points of
-//! the profiles; the inputs; the parameters in the order of the kernel's table; the kernel's own snapshot, which is empty
+//! the profiles; the inputs, and 1 if one of them is a velocity that the master gives; the parameters in the order of the kernel's table; the kernel's own snapshot, which is empty
 //! before the first step can be made; last the FNV-1a digest of everything before.
 
 use alloc::vec::Vec;
@@ -12,14 +12,14 @@ use softanvil_kernel::snapshot::{restore, save, snapshot_size};
 use softanvil_kernel::{PARAMETERS, SAMPLING_INTERVAL, Scenario, Simulation, SnapshotError, preset};
 
 use super::clock::Clock;
-use super::{Error, Experiment, Instance, Mode};
+use super::{Error, Experiment, Instance, Mode, memory};
 use crate::variables::profile::POINTS;
 use crate::variables::{INPUTS, Inputs, Version, same_bits};
 
 /// "SOFTAFMU" in ASCII, least significant byte first.
 const MAGIC: u64 = u64::from_le_bytes(*b"SOFTAFMU");
 /// Changes with the format.
-const VERSION: u64 = 3;
+const VERSION: u64 = 4;
 
 /// A saved state, checked to be whole and of this version.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -101,10 +101,9 @@ fn read_number(rest: &mut &[u8]) -> Result<f64, Error> {
 fn read_inputs(rest: &mut &[u8]) -> Result<Inputs, Error> {
     let mut inputs = Inputs::start();
     for input in INPUTS {
-        let value = read_number(rest)?;
-        input.check(value)?;
-        *(input.field)(&mut inputs) = value;
+        input.set(&mut inputs, read_number(rest)?)?;
     }
+    inputs.has_velocity = read_number(rest)? != 0.0;
     Ok(inputs)
 }
 
@@ -124,7 +123,7 @@ impl Instance {
     pub fn save(&mut self) -> Result<SavedState, Error> {
         let snapshot = self.snapshot()?;
         let Experiment { start, stop } = self.experiment;
-        let words = HEADER_WORDS + INPUTS.len() + PARAMETERS.len() + 1;
+        let words = HEADER_WORDS + INPUTS.len() + 1 + PARAMETERS.len() + 1;
         let length = 8 * words + snapshot.len();
         let mut bytes = room(length)?;
         let mut put = |word: u64| bytes.extend_from_slice(&word.to_le_bytes());
@@ -133,6 +132,7 @@ impl Instance {
         [start.to_bits(), u64::from(stop.is_some()), stop.unwrap_or_default().to_bits()].into_iter().for_each(&mut put);
         [self.clock.point.to_bits(), self.clock.ahead.to_bits(), self.points].into_iter().for_each(&mut put);
         INPUTS.iter().for_each(|input| put((input.field)(&mut self.inputs).to_bits()));
+        put(f64::from(u8::from(self.inputs.has_velocity)).to_bits());
         PARAMETERS.iter().for_each(|parameter| put(parameter.get(&self.scenario).to_bits()));
         bytes.extend_from_slice(&snapshot);
         let checksum = digest_of(&bytes);
@@ -149,10 +149,7 @@ impl Instance {
         let length = snapshot_size(simulation.constants());
         let mut bytes = room(length)?;
         bytes.resize(length, 0);
-        simulation
-            .with(|model, state| save(model, state, &mut bytes))
-            .map_err(Error::Model)?
-            .map_err(Error::Snapshot)?;
+        simulation.with(|model, state| save(model, state, &mut bytes)).map_err(memory)?.map_err(Error::Snapshot)?;
         Ok(bytes)
     }
 
@@ -209,10 +206,7 @@ impl Instance {
     /// Restores into the model at hand if it is the right one, else into a new one.
     fn restore_simulation(&mut self, scenario: &Scenario, snapshot: &[u8]) -> Result<(), Error> {
         let fill = |simulation: &mut Simulation| {
-            simulation
-                .with(|model, state| restore(model, state, snapshot))
-                .map_err(Error::Model)?
-                .map_err(Error::Snapshot)
+            simulation.with(|model, state| restore(model, state, snapshot)).map_err(memory)?.map_err(Error::Snapshot)
         };
         match &mut self.simulation {
             Some(simulation) if same_bits(&simulation.constants().scenario, scenario) => fill(simulation),

@@ -1,11 +1,9 @@
 //! Communication steps: the kernel steps that each makes.
 
-use softanvil_kernel::scenario::Motion;
-use softanvil_kernel::{Simulation, StepError, StepInput, step};
+use softanvil_kernel::{DrivenPath, Simulation, StepError, step_along};
 
 use super::clock::Clock;
 use super::{Error, Experiment, Instance, Mode};
-use crate::variables::Inputs;
 use crate::whole_steps::SAME;
 
 /// Longest communication step, s: the longest run that the table of parameters allows.
@@ -18,8 +16,8 @@ pub struct Advance {
     done: i64,
     /// Kernel steps in all, which may be none.
     count: i64,
-    /// Heights of a driven face at the start and at the end, m.
-    heights: [f64; 2],
+    /// What acts on the impactor.
+    path: DrivenPath,
     /// The clock at the start.
     clock: Clock,
     /// Length, s.
@@ -30,13 +28,6 @@ impl Advance {
     /// Whether every kernel step has been made.
     pub fn is_complete(&self) -> bool {
         self.done == self.count
-    }
-
-    /// The input of the next kernel step.
-    fn next(&self, inputs: &Inputs) -> StepInput {
-        let [from, to] = self.heights;
-        let driven_position = from + (to - from) * ((self.done + 1) as f64 / self.count as f64);
-        StepInput { external_force: inputs.external_force, driven_position }
     }
 
     /// The clock after the kernel steps made so far, with the kernel at `kernel` s.
@@ -96,9 +87,11 @@ impl Instance {
         }
         self.experiment.check_end(&clock, step, simulation)?;
         let count = clock.steps_in(step, dt);
-        let from = simulation.scalars().impactor.position;
-        let to = self.inputs.driven_position + self.inputs.driven_velocity * clock.until(count, dt);
-        Ok(Advance { done: 0, count, heights: [from, to], clock, step })
+        let (constants, impactor) = (simulation.constants(), &simulation.scalars().impactor);
+        // Setters have checked the inputs.
+        let (input, steps) = (self.inputs.to_kernel(), clock.steps_until_end(step, count, dt));
+        let path = DrivenPath::new(constants, impactor, &input, steps);
+        Ok(Advance { done: 0, count, path, clock, step })
     }
 
     /// Goes on with a step until it is complete or pauses. Tells whether contact began or ended.
@@ -108,7 +101,7 @@ impl Instance {
     #[inline(always)]
     pub fn advance(&mut self, advance: &mut Advance, pause: Pause) -> Result<bool, Error> {
         let Some(simulation) = &mut self.simulation else { return Err(Error::Call { mode: self.mode }) };
-        let made = march(simulation, &self.inputs, advance, pause);
+        let made = march(simulation, advance, pause);
         self.clock = advance.clock(simulation.constants().dt, self.experiment.start + simulation.time());
         made.map_err(|error| {
             self.mode = Mode::Failed;
@@ -132,19 +125,15 @@ impl Experiment {
     }
 }
 
-/// Makes kernel steps. In drop motion the force is held; a driven face moves evenly from where it was to where the
-/// master's position and velocity place it at the time that the kernel reaches.
+/// Makes kernel steps. In drop motion the force is held; a driven face is on the way to where the master wants it at the end
+/// of the communication step.
 #[inline(always)]
-fn march(simulation: &mut Simulation, inputs: &Inputs, advance: &mut Advance, pause: Pause) -> Result<bool, StepError> {
-    let inputs = match simulation.constants().scenario.impactor.motion {
-        Motion::Drop => *inputs,
-        _ => Inputs { external_force: 0.0, ..*inputs },
-    };
+fn march(simulation: &mut Simulation, advance: &mut Advance, pause: Pause) -> Result<bool, StepError> {
     let all = simulation.with(|model, state| {
         let mut has_changed = false;
         while !advance.is_complete() {
             let was_touching = state.scalars.force.contact > 0.0;
-            step(model, state, &advance.next(&inputs))?;
+            step_along(model, state, &advance.path, advance.done as u64 + 1)?;
             advance.done += 1;
             let changed = was_touching != (state.scalars.force.contact > 0.0);
             has_changed |= changed;
@@ -154,5 +143,5 @@ fn march(simulation: &mut Simulation, inputs: &Inputs, advance: &mut Advance, pa
         }
         Ok(has_changed)
     });
-    all.unwrap_or(Err(StepError::Input { value: f64::NAN, time: 0.0 }))
+    all?
 }

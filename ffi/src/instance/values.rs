@@ -2,7 +2,7 @@
 
 use softanvil_kernel::{ParameterError, Scenario, Simulation};
 
-use super::{Error, Instance, Mode};
+use super::{Error, Instance, Mode, memory};
 use crate::variables::profile::Profile;
 use crate::variables::{Inputs, Source, ValueType, Variable, Version};
 
@@ -78,7 +78,7 @@ impl Instance {
             let view = state.as_view();
             (0..points).for_each(|point| put(profile.at(model, &view, point, points)));
         });
-        all.map_err(Error::Model)
+        all.map_err(memory)
     }
 
     /// The quantity that lives in `source`.
@@ -271,11 +271,7 @@ impl Instance {
                 Err(Error::Fixed { name: variable.name, value, unit: parameter.unit() })
             }
             Source::Parameter(parameter) => Ok(parameter.set(scenario, value)?),
-            Source::Input(input) => {
-                input.check(value)?;
-                *(input.field)(inputs) = value;
-                Ok(())
-            }
+            Source::Input(input) => Ok(input.set(inputs, value)?),
             _ => Err(read_only(variable)),
         }
     }

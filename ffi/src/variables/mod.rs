@@ -8,8 +8,9 @@ pub mod references;
 mod token;
 pub mod units;
 
+use softanvil_kernel::input::{INPUTS as ROWS, InputRow};
 use softanvil_kernel::parameter::Kind;
-use softanvil_kernel::{OUTPUTS, Output, PARAMETERS, Parameter, ParameterError, Scenario, preset};
+use softanvil_kernel::{OUTPUTS, Output, PARAMETERS, Parameter, ParameterError, Scenario, StepInput, preset};
 
 use profile::Profile;
 pub use token::{Token, token};
@@ -121,39 +122,52 @@ pub enum Source {
 pub struct Inputs {
     /// Upward force on a falling impactor, N.
     pub external_force: f64,
-    /// Height that a driven impactor aims at, m.
+    /// Height of a driven impactor at the end of the communication step, m.
     pub driven_position: f64,
-    /// Velocity that a driven impactor aims at, m/s.
+    /// Velocity of a driven impactor at the end of the communication step, m/s.
     pub driven_velocity: f64,
+    /// Whether the master gives the velocity: whether it has ever set one.
+    pub has_velocity: bool,
 }
 
 impl Inputs {
     /// No force, and the impactor at rest where the preset has it.
     pub fn start() -> Self {
-        Self { external_force: 0.0, driven_position: preset::study().impactor.gap, driven_velocity: 0.0 }
+        let driven_position = preset::study().impactor.gap;
+        Self { external_force: 0.0, driven_position, driven_velocity: 0.0, has_velocity: false }
+    }
+
+    /// What acts on the impactor during a communication step.
+    pub fn to_kernel(self) -> StepInput {
+        StepInput {
+            external_force: self.external_force,
+            driven_position: Some(self.driven_position),
+            driven_velocity: self.has_velocity.then_some(self.driven_velocity),
+        }
     }
 }
 
 /// One row of the table of inputs.
 pub struct Input {
     reference: u32,
-    name: &'static str,
-    unit: &'static str,
-    range: (f64, f64),
+    row: &'static InputRow,
     /// The field in the inputs.
     pub field: fn(&mut Inputs) -> &mut f64,
     description: &'static str,
 }
 
 impl Input {
-    /// Whether `value` is legal: finite and in range.
+    /// Sets `value` in `inputs`, if it is finite and in range.
+    ///
+    /// A velocity is given from the first one on that is not 0: importers that set every start value give none by that.
     ///
     /// # Errors
     /// The name, value, unit and legal range of a refused value.
-    pub fn check(&self, value: f64) -> Result<(), ParameterError> {
-        let (min, max) = self.range;
-        let in_range = value >= min && value <= max;
-        if in_range { Ok(()) } else { Err(ParameterError { name: self.name, value, unit: self.unit, min, max }) }
+    pub fn set(&self, inputs: &mut Inputs, value: f64) -> Result<(), ParameterError> {
+        self.row.check(value)?;
+        *(self.field)(inputs) = value;
+        inputs.has_velocity |= inputs.driven_velocity != 0.0;
+        Ok(())
     }
 }
 
@@ -161,29 +175,24 @@ impl Input {
 pub static INPUTS: &[Input] = &[
     Input {
         reference: references::EXTERNAL_FORCE,
-        name: "impactor.external_force",
-        unit: "N",
-        range: (-1e6, 1e6),
+        row: &ROWS[0],
         field: |inputs| &mut inputs.external_force,
         description: "upward force on a falling impactor besides gravity and contact, held over the kernel \
                       steps of a communication step",
     },
     Input {
         reference: references::DRIVEN_POSITION,
-        name: "impactor.driven_position",
-        unit: "m",
-        range: (-1.0, 1.0),
+        row: &ROWS[1],
         field: |inputs| &mut inputs.driven_position,
-        description: "height of the face of a driven impactor at the start of a communication step",
+        description: "height of the face of a driven impactor at the end of the communication step that follows, to which \
+                      it moves from where it is",
     },
     Input {
         reference: references::DRIVEN_VELOCITY,
-        name: "impactor.driven_velocity",
-        unit: "m/s",
-        range: (-100.0, 100.0),
+        row: &ROWS[2],
         field: |inputs| &mut inputs.driven_velocity,
-        description: "upward velocity of a driven impactor, which moves evenly to driven_position + driven_velocity t \
-                      over the kernel steps of a communication step, t being the time from its start to their end",
+        description: "upward velocity of a driven impactor at the end of the communication step that follows: once it has \
+                      been other than 0 the face moves along a cubic, before along straight lines",
     },
 ];
 
@@ -256,9 +265,9 @@ impl Variable {
     fn of_input(input: &'static Input) -> Self {
         Self {
             reference: input.reference,
-            name: input.name,
+            name: input.row.name,
             description: input.description,
-            value: ValueType::Real { unit: input.unit, range: Some(input.range) },
+            value: ValueType::Real { unit: input.row.unit, range: Some(input.row.range) },
             source: Source::Input(input),
         }
     }

@@ -232,7 +232,10 @@ pub fn calls(data: &[u8]) {
                 7 => drop(explained(|e| softanvil_run(simulation, input.number().clamp(-1.0, 1e-4), step_input, e))),
                 8 => drop(softanvil_input_default(simulation, given.as_mut_ptr())),
                 9 => (*given.as_mut_ptr()).driven_position = input.number(),
-                10 => (*given.as_mut_ptr()).external_force = input.number(),
+                10 => {
+                    let number = input.number();
+                    ((*given.as_mut_ptr()).external_force, (*given.as_mut_ptr()).driven_velocity) = (number, number);
+                }
                 11 => drop(softanvil_output(simulation, u32::from(input.byte()), &mut value)),
                 12 => drop(softanvil_snapshot_size(simulation, &mut size)),
                 13 => drop(explained(|e| softanvil_snapshot_save(simulation, bytes.as_mut_ptr(), bytes.len(), e))),

@@ -194,7 +194,7 @@ macro_rules! vector {
             #[inline(always)]
             fn guess_inverse_cbrt(self) -> Self {
                 // A sum with the third, for a difference the compiler would multiply by all digits of its opposite.
-                let left = self.integers(CBRT_END.to_bits()).difference(self.to_bits()).upper_half();
+                let left = self.integers(CBRT_END).difference(self.to_bits()).upper_half();
                 let third = left.product_of_lower_halves(self.integers(THIRD_OF_UPPER_HALF));
                 self.integers(INVERSE_CBRT_MAGIC).sum(third).numbers()
             }

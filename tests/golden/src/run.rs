@@ -51,7 +51,7 @@ impl<'a> Run<'a> {
     pub fn new(scene: &'static Scene, memory: &'a mut Memory) -> Result<Self, Failure> {
         let (model, mut state) = memory.split();
         let model = Model::new(&(scene.scenario)(), model, &mut state).map_err(Failure::Model)?;
-        let state = State::new(&model, state).map_err(Failure::Model)?;
+        let state = State::new(&model, state).map_err(|error| Failure::Model(error.into()))?;
         Ok(Self { scene, model, state, instructions: InstructionSet::best() })
     }
 

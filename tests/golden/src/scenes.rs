@@ -238,10 +238,10 @@ fn press(constants: &Constants, step_index: u64) -> StepInput {
         s
     };
     let smooth = s * s * s * (10.0 - s * (15.0 - s * 6.0));
-    StepInput { external_force: 0.0, driven_position: constants.scenario.impactor.gap - STROKE * smooth }
+    StepInput { driven_position: Some(constants.scenario.impactor.gap - STROKE * smooth), ..StepInput::default() }
 }
 
 /// Half a newton more upwards in every step.
 fn pull(_: &Constants, step_index: u64) -> StepInput {
-    StepInput { external_force: 0.5 * step_index as Real, driven_position: 0.0 }
+    StepInput { external_force: 0.5 * step_index as Real, ..StepInput::default() }
 }

@@ -110,7 +110,7 @@ impl Body {
 
     /// Internal forces at `displacement`, N, as a step of the kernel finds them, far from the face.
     pub fn internal_forces(&mut self, displacement: &Field) -> Field {
-        let input = StepInput { driven_position: self.constants.scenario.impactor.gap, ..StepInput::default() };
+        let input = StepInput { driven_position: Some(self.constants.scenario.impactor.gap), ..StepInput::default() };
         let mut total = vec![[0.0; 2]; self.n_node()];
         for set in 0..self.cells.len() {
             let force = self.with(set, displacement, |model, state| {

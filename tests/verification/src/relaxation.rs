@@ -23,7 +23,8 @@ pub fn press_slowly(simulation: &mut Simulation, depth: f64, travel: f64, decay:
                 // No jump of velocity at either end.
                 let position = -depth * part * part * (3.0 - 2.0 * part);
                 damp(state, 1.0 - dt / decay);
-                step(model, state, &StepInput { driven_position: position, ..StepInput::default() }).expect("a step");
+                step(model, state, &StepInput { driven_position: Some(position), ..StepInput::default() })
+                    .expect("a step");
             }
             state.scalars.force.contact
         })

@@ -189,3 +189,20 @@ pub const FIELD_FORCE: f64 = 1e-10;
 /// The four numbers in single precision against double, and the closure of its energy ledger over the impact energy. Round-off
 /// of 6e-8 in each of 5,000 steps grows with their square root at best, in proportion at worst.
 pub const SINGLE_PRECISION: f64 = 1e-3;
+
+/// Kinetic energy and work of gravity in free fall, over the energy at contact: round-off of up to twenty thousand sums.
+pub const FREE_FALL_ENERGY: f64 = 1e-12;
+
+/// A row's momentum against its impulse, over the momentum at the start: round-off of some thousand steps.
+pub const ROW_MOMENTUM: f64 = 1e-11;
+
+/// The way of a driven face against its closed form: round-off of a position over that of a step.
+pub const PATH: f64 = 1e-9;
+
+/// Peak force of a drop with the mass outside against that with the mass inside, by sampling intervals between exchanges: the
+/// requirement.
+pub const COUPLED_PEAK: [(u64, f64); 2] = [(1, 0.005), (4, 0.02)];
+
+/// A branch's part of the peak force in single precision against double, whatever its time: as [`SINGLE_PRECISION`], of which
+/// contact takes the most.
+pub const SINGLE_BRANCH: f64 = 2e-3;

@@ -183,7 +183,7 @@ fn impactor(mesh: &Mesh, frame: &Frame) -> Grid {
     let height = mesh.constants.top_height + frame.face();
     let motion = [
         ("contact_force", frame.scalars.sampler.last.contact_force),
-        ("velocity", frame.scalars.impactor.velocity(mesh.constants.dt)),
+        ("velocity", frame.scalars.impactor.velocity),
         ("position", frame.face()),
     ];
     Grid {

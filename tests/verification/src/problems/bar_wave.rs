@@ -60,7 +60,7 @@ fn bar(sides: Sides, n: usize) -> Simulation {
 }
 
 fn advance(sides: Sides, model: &Model, state: &mut State, driven_position: f64) {
-    step(model, state, &StepInput { driven_position, ..StepInput::default() }).expect("a step");
+    step(model, state, &StepInput { driven_position: Some(driven_position), ..StepInput::default() }).expect("a step");
     if sides == Sides::Fixed {
         state.displacement_mut()[0].fill(0.0);
         state.velocity_mut()[0].fill(0.0);

@@ -22,7 +22,7 @@ pub fn stopping_distance(friction: f64, element_size: f64) -> [f64; 2] {
     let mut simulation = Simulation::new(&scenario).expect("a legal scenario");
     let dt = simulation.constants().dt;
     let distance = simulation.with(|model, state| {
-        let input = StepInput { driven_position: 1.0, ..StepInput::default() };
+        let input = StepInput { driven_position: Some(1.0), ..StepInput::default() };
         let advance = |state: &mut State| {
             accelerate(model, state, [0.0, -GRAVITY]);
             step(model, state, &input).expect("a step");

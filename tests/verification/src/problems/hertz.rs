@@ -51,7 +51,7 @@ pub fn contact(n: usize) -> Contact {
         supports.prescribed[body.node(u, 0)] = [Some(0.0); 2];
     }
     let equilibrium = press(&mut body, &supports, &Face { height: EXTENT - TRAVEL }, 4).pop().expect("an increment");
-    let input = StepInput { driven_position: -TRAVEL, ..StepInput::default() };
+    let input = StepInput { driven_position: Some(-TRAVEL), ..StepInput::default() };
     body.at(&equilibrium.displacement, |model, state| {
         step(model, state, &input).expect("a step");
         let modulus = 2.0 * SHEAR_MODULUS / (1.0 - POISSONS_RATIO);

@@ -26,7 +26,7 @@ pub fn residual(mut scenario: Scenario, gradient: Gradient) -> f64 {
                     displacement[i][node] = deformed - reference[i][node];
                 }
             }
-            let input = StepInput { driven_position: 1.0, ..StepInput::default() };
+            let input = StepInput { driven_position: Some(1.0), ..StepInput::default() };
             step(model, state, &input).expect("a step");
             let mut largest = [0.0_f64; 2];
             for v in 0..=grid.n_v {

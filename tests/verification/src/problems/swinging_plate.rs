@@ -44,7 +44,7 @@ fn computed_error(nu: f64, n: usize, periods: f64) -> f64 {
     let dt = simulation.constants().dt;
     start(&mut simulation, omega);
     let steps = (periods * 2.0 * PI / omega / dt).round() as u64;
-    simulation.step(steps, &StepInput { driven_position: 1.0, ..StepInput::default() }).expect("a stable run");
+    simulation.step(steps, &StepInput { driven_position: Some(1.0), ..StepInput::default() }).expect("a stable run");
     let now = AMPLITUDE * SIDE * (omega * dt * steps as f64).cos();
     simulation
         .with(|model, state| {

@@ -2,9 +2,9 @@
 
 use softanvil_kernel::cfc::{Coefficients, Filter};
 use softanvil_kernel::snapshot::{restore, save, snapshot_size};
-use softanvil_kernel::{Output, SAMPLING_INTERVAL, Simulation, StepInput, preset, step};
+use softanvil_kernel::{Output, SAMPLING_INTERVAL, Simulation, SnapshotError, StepInput, preset, step};
 use softanvil_verification::scenes::{ENERGIES, study_drop};
-use softanvil_verification::tolerance::{ENERGY_RESIDUAL, MESH, MOMENTUM, PENETRATION, relative_error};
+use softanvil_verification::tolerance::{ENERGY_RESIDUAL, MESH, MOMENTUM, PENETRATION, ROW_MOMENTUM, relative_error};
 
 /// Source: conservation of energy; elastic energy from its potential against the work of the nodal forces.
 #[test]
@@ -46,6 +46,23 @@ fn impulse_balances_momentum() {
             + impactor.mass * impactor.gravity * metrics.contact_time;
         let error = relative_error(metrics.impulse, momentum);
         assert!(error < MOMENTUM, "{energy} J: impulse {} N s against {momentum} N s", metrics.impulse);
+    }
+}
+
+/// Source: conservation of momentum, m v = m v0 + impulse - m g t, and the definition of kinetic energy. All outputs of a
+/// row belong to one time, at every step.
+#[test]
+fn the_outputs_of_a_row_belong_to_one_time() {
+    let mut simulation = Simulation::new(&preset::study()).expect("a legal scenario");
+    let impactor = simulation.constants().scenario.impactor;
+    let start = impactor.mass * impactor.start_speed();
+    for _ in 0..simulation.constants().steps_in(15e-3) {
+        simulation.step(1, &StepInput::default()).expect("a stable run");
+        let read = |name| (Output::find(name).expect("an output").read)(simulation.constants(), simulation.scalars());
+        let (velocity, time) = (read("impactor.velocity"), simulation.time());
+        let momentum = read("result.impulse") - start - impactor.mass * impactor.gravity * time;
+        assert!((impactor.mass * velocity - momentum).abs() < ROW_MOMENTUM * start, "{time} s");
+        assert_eq!(read("energy.impactor_kinetic"), 0.5 * impactor.mass * velocity * velocity);
     }
 }
 
@@ -140,12 +157,54 @@ fn snapshots_are_checked() {
     assert_eq!(*simulation.scalars(), before);
 }
 
+/// A snapshot belongs to a model with the same nodes, not only with the same parameters.
+#[test]
+fn a_snapshot_of_other_nodes_is_foreign() {
+    let mut scenario = preset::study();
+    scenario.mesh.element_size = 5e-3;
+    let mut simulation = Simulation::new(&scenario).expect("a legal scenario");
+    let (rest, stride) = simulation
+        .with(|model, _| (model.reference_position().map(<[f64]>::to_vec), model.constants.grid.stride()))
+        .expect("memory of the right size");
+    let moved = |by: [f64; 2]| {
+        let rest = rest.clone();
+        Simulation::with_positions(&scenario, &move |u, v| {
+            let node = v * stride + u;
+            // One node in the middle of the layer.
+            let at = if (u, v) == (2, 1) { by } else { [0.0; 2] };
+            [rest[0][node] + at[0], rest[1][node] + at[1]]
+        })
+        .expect("a legal mesh")
+    };
+    let mut bytes = vec![0; snapshot_size(simulation.constants())];
+    simulation.step(10, &StepInput::default()).expect("a stable run");
+    simulation.with(|model, state| save(model, state, &mut bytes)).expect("memory").expect("a snapshot");
+    let restored = |by| moved(by).with(|model, state| restore(model, state, &bytes)).expect("memory");
+    assert_eq!(restored([0.0; 2]), Ok(()));
+    for by in [[1e-12, 0.0], [0.0, -1e-12], [1e-4, 1e-4]] {
+        assert_eq!(restored(by), Err(SnapshotError::Foreign), "{by:?}");
+    }
+}
+
+/// Durations are rounded up to whole samples, of which none is lost or added to rounding, in a minute and more.
+#[test]
+fn a_duration_has_as_many_samples_as_it_is_long() {
+    let simulation = Simulation::new(&preset::study()).expect("a legal scenario");
+    let per_sample = u64::from(simulation.constants().steps_per_sample);
+    let samples = |duration| simulation.constants().steps_in(duration) / per_sample;
+    for whole in (0..3000).chain((3000..2_000_000).step_by(997)) {
+        let duration = whole as f64 / 20e3;
+        assert_eq!((samples(duration), samples(50e-6 * whole as f64)), (whole, whole), "{duration} s");
+        assert_eq!(samples(duration + 1e-6), whole + 1, "{duration} s and a little");
+    }
+}
+
 /// Reset gives the bits of a new simulation.
 #[test]
 fn reset_starts_anew() {
     let mut simulation = study_drop(14.7, 3e-3);
     let first = *simulation.scalars();
-    simulation.reset();
+    simulation.reset().expect("memory of the right size");
     let steps = first.step_index;
     simulation.step(steps, &StepInput::default()).expect("a stable run");
     assert_eq!(*simulation.scalars(), first);

@@ -1,8 +1,7 @@
 //! What is said to have no effect has none, and what is not said so has one: the table of the kernel against the kernel.
 
-use softanvil_kernel::impactor::StepInput;
 use softanvil_kernel::parameter::Kind;
-use softanvil_kernel::{PARAMETERS, Parameter, Scenario, Simulation, preset};
+use softanvil_kernel::{PARAMETERS, Parameter, Scenario, Simulation, StepInput, preset};
 
 /// Scenarios in which, together, every parameter acts and every one that can be without effect is.
 fn scenarios() -> Vec<(&'static str, Scenario)> {
@@ -67,7 +66,7 @@ fn run(scenario: &Scenario) -> String {
     let mut stopped = None;
     for step in 0..steps {
         let time = (step + 1) as f64 * simulation.constants().dt;
-        let input = StepInput { driven_position: -time, ..StepInput::default() };
+        let input = StepInput { driven_position: Some(-time), ..StepInput::default() };
         if let Err(error) = simulation.step(1, &input) {
             stopped = Some(error);
             break;

@@ -108,7 +108,7 @@ impl Body {
             }
         }
         state.velocity_mut().into_iter().for_each(|row| row.fill(0.0));
-        let input = StepInput { driven_position: self.scenario.impactor.gap, ..StepInput::default() };
+        let input = StepInput { driven_position: Some(self.scenario.impactor.gap), ..StepInput::default() };
         step(model, state, &input).map_err(|_| ())
     }
 

@@ -3,7 +3,7 @@
 use softanvil_kernel::scenario::DropBy;
 use softanvil_kernel::{Simulation, StepInput, preset};
 use softanvil_verification::problems::impactor::{Measured, spring};
-use softanvil_verification::tolerance::{FREE_FALL, SPRING, relative_error};
+use softanvil_verification::tolerance::{FREE_FALL, FREE_FALL_ENERGY, SPRING, relative_error};
 
 /// Source: uniform acceleration, v^2 = v0^2 + 2 g h and t = (v - v0) / g.
 #[test]
@@ -23,7 +23,12 @@ fn free_fall_through_the_gap() {
             let height = gap - speed * time - 0.5 * gravity * time * time;
             assert!((impactor.position - height).abs() < FREE_FALL * gap.max(speed * time) * 10.0);
             let velocity = speed + gravity * time;
-            assert!((impactor.velocity(dt) + velocity).abs() <= FREE_FALL * velocity);
+            assert!((impactor.velocity + velocity).abs() <= FREE_FALL * velocity);
+            // Kinetic energy is that of the velocity beside it, and all of it comes from the start and from gravity.
+            let (energy, mass) = (simulation.scalars().energy, scenario.impactor.mass);
+            assert_eq!(energy.impactor_kinetic, 0.5 * mass * impactor.velocity * impactor.velocity);
+            let at_contact = 0.5 * mass * contact_speed * contact_speed;
+            assert!(energy.residual().abs() <= FREE_FALL_ENERGY * at_contact, "{} J", energy.residual());
             simulation.step(1, &StepInput::default()).expect("free fall");
         }
         // The force that keeps the face from passing acts in the step that would pass.

@@ -1,6 +1,7 @@
 //! The verification suite, in one program because every part links the same solvers.
 
 mod closed_forms;
+mod driven;
 mod drop;
 mod effects;
 mod elastic_laws;

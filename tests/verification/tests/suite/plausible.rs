@@ -57,7 +57,7 @@ fn a_driven_face_may_go_as_deep_as_the_design_says() {
         for step in 1..=steps {
             // Down in a half wave and up again.
             let part = 0.5 * (1.0 - (std::f64::consts::TAU * step as f64 / steps as f64).cos());
-            let driven_position = gap - (gap + depth) * part;
+            let driven_position = Some(gap - (gap + depth) * part);
             let input = StepInput { driven_position, ..StepInput::default() };
             simulation.step(1, &input).unwrap_or_else(|error| panic!("{compression}: {error}"));
         }

@@ -1,0 +1,137 @@
+//! What acts on the impactor from outside: [`StepInput`], its legal values, and [`DrivenPath`], the way of a driven face.
+
+use crate::error::{ParameterError, StepError};
+use crate::impactor::ImpactorState;
+use crate::model::Constants;
+use crate::real::Real;
+use crate::scenario::Motion;
+
+/// What acts on the impactor from outside during a call, of one step or of many. The default leaves things as they are: no
+/// force, and a driven face stays where it is.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct StepInput {
+    /// Upward force on a falling impactor besides gravity and contact, N; held over the steps of the call.
+    pub external_force: Real,
+    /// Height of the face of a driven impactor above the undeformed anvil at the end of the call, m; none: where it is.
+    pub driven_position: Option<Real>,
+    /// Upward velocity of the face of a driven impactor at the end of the call, m/s. With it, the face moves along the cubic
+    /// from where and how fast it is to where and how fast it is to be; without it, along a straight line.
+    pub driven_velocity: Option<Real>,
+}
+
+/// One row of the table of inputs.
+pub struct InputRow {
+    /// Structured name, `group.field`.
+    pub name: &'static str,
+    /// SI unit.
+    pub unit: &'static str,
+    /// Smallest and largest legal value.
+    pub range: (Real, Real),
+    /// The only motion in which it acts. In others it may be any finite number.
+    pub motion: Motion,
+    /// The value, if there is one.
+    read: fn(&StepInput) -> Option<Real>,
+}
+
+/// Every input.
+pub static INPUTS: [InputRow; 3] = [
+    InputRow {
+        name: "impactor.external_force",
+        unit: "N",
+        range: (-1e6, 1e6),
+        motion: Motion::Drop,
+        read: |input| Some(input.external_force),
+    },
+    InputRow {
+        name: "impactor.driven_position",
+        unit: "m",
+        range: (-1.0, 1.0),
+        motion: Motion::Driven,
+        read: |input| input.driven_position,
+    },
+    InputRow {
+        name: "impactor.driven_velocity",
+        unit: "m/s",
+        range: (-100.0, 100.0),
+        motion: Motion::Driven,
+        read: |input| input.driven_velocity,
+    },
+];
+
+impl InputRow {
+    /// Whether `value` is legal: finite and in range.
+    ///
+    /// # Errors
+    /// The name, value, unit and legal range of a refused value.
+    pub fn check(&self, value: Real) -> Result<(), ParameterError> {
+        self.check_within(value, self.range)
+    }
+
+    fn check_within(&self, value: Real, (min, max): (Real, Real)) -> Result<(), ParameterError> {
+        let in_range = value >= min && value <= max;
+        if in_range { Ok(()) } else { Err(ParameterError { name: self.name, value, unit: self.unit, min, max }) }
+    }
+}
+
+impl StepInput {
+    /// Refuses values that are not legal, at `time` s.
+    ///
+    /// # Errors
+    /// The input, its value, its unit and what is legal.
+    pub fn check(&self, constants: &Constants, time: Real) -> Result<(), StepError> {
+        for row in &INPUTS {
+            let acts = constants.scenario.impactor.motion == row.motion;
+            let range = if acts { row.range } else { (Real::MIN, Real::MAX) };
+            if let Some(value) = (row.read)(self) {
+                row.check_within(value, range).map_err(|error| StepError::Input { error, time })?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The way of a driven face over the steps of a call: a straight line to a position, or a cubic to a position and a velocity.
+///
+/// With the time from 0 to 1, that of a call, the cubic has the given positions and velocities at both ends (Hermite's
+/// form); after the end it goes on along its tangent, and a straight line goes on straight.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DrivenPath {
+    input: StepInput,
+    /// Position, m, and velocity, m/s, at the start.
+    start: [Real; 2],
+    /// Steps until the end of the call, of which there may be a part.
+    steps: Real,
+    /// Time until the end of the call, s.
+    duration: Real,
+}
+
+impl DrivenPath {
+    /// From where `impactor` is to where `input` wants it after `steps` steps, a number that need not be whole.
+    pub fn new(constants: &Constants, impactor: &ImpactorState, input: &StepInput, steps: Real) -> Self {
+        let start = [impactor.position, impactor.velocity];
+        Self { input: *input, start, steps, duration: steps * constants.dt }
+    }
+
+    /// The input of step `number` of the call, from 1.
+    pub fn input(&self, number: u64) -> StepInput {
+        // Signed, since processors turn only signed integers into floats at once.
+        let part = number as i64 as Real / self.steps;
+        let (left, [start, velocity]) = (1.0 - part, self.start);
+        let end = self.input.driven_position.unwrap_or(start);
+        let Some(end_velocity) = self.input.driven_velocity else {
+            return StepInput { driven_position: Some(end + (start - end) * left), ..self.input };
+        };
+        if left <= 0.0 {
+            let driven_position = Some(end - self.duration * end_velocity * left);
+            return StepInput { driven_position, ..self.input };
+        }
+        // Times the duration, of the velocities.
+        let bend = velocity * (part * left) - end_velocity * (part * part);
+        let position = end + left * ((start - end) * (left * (1.0 + 2.0 * part)) + self.duration * bend);
+        let mean = (end - start) / self.duration;
+        let velocity = mean * (6.0 * part * left)
+            + velocity * (left * (1.0 - 3.0 * part))
+            + end_velocity * (part * (3.0 * part - 2.0));
+        StepInput { driven_position: Some(position), driven_velocity: Some(velocity), ..self.input }
+    }
+}
