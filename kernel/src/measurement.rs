@@ -162,3 +162,39 @@ impl Metrics {
         }
     }
 }
+
+#[cfg(all(test, not(feature = "single")))]
+mod tests {
+    use super::*;
+
+    /// The metrics after samples of these forces, N, with a threshold of 10 N.
+    fn after(forces: &[f64]) -> Metrics {
+        let mut metrics = Metrics::START;
+        for (number, force) in (1..).zip(forces) {
+            metrics.take_sample(&Sample { number, contact_force: *force, core_reaction: 0.0 }, 10.0);
+        }
+        metrics
+    }
+
+    /// Samples of 50 us, counted by hand: from the first at the threshold to the last, what lies between included.
+    #[test]
+    fn the_duration_is_that_of_the_samples_at_the_threshold() {
+        for (forces, samples) in [
+            (&[0.0, 9.9, 9.9] as &[f64], 0),
+            (&[0.0, 10.0], 1),
+            (&[0.0, 9.0, 11.0, 30.0, 12.0, 9.0, 0.0], 3),
+            (&[20.0, 0.0, 0.0, 20.0, 0.0], 4),
+        ] {
+            let expected = f64::from(samples) * 50e-6;
+            assert!((after(forces).impact_duration() - expected).abs() < 1e-12, "{forces:?}: {expected} s");
+        }
+        assert_eq!(after(&[0.0, 9.0, 31.0, 12.0]).peak_force, 31.0);
+    }
+
+    /// A ball that comes with 2 m/s and leaves with 1.
+    #[test]
+    fn the_restitution_is_the_ratio_of_the_speeds() {
+        assert_eq!(Metrics::START.restitution(), 0.0);
+        assert_eq!(Metrics { impact_speed: 2.0, rebound_speed: 1.0, ..Metrics::START }.restitution(), 0.5);
+    }
+}

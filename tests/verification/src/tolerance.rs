@@ -20,6 +20,20 @@ pub const PATCH: f64 = 1e-11;
 /// a strain of 10^-4 leaves nonlinear to the order of the strain.
 pub const PRONY_RAMP: f64 = 1e-3;
 
+/// Work on a Prony series under a ramp to a strain of 10^-4: the strain makes the law nonlinear to its own order, and the
+/// trapezoidal rule takes (dt / tau)^2 / 12 = 2 10^-6 off.
+pub const PRONY_WORK: f64 = 5e-4;
+
+/// A ring of 1 mm in a radius of 1 m: the hoop stretch differs by a thousandth of the growth from one side to the other.
+pub const THIN_RING: f64 = 2e-3;
+
+/// Width of a block under a strain of 10^-3: the linear closed form is off by the strain.
+pub const FLAT_WIDTH: f64 = 1e-4;
+
+/// Pressure at a node under a flat face: the triangles of a cylinder take the radius of their centre, which gives the nodes
+/// near the axis a little more or less than their part.
+pub const FLAT_PRESSURE: f64 = 0.05;
+
 /// Ramp of additive terms at a constant true strain rate: the increment at the mean stretch is off by the square of its
 /// size over 12, and each term is exact for it.
 pub const MAXWELL_RAMP: f64 = 1e-6;
