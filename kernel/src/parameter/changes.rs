@@ -138,8 +138,8 @@ const COEFFICIENTS: [&str; 11] = [
 
 #[cfg(all(test, not(feature = "single")))]
 mod tests {
-    extern crate std;
-    use std::string::{String, ToString};
+    extern crate alloc;
+    use alloc::string::{String, ToString};
 
     use super::*;
     use crate::parameter::Kind;

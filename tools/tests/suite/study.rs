@@ -215,13 +215,15 @@ fn any_parameter_is_studied_over_values_in_its_unit() {
     assert_eq!(peak(&lines[2]), run["peak_force"].as_f64().unwrap());
     assert!(peak(&lines[0]) < peak(&lines[1]) && peak(&lines[1]) < peak(&lines[2]));
     assert!(crate::common::svg_texts(&folder.join("silicone.c10.svg")).iter().any(|text| text == "silicone.c10 (Pa)"));
-    // A choice by its labels, and a parameter that the scenario does not use.
-    let layers = json(folder, &["study", "geometry.layers", "--values", "two", "--json"]);
+    // A choice by its labels, a parameter that decides nothing here, and one that has no effect.
+    let layers = json(folder, &["study", "core.interface", "--values", "bonded", "--json"]);
     let labels: Vec<&str> =
-        layers["cases"].as_array().unwrap().iter().map(|case| case["geometry.layers"].as_str().unwrap()).collect();
-    assert_eq!(labels, ["one", "two"]);
-    let skin = succeed(folder, &["study", "skin.c10", "--values", "1e5"]);
-    assert!(skin.contains("skin.c10 changes nothing in this scenario"), "{skin}");
+        layers["cases"].as_array().unwrap().iter().map(|case| case["core.interface"].as_str().unwrap()).collect();
+    assert_eq!(labels, ["bonded", "frictional"]);
+    let length = succeed(folder, &["study", "geometry.length", "--values", "10"]);
+    assert!(length.contains("geometry.length changes nothing in this scenario"), "{length}");
+    let skin = fail(folder, &["study", "skin.c10", "--values", "1e5"], 2);
+    assert!(skin.contains("skin.c10 = 100000 Pa has no effect: geometry.layers is one"), "{skin}");
     for (arguments, message) in [
         (&["study", "silicone.c10"][..], "without --values is refused: legal is a list of values of silicone.c10 (Pa)"),
         (&["study", "silicone.c10", "--values", "-1e20"], "silicone.c10 = -1e20 Pa is refused"),
@@ -266,7 +268,7 @@ fn a_case_that_is_cut_off_is_marked_in_table_csv_and_page() {
 #[test]
 fn a_model_that_is_not_the_paper_s_has_no_column_of_the_paper() {
     let folder = tempfile::tempdir().unwrap();
-    let study = ["study", "thickness", "--values", "13,15"];
+    let study = ["study", "thickness", "--values", "14,16"];
     assert!(succeed(folder.path(), &study).contains("The paper beside this model"));
     let own = succeed(folder.path(), &[&study[..], &["--set", "impactor.mass=3"]].concat());
     assert!(own.contains("Findings") && !own.contains("The paper beside this model"), "{own}");
