@@ -89,7 +89,7 @@ impl DropOptions {
 }
 
 /// Name of the parameter that says how long a run is.
-const DURATION: &str = "time.duration";
+pub(super) const DURATION: &str = "time.duration";
 
 impl StartOptions {
     fn apply(&self, changes: &mut Changes) -> Result<(), Failure> {

@@ -11,7 +11,7 @@ use crate::plot::PlotError;
 /// Whether files that are there are replaced.
 #[derive(Clone, Copy, Debug, Args)]
 pub struct Overwrite {
-    /// Replace files that are there, whoever wrote them
+    /// Replace files of the same names that are there, whoever wrote them
     #[arg(long)]
     pub overwrite: bool,
 }

@@ -8,12 +8,12 @@ use clap::Args;
 use serde_json::Value;
 use softanvil_kernel::Scenario;
 
-use super::drop_options::DropOptions;
+use super::drop_options::{DURATION, DropOptions};
 use super::output_files::Overwrite;
 use crate::failure::Failure;
 use crate::folder::Folder;
 use crate::picture_format::PictureFormat;
-use crate::run::Drop;
+use crate::run::{Drop, Until};
 use crate::scenario_file::suggestion;
 use crate::studies::case::Case;
 use crate::studies::columns;
@@ -87,7 +87,11 @@ pub fn carry_out(options: &Options) -> Result<String, Failure> {
     if studies.len() > 1 && !options.values.is_empty() {
         return Err(Failure::Input("--values is refused with all: legal is one study".into()));
     }
-    let subject = options.drop.subject()?;
+    let mut subject = options.drop.subject()?;
+    if options.study == DURATION {
+        // What is asked for is how long to simulate.
+        subject.until = Until::Duration;
+    }
     // Refused here, before anything is written.
     Drop::new(&subject.scenario)?;
     let plans = studies.iter().map(|study| options.plan(study, &subject.scenario)).collect::<Result<Vec<_>, _>>()?;

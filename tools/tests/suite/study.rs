@@ -215,6 +215,10 @@ fn any_parameter_is_studied_over_values_in_its_unit() {
     assert_eq!(peak(&lines[2]), run["peak_force"].as_f64().unwrap());
     assert!(peak(&lines[0]) < peak(&lines[1]) && peak(&lines[1]) < peak(&lines[2]));
     assert!(crate::common::svg_texts(&folder.join("silicone.c10.svg")).iter().any(|text| text == "silicone.c10 (Pa)"));
+    // Durations are not waited beyond.
+    let durations = json(folder, &["study", "time.duration", "--values", "0.004", "--json"]);
+    let endings = durations["cases"].as_array().unwrap().iter().map(|case| case["ending"].as_str().unwrap());
+    assert_eq!(endings.collect::<Vec<_>>(), ["in_contact", "complete"]);
     // A choice by its labels, a parameter that decides nothing here, and one that has no effect.
     let layers = json(folder, &["study", "core.interface", "--values", "bonded", "--json"]);
     let labels: Vec<&str> =
