@@ -152,6 +152,27 @@ impl Body {
         self.with(0, displacement, work)
     }
 
+    /// Internal forces on the corners of cell (u, v), N, at their displacements, m, from rest.
+    pub fn cell_forces(&self, corners: &Corners<f64>, u: usize, v: usize) -> Corners<f64> {
+        let (block, lane) = (v * self.constants.grid.blocks_per_row() + u / LANES, u % LANES);
+        let mut energy = ElementEnergy::ZERO;
+        let force = internal_force(
+            Scalar,
+            lane,
+            &Block {
+                laws: self.constants.laws_of(block),
+                constants: &self.cells[0][block],
+                hoop: self.hoops.get(block),
+            },
+            corners,
+            &mut CellHistory::REST.clone(),
+            &mut vec![Deviator::ZERO; 2 * self.constants.n_term()],
+            &mut energy,
+        );
+        assert_eq!(energy.inverted, ZERO, "a positive Jacobian");
+        force
+    }
+
     /// Mean first Piola-Kirchhoff stress of cell (u, v), Pa, from its forces: components 11, 22, 21 and 33 (hoop).
     ///
     /// In plane strain 33 does no work and is NaN.
@@ -163,17 +184,7 @@ impl Body {
             *value = displacement[self.corner(u, v, corner)];
         }
         let constants = &self.cells[0][block];
-        let mut energy = ElementEnergy::ZERO;
-        let force = internal_force(
-            Scalar,
-            lane,
-            &Block { laws: self.constants.laws_of(block), constants, hoop: self.hoops.get(block) },
-            &corners,
-            &mut CellHistory::REST.clone(),
-            &mut vec![Deviator::ZERO; 2 * self.constants.n_term()],
-            &mut energy,
-        );
-        assert_eq!(energy.inverted, ZERO, "a positive Jacobian");
+        let force = self.cell_forces(&corners, u, v);
         // sum f (x) X = V P, in which the hoop stress adds to xx; the radial forces alone add up to V P33 / R.
         let volume: f64 = constants.triangle.iter().map(|t| t.reference_volume[lane]).sum();
         let mut moment = [[0.0; 2]; 2];

@@ -86,7 +86,14 @@ fn the_default_mesh_is_within_a_few_percent() {
         assert!((a / b - 1.0).abs() < 0.03, "{own:?} {finest:?}");
     }
     let page = fs::read_to_string(all().join("mesh.md")).unwrap();
-    assert!(page.contains("refinement by 2") && page.contains("not monotone") | page.contains("asymptotic"), "{page}");
+    assert!(page.contains("refinement by 2"), "{page}");
+    // The peak rises and falls on the way to the finest meshes, the deformation settles.
+    for (quantity, verdict) in
+        [("| peak force (N) ", "none: not monotone"), ("| max deformation (mm) ", "(not asymptotic)")]
+    {
+        let line = page.lines().find(|line| line.starts_with(quantity)).unwrap_or_default();
+        assert!(line.contains(verdict), "{line}");
+    }
 }
 
 /// Source: mechanics. An elastic layer that keeps its volume must flow sideways, which friction hinders, and the more the

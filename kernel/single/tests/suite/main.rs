@@ -1,6 +1,9 @@
 //! What differs in single precision: the cube root, logarithms, powers and numbers as text. The physics is held by the traces of
 //! `tests/golden/single` and by the comparison with double precision in `tests/verification`.
 
+// The references are the platform's, in double precision.
+#![allow(clippy::disallowed_methods)]
+
 use softanvil_kernel_f32::cfc::Coefficients;
 use softanvil_kernel_f32::decimal::Decimal;
 use softanvil_kernel_f32::power::{exp2_of_both_signs, log2, log2_of_quotient};

@@ -23,8 +23,13 @@ fn waypoints() -> impl Strategy<Value = Vec<Waypoint>> {
     vec(waypoint, 1..5)
 }
 
-fn gradient([a, b, c, angle]: Waypoint) -> Gradient {
-    product(rotation(angle), [[a.exp(), c], [c, b.exp()]])
+/// The deformation at a waypoint. A body of revolution stays homogeneous where the radius is stretched as the circumference is,
+/// and where it turns into the axis: there is no rotation but that of this shear.
+fn gradient(formulation: Formulation, [a, b, c, angle]: Waypoint) -> Gradient {
+    match formulation {
+        Formulation::PlaneStrain => product(rotation(angle), [[a.exp(), c], [c, b.exp()]]),
+        Formulation::Axisymmetric => [[a.exp(), 0.0], [angle / 7.0, b.exp()]],
+    }
 }
 
 /// Coefficients of 0 to 0.1 MPa, with W > 0 for every deformation.
@@ -80,8 +85,14 @@ struct Work {
 }
 
 /// Drives a cell along the waypoints in `steps` steps each; checks every step.
-fn drive(material: Material, path: &[Waypoint], steps: u32) -> Result<(Cell, Work), TestCaseError> {
-    let mut cell = Cell::new(material, Formulation::PlaneStrain, DT);
+fn drive(
+    formulation: Formulation,
+    material: Material,
+    path: &[Waypoint],
+    steps: u32,
+) -> Result<(Cell, Work), TestCaseError> {
+    let gradient = |waypoint| gradient(formulation, waypoint);
+    let mut cell = Cell::new(material, formulation, DT);
     let mut work = Work::default();
     let (mut from, mut dissipated) = ([0.0; 4], [0.0_f64; 2]);
     let mut before = (gradient(from), cell.deform(gradient(from)));
@@ -109,7 +120,14 @@ fn drive(material: Material, path: &[Waypoint], steps: u32) -> Result<(Cell, Wor
     Ok((cell, work))
 }
 
-fn for_all(cases: u32, check: impl Fn(Material, Vec<Waypoint>) -> Result<(), TestCaseError>) {
+/// Both formulations, as many `cases` of each.
+fn for_all(cases: u32, check: impl Fn(Formulation, Material, Vec<Waypoint>) -> Result<(), TestCaseError>) {
+    for formulation in [Formulation::PlaneStrain, Formulation::Axisymmetric] {
+        for_all_of(cases, |material, path| check(formulation, material, path));
+    }
+}
+
+fn for_all_of(cases: u32, check: impl Fn(Material, Vec<Waypoint>) -> Result<(), TestCaseError>) {
     let config = Config { cases, failure_persistence: None, ..Config::default() };
     let rng = TestRng::deterministic_rng(RngAlgorithm::ChaCha);
     let mut runner = TestRunner::new_with_rng(config, rng);
@@ -118,19 +136,19 @@ fn for_all(cases: u32, check: impl Fn(Material, Vec<Waypoint>) -> Result<(), Tes
 
 #[test]
 fn histories_are_finite_and_dissipate() {
-    for_all(2000, |material, path| drive(material, &path, 7).map(drop));
+    for_all(2000, |formulation, material, path| drive(formulation, material, &path, 7).map(drop));
 }
 
 /// Whole histories in single steps: as far as any step can go without turning an element inside out.
 #[test]
 fn jumps_are_finite_and_dissipate() {
-    for_all(2000, |material, path| drive(material, &path, 1).map(drop));
+    for_all(2000, |formulation, material, path| drive(formulation, material, &path, 1).map(drop));
 }
 
 #[test]
 fn energy_closes() {
-    for_all(200, |material, path| {
-        let (cell, work) = drive(material, &path, 1000)?;
+    for_all(200, |formulation, material, path| {
+        let (cell, work) = drive(formulation, material, &path, 1000)?;
         let booked = cell.elastic_energy + cell.viscous_work + cell.slider_stored + cell.slider_dissipation + cell.tear;
         let error = (booked - work.net).abs() / work.gross;
         prop_assert!(error < HISTORY_ENERGY, "{booked} J/m3 against {} J/m3: {error:e}", work.net);
@@ -141,7 +159,7 @@ fn energy_closes() {
 /// Springs and dashpots beside the rest take work in every history; a quasi-linear branch need not (`viscoelastic`).
 #[test]
 fn additive_terms_give_back_no_more_than_they_took() {
-    for_all(200, |material, path| {
+    for_all(200, |formulation, material, path| {
         let additive = Material {
             prony_g: [0.0; 5],
             maxwell_g: [0.2e6, 0.05e6, 0.0, 0.0, 0.0],
@@ -151,7 +169,7 @@ fn additive_terms_give_back_no_more_than_they_took() {
         };
         let mut there_and_back = path.clone();
         there_and_back.push([0.0; 4]);
-        let (cell, work) = drive(additive, &there_and_back, 1000)?;
+        let (cell, work) = drive(formulation, additive, &there_and_back, 1000)?;
         prop_assert!(cell.viscous_work > -HISTORY_ENERGY * work.gross, "{} J/m3", cell.viscous_work);
         Ok(())
     });

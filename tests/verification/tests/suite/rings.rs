@@ -42,7 +42,7 @@ fn ring(material: Material, stretches: &[f64]) -> Ring {
     let position = |u: usize, v: usize| [RADIUS - 0.5 * SIDE + cell * u as f64, cell * v as f64];
     let mut simulation = Simulation::with_positions(&scenario, &position).expect("a legal ring");
     let ring = simulation.with(|model, state| {
-        let input = StepInput { driven_position: scenario.impactor.gap, ..StepInput::default() };
+        let input = StepInput::default();
         let stride = model.constants.grid.stride();
         for stretch in stretches {
             let [x, y] = state.displacement_mut();

@@ -48,7 +48,7 @@ fn booked(formulation: Formulation, displacement: fn([f64; 2], f64) -> [f64; 2])
     (scenario.time.step_by, scenario.time.step) = (StepBy::Given, STEP);
     let mut simulation = Simulation::new(&scenario).expect("a legal scenario");
     let work = simulation.with(|model, state| {
-        let input = StepInput { driven_position: scenario.impactor.gap, ..StepInput::default() };
+        let input = StepInput::default();
         let stride = model.constants.grid.stride();
         let mut after = [0.0; 2];
         for n in 1..=RAMP + HOLD {
