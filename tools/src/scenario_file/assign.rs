@@ -1,4 +1,4 @@
-//! One value for one parameter, wherever it is written: in a scenario file, under [fixed] of a problem file, with --set, or
+//! One value for one parameter, wherever it is written: in a scenario file, under `[fixed]` of a problem file, with --set, or
 //! in the list of a study. All of them are read by [`number`] and set by [`set`].
 
 use softanvil_kernel::parameter::Kind;
