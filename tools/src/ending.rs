@@ -91,3 +91,38 @@ pub fn remark(run: &Run) -> String {
     };
     filled(&text)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::run::Drop;
+    use softanvil_kernel::{Output, preset};
+
+    /// Source: the trace. The results are final once a sample after the first contact is without force.
+    #[test]
+    fn the_kernel_tells_when_its_results_are_final() {
+        let run = Drop::new(&preset::study()).unwrap().run(|_| {}).unwrap();
+        let complete = Output::find("result.complete").unwrap();
+        let force: Vec<f64> = run.samples().iter().map(|sample| sample.sampler.last.contact_force).collect();
+        let first = force.iter().position(|force| *force > 0.0).unwrap();
+        let last = force.iter().rposition(|force| *force > 0.0).unwrap();
+        for (i, sample) in run.samples().iter().enumerate() {
+            let value = (complete.read)(&run.constants, sample);
+            // Within the contact a node may let go for a sample.
+            if i < first || force[i] > 0.0 || i > last {
+                assert_eq!(value, if i > last { 1.0 } else { 0.0 }, "sample {i}");
+            }
+        }
+        assert!(first > 10 && last + 10 < force.len());
+        assert_eq!(run.ending(), Ending::Complete);
+    }
+
+    #[test]
+    fn a_press_at_its_depth_has_a_final_force_and_no_final_impulse() {
+        assert!(!Ending::Held.cuts("result.peak_force") && Ending::Held.cuts("result.impulse"));
+        assert!(Ending::InContact.cuts("result.peak_force") && !Ending::InContact.cuts("result.impact_speed"));
+        assert!(!Ending::InContact.cuts("energy.elastic") && !Ending::Complete.cuts("result.impulse"));
+        assert_eq!(Ending::InContact.marked("result.impulse", "1.45".into()), "1.45*");
+        assert_eq!(Ending::NoContact.marked("result.impulse", "0.00".into()), "-");
+    }
+}

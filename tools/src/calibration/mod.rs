@@ -5,8 +5,8 @@
 //! 2. [`objective`] turns values into a score: it simulates the impacts and compares.
 //! 3. [`search`] looks for the lowest score with CMA-ES and restarts; every evaluation goes to the [`log`], from which an
 //!    interrupted search continues.
-//! 4. [`result`] is what came out: the best values, whether the search has [`convergence`], and the [`spread`] of values that
-//!    are about as good.
+//! 4. [`result`] is what came out: the best values, whether the search has converged ([`convergence`]), and the
+//!    [`spread`] of values that are about as good.
 
 pub mod convergence;
 pub mod log;

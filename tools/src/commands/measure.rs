@@ -102,8 +102,10 @@ impl Options {
         if let Some(path) = &self.plot {
             let load = load(run);
             let cut = ending::suffix(run);
+            // The axis has the name of the force.
+            let filter = reading.channel_class.map_or("unfiltered".into(), |class| format!("CFC {class}"));
             let mut curves =
-                vec![(format!("Softanvil, {load}, {reading}{cut}"), record.series.since_onset(record.threshold))];
+                vec![(format!("Softanvil, {load}, {filter}{cut}"), record.series.since_onset(record.threshold))];
             if let Some(comparison) = comparison {
                 curves.push(("measured".into(), comparison.measured.since_onset(comparison.threshold)));
             }

@@ -42,6 +42,7 @@ pub fn draw(title: &str, x: (&str, bool), y: &str, lines: &[Line]) -> Result<Str
         let mut chart = ChartBuilder::on(&axes)
             .margin(MARGIN)
             .margin_top(0)
+            .margin_right(right_margin(lines))
             .x_label_area_size(X_LABEL_AREA)
             .y_label_area_size(Y_LABEL_AREA)
             .build_cartesian_2d(across, upwards)?;
@@ -82,6 +83,12 @@ pub fn draw(title: &str, x: (&str, bool), y: &str, lines: &[Line]) -> Result<Str
         area.present()?;
     }
     Ok(in_pixels(&svg, PANEL_SIZE))
+}
+
+/// Room on the right, for half of the last number of the axis, which may have many digits.
+fn right_margin(lines: &[Line]) -> u32 {
+    let largest = lines.iter().flat_map(|line| &line.points).fold(0.0, |largest, point| f64::max(largest, point.0));
+    if largest >= 1e5 { MARGIN + 2 * TICK_LABEL_SIZE } else { MARGIN }
 }
 
 /// Axes over all points, with room for the legend above them.

@@ -1,4 +1,4 @@
-//! One value for one parameter, wherever it is written: in a scenario file, under [fixed] of a problem file, with --set, or
+//! One value for one parameter, wherever it is written: in a scenario file, under `[fixed]` of a problem file, with --set, or
 //! in the list of a study. All of them are read by [`number`] and given to the kernel's [`Changes`], which see to it that each
 //! of them acts.
 
