@@ -77,9 +77,9 @@ fn check(ring: &Ring, stretch: f64, part: f64) {
     let energy = part * isochoric + 0.5 * BULK * (stretch - 1.0) * (stretch - 1.0);
     let elastic = 2.0 * std::f64::consts::PI * RADIUS * SIDE * SIDE * energy;
     for (what, found, expected) in [
+        ("force", ring.force, force),
         ("difference", ring.difference, difference),
         ("mean", ring.mean, mean),
-        ("force", ring.force, force),
         ("energy", ring.elastic, elastic),
     ] {
         assert!(relative_error(found, expected) < THIN_RING, "{what} at {stretch}: {found} against {expected}");
