@@ -44,7 +44,8 @@ fn ring(material: Material, stretches: &[f64]) -> Ring {
     let ring = simulation.with(|model, state| {
         let input = StepInput::default();
         let stride = model.constants.grid.stride();
-        for stretch in stretches {
+        // Held for a step at the end: the ledger carries energies on by half of their last change.
+        for stretch in stretches.iter().chain(stretches.last()) {
             let [x, y] = state.displacement_mut();
             for node in (0..=CELLS).flat_map(|v| (0..=CELLS).map(move |u| v * stride + u)) {
                 (x[node], y[node]) = ((stretch - 1.0) * RADIUS, 0.5);
