@@ -35,14 +35,15 @@ static SoftanvilSimulation *anvil(double motion)
     SoftanvilSimulation *simulation = NULL;
     must(softanvil_scenario_default(SOFTANVIL_PRESET_STUDY, &scenario));
     must(softanvil_scenario_set(&scenario, SOFTANVIL_PARAMETER_IMPACTOR_MOTION, motion, &error));
-    must(softanvil_scenario_set(&scenario, SOFTANVIL_PARAMETER_IMPACTOR_MASS, MASS, &error));
-    must(softanvil_scenario_set(&scenario, SOFTANVIL_PARAMETER_IMPACTOR_GRAVITY, GRAVITY, &error));
     must(softanvil_scenario_set(&scenario, SOFTANVIL_PARAMETER_IMPACTOR_GAP, GAP, &error));
-    must(softanvil_scenario_set(&scenario, SOFTANVIL_PARAMETER_IMPACTOR_DROP_BY, SOFTANVIL_IMPACTOR_DROP_BY_ENERGY,
-                                &error));
-    must(softanvil_scenario_set(&scenario, SOFTANVIL_PARAMETER_IMPACTOR_DROP_ENERGY, ENERGY, &error));
-    /* How far a driven face may press the layer. */
-    must(softanvil_scenario_set(&scenario, SOFTANVIL_PARAMETER_TIME_DESIGN_COMPRESSION, 0.8, &error));
+    if (motion == SOFTANVIL_IMPACTOR_MOTION_DROP) {
+        must(softanvil_scenario_set(&scenario, SOFTANVIL_PARAMETER_IMPACTOR_MASS, MASS, &error));
+        must(softanvil_scenario_set(&scenario, SOFTANVIL_PARAMETER_IMPACTOR_GRAVITY, GRAVITY, &error));
+        must(softanvil_scenario_set(&scenario, SOFTANVIL_PARAMETER_IMPACTOR_DROP_ENERGY, ENERGY, &error));
+    } else {
+        /* How far a driven face may press the layer. */
+        must(softanvil_scenario_set(&scenario, SOFTANVIL_PARAMETER_TIME_DESIGN_COMPRESSION, 0.8, &error));
+    }
     must(softanvil_init(memory, sizeof memory, &scenario, &simulation, &error));
     return simulation;
 }
