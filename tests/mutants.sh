@@ -13,4 +13,4 @@ case $package in
 esac
 # A mutant that runs on without an end is one that the tests see: 300 s are four times what they take.
 cargo mutants --package "$package" --test-package "$tests" --sharding round-robin --shard "$shard" --timeout 300 \
-    --output "target/mutation/$package-${shard/\//-of-}" "$@"
+    --shuffle --output "target/mutation/$package-${shard/\//-of-}" "$@"
