@@ -30,9 +30,8 @@ pub const THIN_RING: f64 = 2e-3;
 /// Width of a block under a strain of 10^-3: the linear closed form is off by the strain.
 pub const FLAT_WIDTH: f64 = 1e-4;
 
-/// Pressure at a node under a flat face: the triangles of a cylinder take the radius of their centre, which gives the nodes
-/// near the axis a little more or less than their part.
-pub const FLAT_PRESSURE: f64 = 0.05;
+/// Pressure at a node under a flat face against the mean: what is left of the motion, and the rounding of the last step's catch.
+pub const FLAT_PRESSURE: f64 = 1e-4;
 
 /// Ramp of additive terms at a constant true strain rate: the increment at the mean stretch is off by the square of its
 /// size over 12, and each term is exact for it.
