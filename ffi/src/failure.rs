@@ -172,7 +172,7 @@ impl Failure {
             Self::Step(StepError::Inverted { .. }) => Status::Inverted,
             Self::Step(StepError::Unstable { .. }) => Status::Unstable,
             Self::Step(StepError::Input { .. }) => Status::IllegalInput,
-            Self::Snapshot(SnapshotError::Length { .. }) => Status::ShortBuffer,
+            Self::Snapshot(SnapshotError::Length { .. } | SnapshotError::Memory(_)) => Status::ShortBuffer,
             Self::Snapshot(SnapshotError::Format) => Status::SnapshotFormat,
             Self::Snapshot(SnapshotError::Foreign) => Status::SnapshotForeign,
             Self::Snapshot(SnapshotError::Corrupt) => Status::SnapshotCorrupt,

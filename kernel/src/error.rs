@@ -379,6 +379,14 @@ pub enum SnapshotError {
     Corrupt,
     /// The state has failed; there is nothing worth saving.
     Failed,
+    /// There is too little memory.
+    Memory(MemoryError),
+}
+
+impl From<MemoryError> for SnapshotError {
+    fn from(error: MemoryError) -> Self {
+        Self::Memory(error)
+    }
 }
 
 impl fmt::Display for SnapshotError {
@@ -391,6 +399,7 @@ impl fmt::Display for SnapshotError {
             Self::Foreign => f.write_str("the snapshot belongs to a different model"),
             Self::Corrupt => f.write_str("the snapshot's checksum does not match its content"),
             Self::Failed => f.write_str("the state has failed and cannot be saved: reset or restore it first"),
+            Self::Memory(error) => error.fmt(f),
         }
     }
 }

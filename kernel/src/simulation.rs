@@ -3,17 +3,35 @@
 use alloc::vec::Vec;
 
 use crate::element::{CellConstants, CellHistory, HoopConstants};
-use crate::error::{MemoryError, ModelError, StepError};
+use crate::error::{MemoryError, ModelError, SnapshotError, StepError};
 use crate::input::StepInput;
 use crate::lanes::Deviator;
 use crate::model::{Constants, Model};
+use crate::output::Output;
+use crate::parameter::Parameter;
 use crate::real::Real;
 use crate::scenario::Scenario;
+use crate::snapshot::{restore, save, snapshot_size};
 use crate::state::{Scalars, State};
 use crate::step::steps;
 use crate::storage::{ModelMemory, Size, StateMemory};
 
-/// An owned simulation.
+/// An owned simulation. A clone goes on by itself.
+///
+/// ```
+/// use softanvil_kernel::{Simulation, StepInput, preset};
+///
+/// let mut simulation = Simulation::new(&preset::study())?;
+/// simulation.run(4e-3, &StepInput::default())?;
+/// let saved = simulation.save()?;
+/// simulation.run(1e-3, &StepInput::default())?;
+/// let force = simulation.output("contact.force");
+/// simulation.restore(&saved)?;
+/// simulation.run(1e-3, &StepInput::default())?;
+/// assert_eq!(simulation.output("contact.force"), force);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[derive(Clone)]
 pub struct Simulation {
     constants: Constants,
     scalars: Scalars,
@@ -106,6 +124,40 @@ impl Simulation {
         self.with(|model, state| steps(model, state, n, input))?
     }
 
+    /// Makes the steps that cover `duration` s, rounded up to whole sampling intervals of 50 us; see [`Simulation::step`].
+    ///
+    /// # Errors
+    /// As [`Simulation::step`], and a duration that is no legal `time.duration`.
+    pub fn run(&mut self, duration: Real, input: &StepInput) -> Result<(), StepError> {
+        let time = self.time();
+        let legal = Parameter::find("time.duration").map_or(Ok(()), |row| row.check(duration));
+        legal.map_err(|error| StepError::Input { error, time })?;
+        self.step(self.constants.steps_in(duration), input)
+    }
+
+    /// The output called `name`, in the unit of its row in [`crate::OUTPUTS`]; none if there is none of this name.
+    pub fn output(&self, name: &str) -> Option<Real> {
+        Output::find(name).map(|output| (output.read)(&self.constants, &self.scalars))
+    }
+
+    /// The state as a snapshot, which [`Simulation::restore`] takes on any target.
+    ///
+    /// # Errors
+    /// A state that has failed, or no memory.
+    pub fn save(&mut self) -> Result<Vec<u8>, SnapshotError> {
+        let mut bytes = filled(0, snapshot_size(&self.constants), "snapshot")?;
+        self.with(|model, state| save(model, state, &mut bytes))??;
+        Ok(bytes)
+    }
+
+    /// Goes on from a snapshot of the same model.
+    ///
+    /// # Errors
+    /// Bytes that are no such snapshot; nothing changes then.
+    pub fn restore(&mut self, bytes: &[u8]) -> Result<(), SnapshotError> {
+        self.with(|model, state| restore(model, state, bytes))?
+    }
+
     /// Back to the start of the drop.
     ///
     /// # Errors
@@ -119,9 +171,49 @@ impl Simulation {
 ///
 /// # Errors
 /// The heap has no room for them.
-fn filled<T: Copy>(value: T, n: usize, what: &'static str) -> Result<Vec<T>, ModelError> {
+fn filled<T: Copy>(value: T, n: usize, what: &'static str) -> Result<Vec<T>, MemoryError> {
     let mut items = Vec::new();
     items.try_reserve_exact(n).map_err(|_| MemoryError { what, given: 0, needed: n })?;
     items.resize(n, value);
     Ok(items)
+}
+
+#[cfg(all(test, not(feature = "single")))]
+mod tests {
+    use super::*;
+    use crate::preset;
+
+    fn after(duration: Real) -> Simulation {
+        let mut simulation = Simulation::new(&preset::study()).unwrap();
+        simulation.run(duration, &StepInput::default()).unwrap();
+        simulation
+    }
+
+    #[test]
+    fn a_clone_and_a_restored_one_go_on_with_the_same_bits() {
+        let input = StepInput::default();
+        let (whole, mut half) = (after(6e-3), after(3e-3));
+        let saved = half.save().unwrap();
+        let mut clone = half.clone();
+        half.step(1000, &input).unwrap();
+        clone.run(3e-3, &input).unwrap();
+        assert_eq!(clone.scalars(), whole.scalars());
+        half.restore(&saved).unwrap();
+        half.run(3e-3, &input).unwrap();
+        assert_eq!(half.scalars(), whole.scalars());
+    }
+
+    #[test]
+    fn outputs_go_by_name_and_durations_are_checked() {
+        let mut simulation = after(3e-3);
+        assert_eq!(simulation.output("result.peak_force"), Some(simulation.scalars().metrics.peak_force));
+        assert_eq!(simulation.output("result.peak"), None);
+        let before = *simulation.scalars();
+        for duration in [f64::NAN, f64::INFINITY, -1.0, 0.0, 101.0] {
+            assert!(matches!(simulation.run(duration, &StepInput::default()), Err(StepError::Input { .. })));
+        }
+        assert_eq!(*simulation.scalars(), before);
+        assert!(matches!(simulation.restore(&[0; 8]), Err(SnapshotError::Length { .. })));
+        assert_eq!(*simulation.scalars(), before);
+    }
 }

@@ -16,7 +16,7 @@ quietly() { "$@" >"$work/log" 2>&1 || { cat "$work/log"; echo "failed: $*"; exit
 
 # Two installations in one; a staged one has the same files under DESTDIR, and its files do not know of it.
 quietly "$root/install.sh" --prefix "$prefix"
-DESTDIR=$work/stage quietly "$root/install.sh" --prefix /usr -DCMAKE_INSTALL_LIBDIR=lib
+DESTDIR=$work/stage quietly "$root/install.sh" -DCMAKE_INSTALL_LIBDIR=lib --prefix /usr
 diff <(cd "$prefix" && find . | sort) <(cd "$work/stage/usr" && find . | sort)
 ! grep -rIl "$work" "$work/stage" "$prefix"
 soname=$(readelf -d "$prefix/lib/libsoftanvil.so" | sed -n 's/.*soname: \[\(.*\)\]/\1/p')
