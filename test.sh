@@ -49,6 +49,7 @@ kernel_alone() { cargo build -q --release -p softanvil-kernel --no-default-featu
 run "format" cargo fmt --all --check
 # With the profile of the build that follows, which then has its procedural macros.
 run "clippy" cargo clippy -q --release --workspace --all-targets -- -D warnings
+run "documentation" env RUSTDOCFLAGS=-Dwarnings cargo doc -q --release --workspace --no-deps
 run "build, release" cargo build -q --release -p softanvil -p softanvil-ffi
 run "build, library" cargo build -q --profile library -p softanvil-ffi -p softanvil-bench
 run "build, checked" cargo build -q --profile checked -p softanvil -p softanvil-ffi

@@ -3,7 +3,7 @@
 //! * [`description`] writes `modelDescription.xml` from the variable table of `softanvil-ffi`, [`terminals`] what FMI 3.0
 //!   has besides,
 //! * [`documentation`] the page that explains the variables, [`mod@reference`] the results to compare with,
-//! * [`build`] makes the binary of a platform, [`platform`] tells for which one a library was built,
+//! * [`mod@build`] makes the binary of a platform, [`platform`] tells for which one a library was built,
 //! * [`archive`] the zip file, byte for byte the same for the same content.
 
 pub mod archive;

@@ -4,7 +4,7 @@ use core::fmt::{self, Write};
 
 use crate::real::{self, Real};
 
-/// Shows a number with up to [`DIGITS`] significant digits: plain where it is short, with a power of ten elsewhere.
+/// Shows a number with up to `DIGITS` significant digits: plain where it is short, with a power of ten elsewhere.
 #[derive(Clone, Copy, Debug)]
 pub struct Decimal(pub Real);
 

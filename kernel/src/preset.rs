@@ -107,7 +107,7 @@ pub static PRESETS: &[Preset] = &[
 /// doi 10.1007/s12283-023-00407-7, dropped on with 14.7 J.
 ///
 /// Geometry, impactor, density, friction under the face and on the core, and element size are those of the paper's model.
-/// The coefficients of its material models are not published: [`study_silicone`] was identified with this kernel from the
+/// The coefficients of its material models are not published: `study_silicone` was identified with this kernel from the
 /// twelve numbers of its measured drops. The force threshold of the impact duration, which the paper does not state, is
 /// just under 1 % of its smallest peak.
 pub fn study() -> Scenario {

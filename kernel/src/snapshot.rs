@@ -1,7 +1,7 @@
 //! Saving and restoring a state as bytes that mean the same on every target.
 //!
 //! Format: little-endian 64-bit words. Header: magic, format version, fingerprint of the model, number of words that
-//! follow before the checksum; then the scalars and the arrays in the order of [`visit`]; last the FNV-1a digest of
+//! follow before the checksum; then the scalars and the arrays in the order of `visit`; last the FNV-1a digest of
 //! everything before it. Equal states give equal bytes. A number of single precision is a word whose upper half is zero;
 //! the fingerprints of the two precisions differ, so neither takes over a state of the other.
 

@@ -23,7 +23,7 @@ pub struct Scalars {
     pub force: Forces,
     /// Half of the width over which the face touches the surface, m.
     pub contact_half_width: Real,
-    /// Force samples at [`crate::model::SAMPLING_INTERVAL`].
+    /// Force samples at [`crate::SAMPLING_INTERVAL`].
     pub sampler: Sampler,
     /// Numbers of the test so far.
     pub metrics: Metrics,

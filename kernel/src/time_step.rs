@@ -1,7 +1,7 @@
 //! The fixed time step: chosen once, from a trial of this very scenario.
 //!
 //! A cell that is pressed bears a smaller step than at rest, by how much depends on the law and on how far the scenario
-//! presses it, which no formula says beforehand. A trial ([`crate::trial`]) on a coarse mesh with a step that follows its
+//! presses it, which no formula says beforehand. A trial (`trial.rs`) on a coarse mesh with a step that follows its
 //! limit tells the ratio of the smallest limit to that at rest; times the limit at rest of the mesh itself and
 //! the safety factor it gives the step. Where the ratio is small, a coarse mesh says too little of the cells that are
 //! pressed most, and the trial is repeated on the mesh itself.

@@ -165,7 +165,7 @@ pub fn four_digits(value: f64) -> String {
 /// Characters of a line where no terminal says how many it has.
 const WIDTH: u16 = 80;
 
-/// `text` with line breaks at blanks, so that no line is longer than [`WIDTH`] where that is possible.
+/// `text` with line breaks at blanks, so that no line is longer than `WIDTH` where that is possible.
 pub fn filled(text: &str) -> String {
     let mut filled = String::new();
     for line in text.lines() {
@@ -199,7 +199,7 @@ pub(crate) fn new_plain_table(header: &[&str]) -> Table {
     table
 }
 
-/// An empty table with this header, which fits the terminal, or [`WIDTH`] characters.
+/// An empty table with this header, which fits the terminal, or `WIDTH` characters.
 pub fn new_table(header: &[&str]) -> Table {
     let mut table = Table::new();
     table.load_style(style()).set_header(header).set_content_arrangement(ContentArrangement::Dynamic);

@@ -97,7 +97,7 @@ impl MooneyRivlin {
         2.0 * (self.c10 + self.c01)
     }
 
-    /// A majorant of the shear tangent, Pa; see [`invariant_shear_tangent`].
+    /// A majorant of the shear tangent, Pa; see `invariant_shear_tangent`.
     #[inline(always)]
     pub fn shear_tangent<S: Instructions>(&self, set: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
         let (i1, i2) = stretch.invariants();

@@ -45,7 +45,7 @@ impl NeoHookean {
         2.0 * self.c10
     }
 
-    /// A majorant of the shear tangent, Pa; see [`invariant_shear_tangent`].
+    /// A majorant of the shear tangent, Pa; see `invariant_shear_tangent`.
     #[inline(always)]
     pub fn shear_tangent<S: Instructions>(&self, set: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
         let zero = set.splat(0.0);

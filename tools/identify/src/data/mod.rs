@@ -1,6 +1,6 @@
 //! From the files of a test machine to curves in SI units.
 //!
-//! [`text`] decodes a file, [`sheet`] finds its table of numbers, [`column`] says what the columns are (with [`unit`]
+//! [`text`] decodes a file, [`sheet`] finds its table of numbers, [`mod@column`] says what the columns are (with [`mod@unit`]
 //! and [`number`]), [`series`] tells specimens apart, [`curve`] makes stretches and nominal stresses of them (with
 //! [`specimen`]), [`cycles`] tells loading from unloading, [`repeats`] makes one curve of several specimens, and [`thinned`]
 //! fewer points of very many.
