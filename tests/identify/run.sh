@@ -31,6 +31,7 @@ sed -n '/^```python$/,/^```$/p' "$root/docs/identification.md" | sed '1d;$d' >ex
 echo 'print("%.0f N" % result["result.peak_force"][-1])' >>example.py
 peak=$("$build/softanvil" run --material rubber/material.toml --energy 4.9 --json |
     "$python" -c 'import json, sys; print("%.0f N" % json.load(sys.stdin)["peak_force"])')
-found=$("$python" example.py)
+# The importer prints warnings above it: the study's 15 ms end in contact on this soft rubber.
+found=$("$python" example.py | tail -1)
 printf 'peak force %s, in the FMU %s\n' "$peak" "$found"
 [ "$peak" = "$found" ]
