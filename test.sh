@@ -52,7 +52,9 @@ run "clippy" cargo clippy -q --release --workspace --all-targets -- -D warnings
 run "documentation" env RUSTDOCFLAGS=-Dwarnings cargo doc -q --release --workspace --no-deps
 run "build, release" cargo build -q --release -p softanvil -p softanvil-ffi
 run "build, library" cargo build -q --profile library -p softanvil-ffi -p softanvil-bench
-run "build, checked" cargo build -q --profile checked -p softanvil -p softanvil-ffi
+# Everything that the Rust tests take, at once: parts of the workspace built alone may have other features, and libraries of
+# the same name would take each other's place.
+run "build, checked" cargo build -q --profile checked --workspace --lib --bins --examples --tests
 run "kernel alone, no_std" kernel_alone
 run "main job" main_job
 run "processors that lack something" tests/targets/processors.sh

@@ -27,8 +27,11 @@ SIZES = {
 @pytest.fixture(scope="module", params=[2, 3])
 def prototypes(request):
     """Version, and the prototypes of the library in C."""
-    command = ["cargo", "run", "--quiet", "--profile", "checked", "-p", "softanvil-ffi", "--example", "fmi_prototypes", "--"]
-    made = subprocess.run([*command, str(request.param)], cwd=ROOT, check=True, capture_output=True, text=True)
+    # As the Rust tests build it, which may run at the same time.
+    build = ["cargo", "build", "--quiet", "--profile", "checked", "--workspace", "--lib", "--bins", "--examples", "--tests"]
+    subprocess.run(build, cwd=ROOT, check=True)
+    program = ROOT / "target" / "checked" / "examples" / "fmi_prototypes"
+    made = subprocess.run([program, str(request.param)], cwd=ROOT, check=True, capture_output=True, text=True)
     return request.param, made.stdout
 
 
