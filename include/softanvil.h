@@ -238,7 +238,7 @@ enum SoftanvilParameter {
     SOFTANVIL_PARAMETER_GEOMETRY_LENGTH = 5,
     /** geometry.block_width, m, from 1e-4 to 10: full width, or diameter if axisymmetric (block shape). */
     SOFTANVIL_PARAMETER_GEOMETRY_BLOCK_WIDTH = 6,
-    /** impactor.motion, a SoftanvilImpactorMotion: a falling mass, a position given from outside at every step, or down at a speed to a depth and hold. */
+    /** impactor.motion, a SoftanvilImpactorMotion: a falling mass, a position given from outside with every call, or down at a speed to a depth and hold. */
     SOFTANVIL_PARAMETER_IMPACTOR_MOTION = 7,
     /** impactor.mass, kg, from 0.001 to 10000: mass of the impactor. */
     SOFTANVIL_PARAMETER_IMPACTOR_MASS = 8,
@@ -480,7 +480,7 @@ enum SoftanvilGeometryFormulation {
     SOFTANVIL_GEOMETRY_FORMULATION_AXISYMMETRIC = 1
 };
 
-/** impactor.motion: a falling mass, a position given from outside at every step, or down at a speed to a depth and hold. */
+/** impactor.motion: a falling mass, a position given from outside with every call, or down at a speed to a depth and hold. */
 enum SoftanvilImpactorMotion {
     SOFTANVIL_IMPACTOR_MOTION_DROP = 0,
     SOFTANVIL_IMPACTOR_MOTION_DRIVEN = 1,

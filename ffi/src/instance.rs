@@ -140,9 +140,8 @@ impl Instance {
     /// # Errors
     /// A scenario that cannot be simulated; it can be corrected.
     pub fn exit_initialization(&mut self) -> Result<Changes, Error> {
-        self.prepare()?;
         let changes = self.changes();
-        self.scenario = changes.resolve().map_err(ModelError::Scenario).map_err(Error::Model)?;
+        self.scenario = self.prepare()?.constants().scenario;
         self.mode = if self.event_mode_used { Mode::Event } else { Mode::Step };
         Ok(changes)
     }

@@ -228,7 +228,7 @@ const TEST: &[Parameter] = &[
                 _ => Motion::Prescribed,
             }
         },
-        "a falling mass, a position given from outside at every step, or down at a speed to a depth and hold",
+        "a falling mass, a position given from outside with every call, or down at a speed to a depth and hold",
     ),
     real("impactor.mass", "kg", (1e-3, 1e4), |s| &mut s.impactor.mass, "mass of the impactor"),
     real(

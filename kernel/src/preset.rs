@@ -167,12 +167,11 @@ fn consistent(mut scenario: Scenario) -> Scenario {
         impactor.drop_speed = speed;
     }
     for material in [&mut scenario.silicone, &mut scenario.skin] {
-        let (shear, bulk) = (material.shear_modulus_inf(), material.effective_bulk_modulus());
         match material.volumetric_by {
             VolumetricBy::BulkModulus => {
-                material.poissons_ratio = (3.0 * bulk - 2.0 * shear) / (6.0 * bulk + 2.0 * shear)
+                material.poissons_ratio = material.poissons_ratio_of(material.shear_modulus_inf())
             }
-            VolumetricBy::PoissonsRatio => material.bulk_modulus = bulk,
+            VolumetricBy::PoissonsRatio => material.bulk_modulus = material.effective_bulk_modulus(),
         }
     }
     scenario

@@ -297,6 +297,12 @@ impl Material {
         self.shear_modulus_inf() / self.prony_g_inf() + maxwell + self.slider_stiffness
     }
 
+    /// Poisson's ratio of a shear modulus, Pa, beside the bulk modulus of this material: nu = (3 K - 2 G) / (6 K + 2 G).
+    pub fn poissons_ratio_of(&self, shear_modulus: Real) -> Real {
+        let bulk = self.effective_bulk_modulus();
+        (3.0 * bulk - 2.0 * shear_modulus) / (6.0 * bulk + 2.0 * shear_modulus)
+    }
+
     /// Factor from the given coefficients to the long-term law.
     pub fn long_term_scale(&self) -> Real {
         match self.moduli {

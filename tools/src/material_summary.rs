@@ -1,63 +1,40 @@
 //! What a material is, in a few lines: its moduli at once and in the end, and what each of its mechanisms adds.
 
-use serde_json::{Value, json};
+use serde_json::{Map, Value, json};
 use softanvil_kernel::Scenario;
-use softanvil_kernel::scenario::{Layers, Material};
+use softanvil_kernel::scenario::{Layer, Material};
 
 use crate::table::four_digits;
 
-/// Numbers of a material at rest, SI.
-struct Moduli {
-    shear_at_once: f64,
-    shear_in_the_end: f64,
-    bulk: f64,
-}
-
-impl Moduli {
-    fn of(material: &Material) -> Self {
-        Self {
-            shear_at_once: material.shear_modulus_0(),
-            shear_in_the_end: material.shear_modulus_inf(),
-            bulk: material.effective_bulk_modulus(),
-        }
-    }
-
-    /// Poisson's ratio with this shear modulus.
-    fn poissons_ratio(&self, shear: f64) -> f64 {
-        (3.0 * self.bulk - 2.0 * shear) / (6.0 * self.bulk + 2.0 * shear)
-    }
-}
-
-/// The layers of `scenario` by name.
-fn layers(scenario: &Scenario) -> Vec<(&'static str, &Material)> {
-    let mut layers = vec![("silicone", &scenario.silicone)];
-    if scenario.geometry.layers == Layers::Two {
-        layers.push(("skin", &scenario.skin));
-    }
+/// The layers of `scenario` that have a material of their own.
+fn layers(scenario: &Scenario) -> Vec<Layer<'_>> {
+    let mut layers = scenario.layers().to_vec();
+    layers.dedup_by_key(|layer| layer.name);
     layers
 }
 
 /// The materials of `scenario` for people, a paragraph for each layer.
 pub fn text(scenario: &Scenario) -> String {
-    layers(scenario).into_iter().map(|(name, material)| describe(name, material)).collect::<Vec<_>>().join("\n")
+    layers(scenario).iter().map(describe).collect::<Vec<_>>().join("\n")
 }
 
-fn describe(name: &str, material: &Material) -> String {
-    let moduli = Moduli::of(material);
-    let (at_once, end) = (moduli.shear_at_once, moduli.shear_in_the_end);
+fn describe(layer: &Layer) -> String {
+    let (name, material) = (layer.name, layer.material);
+    let (at_once, end) = (material.shear_modulus_0(), material.shear_modulus_inf());
+    let bulk = material.effective_bulk_modulus();
     let speed = |modulus: f64| four_digits((modulus / material.density).sqrt());
     let mut lines = vec![
         format!("{name}: {}, {} kg/m3", law(material), four_digits(material.density)),
         format!("  shear modulus    {} in the end, {} at once", pascal(end), pascal(at_once)),
         format!(
             "  Poisson's ratio  {:.4} in the end, {:.4} at once (bulk modulus {})",
-            moduli.poissons_ratio(end),
-            moduli.poissons_ratio(at_once),
-            pascal(moduli.bulk)
+            material.poissons_ratio_of(end),
+            material.poissons_ratio_of(at_once),
+            pascal(bulk)
         ),
         format!(
             "  waves at once    {} m/s in compression, {} m/s in shear",
-            speed(moduli.bulk + 4.0 / 3.0 * at_once),
+            speed(bulk + 4.0 / 3.0 * at_once),
             speed(at_once)
         ),
     ];
@@ -112,22 +89,20 @@ fn pascal(value: f64) -> String {
 
 /// The same numbers for other programs, SI, by layer.
 pub fn json(scenario: &Scenario) -> Value {
-    let one = |material: &Material| {
-        let moduli = Moduli::of(material);
-        json!({
+    let one = |layer: Layer| {
+        let material = layer.material;
+        let (at_once, end) = (material.shear_modulus_0(), material.shear_modulus_inf());
+        let numbers = json!({
             "density": material.density,
-            "shear_modulus_at_once": moduli.shear_at_once,
-            "shear_modulus_in_the_end": moduli.shear_in_the_end,
-            "bulk_modulus": moduli.bulk,
-            "poissons_ratio_at_once": moduli.poissons_ratio(moduli.shear_at_once),
-            "poissons_ratio_in_the_end": moduli.poissons_ratio(moduli.shear_in_the_end),
-        })
+            "shear_modulus_at_once": at_once,
+            "shear_modulus_in_the_end": end,
+            "bulk_modulus": material.effective_bulk_modulus(),
+            "poissons_ratio_at_once": material.poissons_ratio_of(at_once),
+            "poissons_ratio_in_the_end": material.poissons_ratio_of(end),
+        });
+        (layer.name.to_string(), numbers)
     };
-    layers(scenario)
-        .into_iter()
-        .map(|(name, material)| (name.to_string(), one(material)))
-        .collect::<serde_json::Map<_, _>>()
-        .into()
+    layers(scenario).into_iter().map(one).collect::<Map<_, _>>().into()
 }
 
 #[cfg(test)]

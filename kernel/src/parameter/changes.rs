@@ -3,7 +3,7 @@
 //! Where one of several parameters that state the same thing is given, it decides; where two are, that is an error. A law that
 //! is given anew starts from coefficients of zero, so that nothing of another material stays in it unseen.
 
-use super::effect::conditions;
+use super::effect::{conditions, is_off_at_zero};
 use super::{PARAMETERS, Parameter, ROWS};
 use crate::error::{NoEffect, ParameterError, ScenarioError};
 use crate::real::Real;
@@ -103,8 +103,7 @@ impl Changes {
                 continue;
             }
             for (row, given) in PARAMETERS.iter().zip(self.given) {
-                let field = row.name.strip_prefix(group).unwrap_or_default();
-                if !given && COEFFICIENTS.iter().any(|start| field.starts_with(start)) {
+                if !given && row.name.starts_with(group) && is_off_at_zero(row.name) {
                     // Zero is legal for every coefficient.
                     let _ = row.set(scenario, 0.0);
                 }
@@ -120,21 +119,6 @@ impl Changes {
         PARAMETERS.iter().zip(self.given).filter(|(_, given)| *given).map(|(row, _)| row)
     }
 }
-
-/// How the names of the coefficients of a material begin, behind its group: what is off at 0.
-const COEFFICIENTS: [&str; 11] = [
-    "c10",
-    "c01",
-    "c11",
-    "c20",
-    "c02",
-    "c30",
-    "ogden_mu_",
-    "prony_g_",
-    "maxwell_g_",
-    "slider_stiffness",
-    "tear_stretch",
-];
 
 #[cfg(all(test, not(feature = "single")))]
 mod tests {

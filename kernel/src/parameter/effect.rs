@@ -73,6 +73,15 @@ pub(super) fn conditions() -> impl Iterator<Item = &'static Condition> {
     TEST.iter().chain(SILICONE).chain(SKIN)
 }
 
+/// Whether the parameter called `name` is a coefficient, or switches others on: at 0 there is nothing.
+pub(super) fn is_off_at_zero(name: &str) -> bool {
+    conditions().any(|condition| match condition.acts {
+        Acts::CoefficientUnder(_) => condition.of == name,
+        Acts::Beside => condition.by == name,
+        Acts::Under(_) | Acts::Chosen(_) => false,
+    })
+}
+
 const fn under(of: &'static str, by: &'static str, choices: &'static [&'static str]) -> Condition {
     Condition { of, by, acts: Acts::Under(choices) }
 }
