@@ -5,7 +5,8 @@ use std::fmt::Write;
 use comfy_table::Table;
 use serde_json::{Map, Value, json};
 
-use crate::curve_score::CurveScore;
+use crate::contact::LEVEL;
+use crate::curve_score::{self, CurveScore};
 use crate::ending::Ending;
 use crate::failure::Failure;
 use crate::quantity::{COUNT, QUANTITIES};
@@ -13,7 +14,7 @@ use crate::reading::{Reading, Record, Threshold};
 use crate::run::Run;
 use crate::series::{Sensor, Series};
 use crate::subject::Subject;
-use crate::table::{align_right, new_plain_table, text as table_text};
+use crate::table::{align_right, filled, new_plain_table, text as table_text};
 use crate::validation::error_percent;
 
 /// Channel frequency classes of the standards, Hz.
@@ -25,6 +26,8 @@ pub struct Comparison {
     pub measured: Series,
     /// Force from which on the measured impact lasts, N.
     pub threshold: f64,
+    /// The threshold that was asked for, N, if the noise left no use of it.
+    pub asked: Option<f64>,
     /// Peak force, N; none of deformation; duration, s; impulse, N s.
     pub values: [Option<f64>; COUNT],
     /// How alike the two are.
@@ -43,7 +46,8 @@ impl Comparison {
         scenario_threshold: f64,
     ) -> Result<Self, Failure> {
         let peak = measured.peak();
-        let threshold = reading.threshold.unwrap_or(Threshold::Force(scenario_threshold)).force(peak);
+        let asked = reading.threshold.unwrap_or(Threshold::Force(scenario_threshold)).force(peak);
+        let threshold = curve_score::clear_threshold(measured, &record.series, asked);
         let score = CurveScore::new(measured, &record.series, threshold).ok_or_else(|| {
             let ours = record.series.peak();
             let text = "N: nothing to compare at or above the threshold of";
@@ -51,7 +55,8 @@ impl Comparison {
         })?;
         let (duration, impulse) = (measured.duration(threshold), measured.impulse(threshold));
         let values = [Some(peak), None, Some(duration), Some(impulse)];
-        Ok(Self { measured: measured.clone(), threshold, values, score })
+        let asked = (threshold > asked).then_some(asked);
+        Ok(Self { measured: measured.clone(), threshold, asked, values, score })
     }
 
     /// The numbers side by side, and the ratings.
@@ -70,10 +75,19 @@ impl Comparison {
         }
         align_right(&mut table, 1..4);
         let score = &self.score;
+        let noise = self.asked.map_or(String::new(), |asked| {
+            format!(
+                "! Noise before the contact reaches above {asked:.1} N: both impacts last from {:.1} N on, and a peak may be \
+                 one of the noise. A filter (--cfc) takes some of it off both.\n",
+                self.threshold
+            )
+        });
         format!(
-            "{}\nR2 {:.4}, root mean square of the difference {:.1} % of the peak\n\
-             CORA {:.3}: phase {:.3}, size {:.3}, progression {:.3}; both from {:.1} N on, aligned there\n",
+            "{}\n{}R2 {:.4}, root mean square of the difference {:.1} % of the peak\n\
+             CORA {:.3}: phase {:.3}, size {:.3}, progression {:.3}; both from {:.1} N on\n\
+             Aligned by the largest cross-correlation, {:+.3} ms from where the rising flanks have {LEVEL} of their peaks.\n",
             table_text(&mut table),
+            filled(&noise),
             score.r_squared,
             100.0 * score.difference,
             score.rating(),
@@ -81,13 +95,18 @@ impl Comparison {
             score.size,
             score.progression,
             self.threshold,
+            1e3 * score.alignment.beyond_flanks,
         )
     }
 
-    /// Our four numbers, the impulse over the same part of the trace as the measured one.
+    /// Our four numbers, duration and impulse over the same part of the trace as the measured ones.
     fn simulated(&self, record: &Record) -> [f64; COUNT] {
-        let [peak, deformation, duration, _] = record.values;
-        [peak, deformation, duration, record.series.impulse(record.threshold)]
+        let [peak, deformation, mut duration, _] = record.values;
+        let threshold = if self.asked.is_some() { self.threshold } else { record.threshold };
+        if self.asked.is_some() {
+            duration = record.series.duration(threshold);
+        }
+        [peak, deformation, duration, record.series.impulse(threshold)]
     }
 
     fn json(&self, record: &Record) -> Value {
@@ -103,6 +122,12 @@ impl Comparison {
         let score = &self.score;
         json!({
             "threshold": self.threshold,
+            "threshold_asked_for": self.asked,
+            "alignment": {
+                "by": "cross_correlation",
+                "lag": score.alignment.lag,
+                "beyond_flanks": score.alignment.beyond_flanks,
+            },
             "numbers": numbers,
             "r_squared": score.r_squared,
             "root_mean_square_difference": score.difference,

@@ -17,6 +17,7 @@ pub mod calibration;
 pub mod cli;
 pub mod commands;
 pub mod comparison;
+pub mod contact;
 pub mod curve_score;
 pub mod ending;
 pub mod failure;

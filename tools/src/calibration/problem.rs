@@ -209,11 +209,12 @@ impl Problem {
         if let Some(path) = &file.impacts {
             impacts.extend(read_impacts(&folder.join(path))?);
         }
-        let targets = impacts.iter().map(|impact| Target::new(impact, folder)).collect::<Result<Vec<_>, _>>()?;
+        file.objective.check()?;
+        let target = |impact: &Impact| Target::new(impact, folder, file.objective.cfc);
+        let targets = impacts.iter().map(target).collect::<Result<Vec<_>, _>>()?;
         if !targets.iter().any(|target| !target.predict) {
             return Err("no [[impact]] counts: there is nothing to aim at".into());
         }
-        file.objective.check()?;
         if let Some(prior) = &file.prior {
             prior.check()?;
         }
