@@ -56,6 +56,9 @@ const STABILITY_RANGE: (f64, f64) = (0.5, 2.0);
 const HINT: &str =
     "Are the columns read as they are meant: strain or stretch (--columns), tension or compression (--direction)?";
 
+/// What is told if only unstable laws can be.
+const UNSTABLE: &str = "An unstable law is chosen by --law alone.";
+
 /// What to do with the data.
 pub struct Request {
     /// Stretches over which stability is asked for; none for those of the data and of a drop.
@@ -88,14 +91,16 @@ impl Identification {
         let data: Vec<DataSet> = curves.iter().map(|curves| isochoric(&curves.data)).collect();
         let mut settings = request.settings;
         settings.stability_range = request.stability_range.unwrap_or_else(|| stability_range(&data));
-        let (mut fits, mut failed) = (Vec::new(), Vec::new());
+        let (mut fits, mut failed, mut worse) = (Vec::new(), Vec::new(), 0);
         for law in LAWS.iter().filter(|_| !data.is_empty()) {
             match Fit::new(law, &data, &settings) {
                 // Worse than a constant: it says nothing about these data.
-                Some(fit) if fit.statistics.r_squared < 0.0 => failed.push(format!(
-                    "{} is farther from the data than their mean (R2 = {:.3})",
-                    law.label, fit.statistics.r_squared
-                )),
+                Some(fit) if fit.statistics.r_squared < 0.0 => {
+                    let r_squared = fit.statistics.r_squared;
+                    failed
+                        .push(format!("{} is farther from the data than their mean (R2 = {r_squared:.3})", law.label));
+                    worse += 1;
+                }
                 Some(fit) => fits.push(fit),
                 None => failed.push(reason(law, &data, &settings)),
             }
@@ -103,6 +108,12 @@ impl Identification {
         let fits = ranking::rank(fits);
         if fits.is_empty() && !data.is_empty() {
             return Err(Failure::Failed(format!("no law can be fitted: {}. {HINT}", failed.join("; "))));
+        }
+        // What remains follows the data only by being unstable, which is no choice to make unasked.
+        let any_stable = fits.iter().any(|fit| fit.is_stable && fit.is_usable());
+        if request.law.is_none() && worse > 0 && !any_stable {
+            let reasons = failed.join("; ");
+            return Err(Failure::Failed(format!("no stable law describes the data: {reasons}. {HINT} {UNSTABLE}")));
         }
         let chosen = match request.law {
             Some(law) => position(&fits, law, &failed)?,

@@ -22,16 +22,16 @@ const CANCELLING: f64 = 100.0;
 impl Degeneracy {
     /// Of a law of `family` with `values`, whose derivatives at the points are `jacobian`; none of a sound fit.
     pub fn of(family: Family, values: &[f64], jacobian: &DMatrix<f64>, condition: f64) -> Option<Self> {
-        if !condition.is_finite() {
-            return Some(Self::Undetermined);
-        }
         // Every law is linear in its moduli; the exponents of Ogden's are the others.
         let step = if family == Family::Ogden { 2 } else { 1 };
         let terms: Vec<_> = (0..values.len()).step_by(step).map(|k| jacobian.column(k) * values[k]).collect();
         let sizes: f64 = terms.iter().map(|term| term.iter().map(|stress| stress.abs()).sum::<f64>()).sum();
         let stress = terms.iter().fold(jacobian.column(0) * 0.0, |sum, term| sum + term);
         let factor = sizes / stress.iter().map(|stress| stress.abs()).sum::<f64>();
-        (factor > CANCELLING || factor.is_nan()).then_some(Self::Cancelling(factor))
+        if factor > CANCELLING {
+            return Some(Self::Cancelling(factor));
+        }
+        (!condition.is_finite()).then_some(Self::Undetermined)
     }
 }
 

@@ -201,4 +201,23 @@ mod tests {
         assert!(chosen.is_stable && !ranked.iter().any(|fit| nearer(&fit)), "{}", chosen.law.name);
         assert!(!ranked[0].is_stable, "{}", ranked[0].law.name);
     }
+
+    /// The derivative of one term by its exponent is the limit of two terms that cancel, and of no others: two terms fit it the
+    /// better the nearer their exponents and the larger their moduli.
+    #[test]
+    fn a_law_whose_terms_cancel_is_not_chosen() {
+        let derivative = |l: f64| 2e4 * (l.powf(1.0) + 0.5 * l.powf(-2.0)) * l.ln();
+        let points = (1..40).map(|k| 1.0 + 0.05 * f64::from(k)).map(|l| (l, derivative(l))).collect();
+        let data = [DataSet { mode: Mode::Uniaxial, points }];
+        let settings =
+            Settings { weighting: Weighting::Absolute, stability_range: (0.9, 3.0), demand_stability: false };
+        let ranked = rank(LAWS.iter().filter_map(|law| Fit::new(law, &data, &settings)).collect());
+        let fit = |name: &str| ranked.iter().find(|fit| fit.law.name == name).unwrap();
+        let (two, chosen) = (fit("ogden_2"), &ranked[choose(&ranked)]);
+        assert!(two.values[0] * two.values[2] < -1e12 && two.degeneracy.is_some(), "{:?}", two.values);
+        assert!(two.statistics.residual_sum < chosen.statistics.residual_sum, "{:?}", chosen.law);
+        assert!(chosen.degeneracy.is_none() && fit("yeoh_3").degeneracy.is_none());
+        let caveats = caveats(chosen, &ranked, &data, &settings).join("\n");
+        assert!(caveats.contains("Ogden 2 is not chosen: "), "{caveats}");
+    }
 }

@@ -45,10 +45,10 @@ impl Choice {
         let mut choice = Self::of(data, n_term);
         let hold = data.hold();
         if data.n_ramp() > 0 && hold.times.len() >= FEWEST {
-            let of_hold = Self::of(&hold, n_term);
-            if let Some(misfit) = misfit(data, choice.prony(), of_hold.prony()) {
-                choice = of_hold;
-                choice.caveats.push(misfit);
+            let of_hold = fit(choice.prony().terms.len(), &hold);
+            if !is_one_material(data, choice.prony(), &of_hold) {
+                choice = Self::of(&hold, n_term);
+                choice.caveats.push(left_out(data, choice.prony()));
             }
         }
         choice.keep_described()?;
@@ -86,19 +86,21 @@ impl Choice {
     }
 }
 
-/// Why the ramp does not count, if no series follows both it and the hold.
-fn misfit(data: &Relaxation, of_all: &Prony, of_hold: &Prony) -> Option<String> {
+/// Whether a series follows both the ramp and the hold, which one of the hold alone does not follow much better.
+fn is_one_material(data: &Relaxation, of_all: &Prony, of_hold: &Prony) -> bool {
     let largest = largest(data);
-    let ((ramp, hold), (left_out, best)) = (of_all.residuals(data), of_hold.residuals(data));
+    let ((ramp, hold), (_, best)) = (of_all.residuals(data), of_hold.residuals(data));
     let [within, beside] = ONE_MATERIAL;
-    let follows = ramp? <= within.0 * hold + within.1 * largest && hold <= beside.0 * best + beside.1 * largest;
-    (!follows).then(|| {
-        format!(
-            "the ramp is not that of the material that relaxes in the hold (a sample that softens, a law that is not \
-             linear, or another ramp time): the series is of the hold alone, and misses the ramp by {:.1} % of the largest load",
-            100.0 * left_out.unwrap_or_default() / largest
-        )
-    })
+    ramp.is_none_or(|ramp| ramp <= within.0 * hold + within.1 * largest) && hold <= beside.0 * best + beside.1 * largest
+}
+
+/// That the ramp does not count.
+fn left_out(data: &Relaxation, prony: &Prony) -> String {
+    format!(
+        "the ramp is not that of the material that relaxes in the hold (a sample that softens, a law that is not linear, or \
+         another ramp time): the series is of the hold alone, and misses the ramp by {:.1} % of the largest load",
+        100.0 * prony.residuals(data).0.unwrap_or_default() / largest(data)
+    )
 }
 
 /// That the instantaneous load was never measured, if it is far above all that were.
@@ -118,4 +120,68 @@ fn extrapolation(data: &Relaxation, prony: &Prony) -> Option<String> {
 
 fn largest(data: &Relaxation) -> f64 {
     data.loads.iter().fold(0.0, |largest, load| f64::max(largest, load.abs()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::relaxation::history::History;
+
+    /// A ramp of 10 s and a hold of five minutes, whose material relaxes by 0.15 at 2 s and 0.2 at 40 s; `elastic` is its
+    /// response during the ramp, and the largest load is about 4.
+    fn slow_ramp(elastic: fn(f64) -> f64) -> Relaxation {
+        let hold = (0..100).map(|k| 20.0 + 2.8 * f64::from(k));
+        let times: Vec<f64> = (0..100).map(|k| 0.2 * f64::from(k)).chain(hold).collect();
+        let truth = History::ramp(0.0, 10.0, elastic);
+        let (fast, slow) = (truth.response(&times, 2.0), truth.response(&times, 40.0));
+        let whole = truth.elastic(&times);
+        // A little noise of two frequencies.
+        let error = |k: usize| 1.0 + 0.002 * ((7.3 * k as f64).sin() + (2.9 * k as f64).cos());
+        let loads = (0..times.len()).map(|k| 4.9 * (0.65 * whole[k] + 0.15 * fast[k] + 0.2 * slow[k]) * error(k));
+        let loads = loads.collect();
+        Relaxation::of_samples(times, loads, 10.0, History::ramp(0.0, 10.0, |part| part))
+    }
+
+    #[test]
+    fn a_linear_sample_is_fitted_to_ramp_and_hold() {
+        let data = slow_ramp(|part| part);
+        let choice = Choice::new(&data, Some(2)).unwrap();
+        assert!(choice.caveats.is_empty() && choice.prony().statistics.n_point == data.times.len());
+        assert!((choice.prony().instantaneous() / 4.9 - 1.0).abs() < 0.02, "{:?}", choice.prony());
+    }
+
+    /// A sample that softens while it is loaded rises at first much faster than it relaxes later.
+    #[test]
+    fn a_softening_ramp_is_not_taken_for_relaxation() {
+        let data = slow_ramp(|part| (1.0 - (-4.0 * part).exp()) / (1.0 - (-4.0_f64).exp()));
+        let largest = data.loads.iter().copied().fold(0.0, f64::max);
+        let choice = Choice::new(&data, None).unwrap();
+        assert!(choice.caveats[0].starts_with("the ramp is not that of the material"), "{:?}", choice.caveats);
+        let (ramp, hold) = choice.prony().residuals(&data);
+        assert!(ramp.unwrap() > 0.1 * largest && hold < 0.005 * largest, "{ramp:?} {hold}");
+        let instantaneous = choice.prony().instantaneous();
+        assert!(instantaneous > largest && instantaneous < 1.5 * largest, "{instantaneous} {largest}");
+    }
+
+    /// Terms of a tenth of the loading time are as fast as any that are looked for.
+    #[test]
+    fn what_was_never_measured_is_said() {
+        let times: Vec<f64> = (0..200).map(|k| 0.05 * f64::from(k)).collect();
+        let history = History::ramp(0.0, 2.0, |part| part);
+        let fast = history.response(&times, 0.3);
+        let loads = history.elastic(&times).iter().zip(fast).map(|(e, q)| e + 9.0 * q).collect();
+        let choice = Choice::new(&Relaxation::of_samples(times, loads, 2.0, history), None).unwrap();
+        assert!((choice.prony().instantaneous() / 10.0 - 1.0).abs() < 1e-3);
+        assert!(choice.caveats[0].contains("extrapolated, 4."), "{:?}", choice.caveats);
+    }
+
+    /// A load that grows under a strain that is said to have been taken off.
+    #[test]
+    fn a_series_worse_than_the_mean_is_none() {
+        let times: Vec<f64> = (0..50).map(f64::from).collect();
+        let loads = times.iter().map(|time| 1.0 + 0.1 * time).collect();
+        let history = History::measured(vec![(0.0, 1.0), (49.0, 0.01)]);
+        let error = Choice::new(&Relaxation::of_samples(times, loads, 0.0, history), None).unwrap_err();
+        assert!(error.0 < 0.0 && error.to_string().contains("--relaxation-columns"), "{error}");
+    }
 }
