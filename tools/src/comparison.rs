@@ -5,7 +5,7 @@ use std::fmt::Write;
 use comfy_table::Table;
 use serde_json::{Map, Value, json};
 
-use crate::contact::LEVEL;
+use crate::contact::{CLEAR_OF_NOISE, LEVEL};
 use crate::curve_score::{self, CurveScore};
 use crate::ending::Ending;
 use crate::failure::Failure;
@@ -47,8 +47,10 @@ impl Comparison {
     ) -> Result<Self, Failure> {
         let peak = measured.peak();
         let asked = reading.threshold.unwrap_or(Threshold::Force(scenario_threshold)).force(peak);
-        let threshold = curve_score::clear_threshold(measured, &record.series, asked);
-        let score = CurveScore::new(measured, &record.series, threshold).ok_or_else(|| {
+        // The simulated force has the noise that was asked for.
+        let own = CLEAR_OF_NOISE * reading.noise.force;
+        let threshold = curve_score::clear_threshold(measured, asked.max(own));
+        let score = CurveScore::new(measured, &record.series, asked).ok_or_else(|| {
             let ours = record.series.peak();
             let text = "N: nothing to compare at or above the threshold of";
             Failure::Input(format!("the peaks are {peak:.1} N measured and {ours:.1} {text} {threshold:.1} N"))
@@ -77,15 +79,14 @@ impl Comparison {
         let score = &self.score;
         let noise = self.asked.map_or(String::new(), |asked| {
             format!(
-                "! Noise before the contact reaches above {asked:.1} N: both impacts last from {:.1} N on, and a peak may be \
+                "! Noise reaches above {asked:.1} N: both impacts last from {:.1} N on, and a peak may be \
                  one of the noise. A filter (--cfc) takes some of it off both.\n",
                 self.threshold
             )
         });
         format!(
             "{}\n{}R2 {:.4}, root mean square of the difference {:.1} % of the peak\n\
-             CORA {:.3}: phase {:.3}, size {:.3}, progression {:.3}; both from {:.1} N on\n\
-             Aligned by the largest cross-correlation, {:+.3} ms from where the rising flanks have {LEVEL} of their peaks.\n",
+             CORA {:.3}: phase {:.3}, size {:.3}, progression {:.3}; both from {:.1} N on\n{}",
             table_text(&mut table),
             filled(&noise),
             score.r_squared,
@@ -95,7 +96,10 @@ impl Comparison {
             score.size,
             score.progression,
             self.threshold,
-            1e3 * score.alignment.beyond_flanks,
+            filled(&format!(
+                "Aligned by the largest cross-correlation, {:+.3} ms from where the rising flanks have {LEVEL} of their peaks.",
+                1e3 * score.alignment.beyond_flanks
+            )),
         )
     }
 

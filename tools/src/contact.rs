@@ -1,14 +1,16 @@
-//! Where in a record the impact is, whatever the noise: by what the force does before the contact, and by its whole rising
-//! flank instead of one sample.
+//! Where in a record the impact is, whatever the noise: by what the force does without contact, and by its whole
+//! rising flank instead of one sample.
 
 use crate::series::Series;
 
-/// Samples before the contact from which its noise is read, at least.
-const FEWEST_QUIET: usize = 10;
+/// Samples without contact from which noise is read, at least.
+const FEWEST_QUIET: usize = 20;
+/// Part of the noise of a whole that a part of it has only if something else is in the rest.
+const QUIETER: f64 = 0.5;
 /// Part of the peak below which a force before the peak is none of the flank's upper part.
 const LOWER_FLANK: f64 = 0.25;
 /// Standard deviations of the noise that its samples stay below: one of ten million does not.
-const CLEAR_OF_NOISE: f64 = 5.0;
+pub const CLEAR_OF_NOISE: f64 = 5.0;
 /// Standard deviations of a normal distribution in its median absolute deviation.
 const NORMAL: f64 = 1.482_602_218_505_602;
 /// Parts of the peak between which the rising flank is taken as a straight line.
@@ -26,23 +28,35 @@ pub struct Floor {
 }
 
 impl Floor {
-    /// What stands before the rising flank of `series`; if that is too short, the part of the whole that changes from sample
-    /// to sample.
+    /// What stands before the rising flank of `series`, or behind the falling one if the record begins with the contact; nothing
+    /// if it ends with it too.
     pub fn of(series: &Series) -> Self {
         let force = &series.force;
-        let peak = series.peak();
-        let top = force.iter().position(|f| *f >= peak).unwrap_or_default();
-        let foot = force[..top].iter().rposition(|f| *f < LOWER_FLANK * peak).unwrap_or_default();
-        // The lower part of a flank takes no longer than the upper part.
-        let quiet = &force[..foot.saturating_sub(top - foot)];
-        if quiet.len() >= FEWEST_QUIET {
-            let level = median(quiet.to_vec());
-            let distances = quiet.iter().map(|f| (f - level).abs()).collect();
-            return Self { level, deviation: NORMAL * median(distances) };
+        let upper = LOWER_FLANK * series.peak();
+        let top = force.iter().position(|f| *f >= series.peak()).unwrap_or_default();
+        // The lower part of a flank hardly takes longer than the upper part.
+        let foot = force[..top].iter().rposition(|f| *f < upper).unwrap_or_default();
+        let before = &force[..foot.saturating_sub(top - foot)];
+        if before.len() >= FEWEST_QUIET {
+            return Self::of_quietest(before);
         }
-        // Second differences of independent errors have six times their variance, those of a smooth force vanish.
-        let differences = force.windows(3).map(|f| (f[0] - 2.0 * f[1] + f[2]).abs()).collect();
-        Self { level: 0.0, deviation: NORMAL * median(differences) / 6.0_f64.sqrt() }
+        let foot = force[top..].iter().position(|f| *f < upper).map_or(force.len(), |below| top + below);
+        let behind: Vec<f64> = force[(2 * foot - top).min(force.len())..].iter().rev().copied().collect();
+        if behind.len() >= FEWEST_QUIET { Self::of_quietest(&behind) } else { Self::default() }
+    }
+
+    /// Of `force`, or of its first half or quarter, if that is much quieter: what is farther from the contact then does not
+    /// belong to it.
+    fn of_quietest(force: &[f64]) -> Self {
+        let parts = [force.len() / 2, force.len() / 4].into_iter().filter(|length| *length >= FEWEST_QUIET);
+        let floors = parts.map(|length| Self::of_quiet(&force[..length]));
+        floors.fold(Self::of_quiet(force), |best, next| if next.clear() < QUIETER * best.clear() { next } else { best })
+    }
+
+    fn of_quiet(force: &[f64]) -> Self {
+        let level = median(force.to_vec());
+        let distances = force.iter().map(|f| (f - level).abs()).collect();
+        Self { level, deviation: NORMAL * median(distances) }
     }
 
     /// The least force, N, that is no noise.
@@ -86,6 +100,7 @@ fn median(mut values: Vec<f64>) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::series::Sensor;
     use fcmaes_core::Rng;
     use softanvil_kernel::SAMPLING_INTERVAL;
     use std::f64::consts::PI;
@@ -93,7 +108,7 @@ mod tests {
     /// A half sine of 8 ms and 4 kN that begins after `quiet` samples, with a normal error of `deviation` N.
     fn half_sine(quiet: usize, deviation: f64, seed: u64) -> Series {
         let mut random = Rng::new(seed);
-        let force = (0..quiet + 200).map(|i| {
+        let force = (0..quiet + 400).map(|i| {
             let time = (i as f64 - quiet as f64) * SAMPLING_INTERVAL;
             let sine = if (0.0..8e-3).contains(&time) { 4e3 * (PI * time / 8e-3).sin() } else { 0.0 };
             sine + random.normreal(0.0, deviation)
@@ -109,8 +124,24 @@ mod tests {
             let mean = deviations.iter().sum::<f64>() / 20.0;
             // Four standard errors of 20 median deviations of some 150 samples.
             assert!((mean - deviation).abs() <= 0.09 * deviation, "{deviation}: {deviations:?}");
-            let unloaded = Floor::of(&half_sine(0, deviation, 1)).deviation;
-            assert!((unloaded - deviation).abs() <= 0.4 * deviation + 1.0, "{deviation}: {unloaded}");
+            // Of a record that begins with the contact, the noise behind it.
+            let behind = Floor::of(&half_sine(0, deviation, 1)).deviation;
+            assert!((behind - deviation).abs() <= 0.4 * deviation, "{deviation}: {behind}");
+        }
+    }
+
+    /// A force that rises slowly at first, and one that begins with the record and rings, have no noise.
+    #[test]
+    fn what_a_layer_does_is_no_noise() {
+        let force = (0..300).map(|i| if i < 200 { 4e3 * (f64::from(i) / 200.0).powi(3) } else { 0.0 }).collect();
+        assert!(Floor::of(&Series { start: 0.0, interval: SAMPLING_INTERVAL, force }).clear() < 20.0);
+        // Presets without damping go on ringing behind the contact.
+        for preset in softanvil_kernel::preset::PRESETS.iter().filter(|preset| preset.name.starts_with("study")) {
+            let run = crate::run::Drop::new(&(preset.scenario)()).unwrap().run(|_| {}).unwrap();
+            for sensor in [Sensor::Contact, Sensor::Core] {
+                let clear = Floor::of(&Series::of_run(&run, sensor)).clear();
+                assert!(clear < 20.0, "{} {sensor:?}: {clear} N", preset.name);
+            }
         }
     }
 

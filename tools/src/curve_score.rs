@@ -46,9 +46,9 @@ const SMALLEST_SHIFT: f64 = 0.01;
 /// Exponent of the progression: CORA's K_V. Those of size and phase are 1.
 const PROGRESSION_EXPONENT: i32 = 10;
 
-/// `threshold`, N, or the least force that is no noise of either trace, if that is more.
-pub fn clear_threshold(measured: &Series, simulated: &Series, threshold: f64) -> f64 {
-    [measured, simulated].iter().map(|series| Floor::of(series).clear()).fold(threshold, f64::max)
+/// `threshold`, N, or the least force that is no noise of the measured trace, if that is more.
+pub fn clear_threshold(measured: &Series, threshold: f64) -> f64 {
+    threshold.max(Floor::of(measured).clear())
 }
 
 /// Part of the time above the noise that a force below it may take at either end.
@@ -56,7 +56,7 @@ const BELOW_NOISE: f64 = 0.5;
 
 /// First sample and number of samples of the measured trace that are compared.
 fn window(measured: &Series, simulated: &Series, threshold: f64) -> Option<(usize, usize)> {
-    let clear = clear_threshold(measured, simulated, threshold);
+    let clear = clear_threshold(measured, threshold);
     let ([first, last], [ours, end]) = (measured.contact(clear)?, simulated.contact(clear)?);
     let length = measured.force.len();
     if clear > threshold {

@@ -112,12 +112,16 @@ fn relaxation(relaxed: &Relaxed) -> String {
         Load::Normalised => "",
         Load::Stress | Load::Modulus => " Pa",
     };
-    let header = ["terms", "rms in the hold", "in the ramp", "R2", "AIC", "g and tau (s) of each term", "equilibrium"];
+    let header = ["terms", "hold rms", "ramp rms", "R2", "AIC", "g at tau (s)", "g_inf"];
     let mut table = new_plain_table(&header);
     for (index, prony) in relaxed.choice.series.iter().enumerate() {
         let mark = if index == relaxed.choice.chosen { "> " } else { "  " };
         let (ramp, hold) = prony.residuals(&relaxed.test.relaxation);
-        let terms = prony.normalised().iter().map(|(g, tau)| format!("{g:.4} at {tau:.3e}")).collect::<Vec<_>>();
+        let terms = prony
+            .normalised()
+            .iter()
+            .map(|(g, tau)| format!("{g:.4} at {tau:.3e}").replace(' ', &FIXED_BLANK.to_string()))
+            .collect::<Vec<_>>();
         table.add_row([
             format!("{mark}{}", prony.terms.len()),
             format!("{}{unit}", digits(hold)),
