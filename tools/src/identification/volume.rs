@@ -37,7 +37,9 @@ fn measured(curves: &[Curves]) -> Option<Volume> {
 /// What was assumed or found, in a line.
 pub fn text(volume: Volume) -> String {
     let fitted = match volume.compressible() {
-        Some(_) => "the laws are fitted to the isochoric part of the curves",
+        Some(_) => {
+            "the laws are fitted to the isochoric part of the curves, of which stretches and residuals below are"
+        }
         None => "the laws are fitted as to a constant volume",
     };
     match volume {

@@ -2,8 +2,8 @@
 //!
 //! [`text`] decodes a file, [`sheet`] finds its table of numbers, [`mod@column`] says what the columns are (with [`mod@unit`]
 //! and [`number`]), [`series`] tells specimens apart, [`curve`] makes stretches and nominal stresses of them (with
-//! [`specimen`]), [`volume`] reads how it changes beside them, [`cycles`] tells loading from unloading, [`repeats`] makes one curve of several specimens, and [`thinned`]
-//! fewer points of very many.
+//! [`specimen`]), [`volume`] reads the volume beside them, [`cycles`] tells loading from unloading, [`repeats`] makes one curve
+//! of several specimens, and [`thinned`] fewer points of very many.
 
 pub mod column;
 pub mod curve;

@@ -27,6 +27,8 @@ pub struct Undescribed(f64);
 /// Root mean square of a ramp over that of the hold, and that of the hold over what it would be without the ramp, beyond which
 /// ramp and hold are not of one linear material; and the parts of the largest load that are no misfit.
 const ONE_MATERIAL: [(f64, f64); 2] = [(2.0, 5e-3), (1.5, 1e-3)];
+/// Part of a load that is no misfit.
+const ROUNDING: f64 = 1e-6;
 /// Points of a hold that tell a series by themselves, at least.
 const FEWEST: usize = 4;
 /// The instantaneous load over the largest measured one from which on it is said to be an extrapolation.
@@ -51,7 +53,7 @@ impl Choice {
                 choice.caveats.push(left_out(data, choice.prony()));
             }
         }
-        choice.keep_described()?;
+        choice.keep_described(largest(data))?;
         choice.caveats.extend(extrapolation(data, choice.prony()));
         Ok(choice)
     }
@@ -68,14 +70,16 @@ impl Choice {
         Self { series, chosen, caveats: Vec::new() }
     }
 
-    /// Leaves out the series that are worse than the mean of the loads.
-    fn keep_described(&mut self) -> Result<(), Undescribed> {
-        let r_squared = self.prony().statistics.r_squared;
-        if r_squared < 0.0 {
-            return Err(Undescribed(r_squared));
+    /// Leaves out the series that are worse than the mean of the loads, of which one is `largest`.
+    fn keep_described(&mut self, largest: f64) -> Result<(), Undescribed> {
+        // A load that does not relax is its mean: nothing is better but for rounding.
+        let is_described =
+            |prony: &Prony| prony.statistics.r_squared >= 0.0 || prony.statistics.rms <= ROUNDING * largest;
+        if !is_described(self.prony()) {
+            return Err(Undescribed(self.prony().statistics.r_squared));
         }
         let n_term = self.prony().terms.len();
-        self.series.retain(|prony| prony.statistics.r_squared >= 0.0);
+        self.series.retain(is_described);
         self.chosen = self.series.iter().position(|prony| prony.terms.len() == n_term).unwrap_or_default();
         Ok(())
     }
@@ -173,6 +177,14 @@ mod tests {
         let choice = Choice::new(&Relaxation::of_samples(times, loads, 2.0, history), None).unwrap();
         assert!((choice.prony().instantaneous() / 10.0 - 1.0).abs() < 1e-3);
         assert!(choice.caveats[0].contains("extrapolated, 4."), "{:?}", choice.caveats);
+    }
+
+    #[test]
+    fn a_load_that_does_not_relax_is_described() {
+        let times: Vec<f64> = (0..20).map(f64::from).collect();
+        let data = Relaxation::of_samples(times, vec![3.0; 20], 0.0, History::step(0.0));
+        let choice = Choice::new(&data, None).unwrap();
+        assert!((choice.prony().equilibrium / 3.0 - 1.0).abs() < 0.01, "{:?}", choice.prony());
     }
 
     /// A load that grows under a strain that is said to have been taken off.
