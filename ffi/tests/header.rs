@@ -5,7 +5,7 @@
 
 use std::path::{Path, PathBuf};
 
-use softanvil::ids::{FIELD_BY_ID, OUTPUT_BY_ID, PARAMETER_BY_ID, PRESET_BY_ID};
+use softanvil::c_api::ids::{FIELD_BY_ID, OUTPUT_BY_ID, PARAMETER_BY_ID, PRESET_BY_ID};
 use softanvil_kernel::Parameter;
 use softanvil_kernel::parameter::Kind;
 

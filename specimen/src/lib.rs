@@ -21,9 +21,8 @@
 mod rig;
 pub mod timescale;
 
-use softanvil_kernel::scenario::{
-    DropBy, Formulation, Interface, Layers, Material, Motion, Scenario, Section, Shape, StepBy,
-};
+use softanvil_kernel::material::Material;
+use softanvil_kernel::scenario::{DropBy, Formulation, Interface, Layers, Motion, Scenario, Section, Shape, StepBy};
 use softanvil_kernel::{ModelError, SAMPLING_INTERVAL, StepError, preset};
 
 use crate::rig::Rig;

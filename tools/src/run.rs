@@ -1,8 +1,9 @@
 //! A simulated drop, recorded at every force sample.
 
 use softanvil_kernel::scenario::Motion;
+use softanvil_kernel::scenario::prescribed;
 use softanvil_kernel::state::Scalars;
-use softanvil_kernel::{Constants, ModelError, Output, Scenario, Simulation, StepError, StepInput, prescribed};
+use softanvil_kernel::{Constants, ModelError, Output, Scenario, Simulation, StepError, StepInput};
 
 use crate::ending::Ending;
 use crate::failure::Failure;

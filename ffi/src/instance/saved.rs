@@ -7,8 +7,8 @@
 
 use alloc::vec::Vec;
 
-use softanvil_kernel::digest::Digest;
-use softanvil_kernel::snapshot::{restore, save, snapshot_size};
+use softanvil_kernel::number::digest::Digest;
+use softanvil_kernel::state::{restore, save, snapshot_size};
 use softanvil_kernel::{PARAMETERS, SAMPLING_INTERVAL, Scenario, Simulation, SnapshotError, preset};
 
 use super::clock::Clock;

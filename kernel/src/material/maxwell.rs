@@ -6,14 +6,11 @@
 //! with the unrotated rate of deformation e' = R^T D R, as in [`crate::material::slider`], and the recurrence of
 //! [`crate::material::relaxation`].
 
-use crate::lanes::Deviator;
-use crate::material::relaxation::{Branches, MAX_BRANCHES, Overstress};
-use crate::real::Real;
-use crate::scenario::Material;
-use crate::vector::Instructions;
-
-/// Most additive Maxwell terms.
-pub const MAX_MAXWELL_TERMS: usize = MAX_BRANCHES;
+use crate::material::Material;
+use crate::material::relaxation::{Branches, Overstress};
+use crate::number::real::Real;
+use crate::number::vector::Instructions;
+use crate::tensor::deviator::Deviator;
 
 /// The constants of the recurrence, for one step size.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,13 +1,13 @@
 //! Neo-Hooke, isochoric (Treloar 1943): W = C10 (I1-3), I1 = tr C-bar, so that the Kirchhoff stress in the unrotated
 //! frame is tau = dev(2 C10 C-bar).
 
-use crate::kinematics::Kinematics;
-use crate::lanes::{Deviator, SQRT_THIRD};
-use crate::material::invariant_shear_tangent;
-use crate::real::Real;
-use crate::scenario::Material;
-use crate::stretch::IsochoricStretch;
-use crate::vector::{Instructions, Vector};
+use crate::material::Material;
+use crate::material::shear_tangent::invariant_shear_tangent;
+use crate::number::real::Real;
+use crate::number::vector::{Instructions, Vector};
+use crate::tensor::deviator::{Deviator, SQRT_THIRD};
+use crate::tensor::kinematics::Kinematics;
+use crate::tensor::stretch::IsochoricStretch;
 
 /// Long-term coefficient, Pa.
 #[derive(Clone, Copy, Debug, PartialEq)]

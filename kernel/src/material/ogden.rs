@@ -15,21 +15,18 @@
 //!
 //! where no difference of nearly equal powers is taken: sinh(alpha x) / r is a quotient of two numbers that both carry
 //! their full relative accuracy, and tends to alpha / m where the stretches coincide. All is written with e^y - 1,
-//! e^-y - 1, e^(alpha x) - 1 and e^(-alpha x) - 1, which [`crate::power`] gives accurately however small the strain is: cosh(alpha x) - 1 is -1/2 of the product of the last two, and the part of W without x is
+//! e^-y - 1, e^(alpha x) - 1 and e^(-alpha x) - 1, which [`crate::number::power`] gives accurately however small the strain is: cosh(alpha x) - 1 is -1/2 of the product of the last two, and the part of W without x is
 //! (e^-y - 1)(e^-y - 1 - 2 (e^y - 1)).
 
-use crate::kinematics::Kinematics;
-use crate::lanes::{Deviator, SQRT_THIRD};
-use crate::math;
-use crate::power;
-use crate::real::consts::LN_2;
-use crate::real::{LARGEST_EXPONENT, Real, TINY_SQUARE};
-use crate::scenario::Material;
-use crate::stretch::IsochoricStretch;
-use crate::vector::{Instructions, Scalar, Vector};
-
-/// Most terms of an Ogden law.
-pub const MAX_OGDEN_TERMS: usize = 3;
+use crate::material::{MAX_OGDEN_TERMS, Material};
+use crate::number::math;
+use crate::number::power;
+use crate::number::real::consts::LN_2;
+use crate::number::real::{LARGEST_EXPONENT, Real, TINY_SQUARE};
+use crate::number::vector::{Instructions, Scalar, Vector};
+use crate::tensor::deviator::{Deviator, SQRT_THIRD};
+use crate::tensor::kinematics::Kinematics;
+use crate::tensor::stretch::IsochoricStretch;
 
 /// Long-term coefficients.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -6,16 +6,13 @@
 //! of [`crate::material::relaxation`].
 //!
 //! At finite strain no energy belongs to such a branch: its work cannot be told into stored and dissipated (see
-//! [`crate::energy`]).
+//! [`crate::state`]).
 
-use crate::lanes::Deviator;
-use crate::material::relaxation::{Branches, MAX_BRANCHES, Overstress};
-use crate::real::Real;
-use crate::scenario::Material;
-use crate::vector::Instructions;
-
-/// Most terms of a Prony series.
-pub const MAX_PRONY_TERMS: usize = MAX_BRANCHES;
+use crate::material::Material;
+use crate::material::relaxation::{Branches, Overstress};
+use crate::number::real::Real;
+use crate::number::vector::Instructions;
+use crate::tensor::deviator::Deviator;
 
 /// The constants of the recurrence, for one step size.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -8,10 +8,10 @@
 //! The difference is taken as such: of a tau far above dt the exponential is 1 but for its last digits. Where dt/tau is
 //! below half a last digit (6e-8 in single precision) it is 1, and the branch holds what it has.
 
-use crate::lanes::Deviator;
-use crate::math;
-use crate::real::Real;
-use crate::vector::{Instructions, Vector};
+use crate::number::math;
+use crate::number::real::Real;
+use crate::number::vector::{Instructions, Vector};
+use crate::tensor::deviator::Deviator;
 
 /// Most branches of one kind.
 pub const MAX_BRANCHES: usize = 5;
@@ -79,9 +79,9 @@ impl Branches {
         let constants = self.decay.iter().zip(&self.gain);
         for ((first, second), (decay, gain)) in first.iter_mut().zip(second).zip(constants) {
             for (t, history) in [first, second].into_iter().enumerate() {
-                let (sum, before) = (&mut overstress[t], set.load_deviator(history, chunk));
+                let (sum, before) = (&mut overstress[t], Deviator::load(set, history, chunk));
                 let stress = before.scaled(set.splat(*decay)) + increment[t].scaled(set.splat(*gain));
-                set.store_deviator(&stress, history, chunk);
+                stress.store(set, history, chunk);
                 sum.before = sum.before + before;
                 sum.total = sum.total + stress;
             }

@@ -8,10 +8,10 @@
 //! stress, whatever its speed, and nothing drifts. The rate of Jaumann would oscillate in large simple shear and needs
 //! the rotation integrated.
 
-use crate::lanes::Deviator;
-use crate::math;
-use crate::real::Real;
-use crate::vector::{Instructions, Vector};
+use crate::number::math;
+use crate::number::real::Real;
+use crate::number::vector::{Instructions, Vector};
+use crate::tensor::deviator::Deviator;
 
 /// Constants of the spring-slider.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -8,13 +8,13 @@
 //! The pressure stays: a torn skin is still squeezed. The energies that the point stores, elastic and in its damping
 //! spring, are phi times those of the whole material; what they lose while phi falls, -phi' times the stored energy of the
 //! whole material, is dissipated, and no history makes it negative. The energy in the springs of the viscous branches is
-//! counted with their work (see [`crate::energy`]), before and after.
+//! counted with their work (see [`crate::state`]), before and after.
 
-use crate::kinematics::Kinematics;
-use crate::real::Real;
-use crate::scenario::Material;
-use crate::stretch::largest_in_plane;
-use crate::vector::Instructions;
+use crate::material::Material;
+use crate::number::real::Real;
+use crate::number::vector::Instructions;
+use crate::tensor::kinematics::Kinematics;
+use crate::tensor::stretch::largest_in_plane;
 
 /// Constants of a tear.
 #[derive(Clone, Copy, Debug, PartialEq)]

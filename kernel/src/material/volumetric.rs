@@ -4,10 +4,11 @@
 //! * Simo (Simo, Taylor and Pister 1985; Simo and Miehe 1992): U = K/4 (J^2 - 1 - 2 ln J), p = K/2 (J - 1/J), which
 //!   grows without bound as J goes to 0 and so keeps J positive.
 
-use crate::power;
-use crate::real::{Real, consts::LN_2};
-use crate::scenario::{Material, VolumetricLaw};
-use crate::vector::{Instructions, Vector};
+use crate::material::{Material, VolumetricLaw};
+use crate::number::power;
+use crate::number::real::Real;
+use crate::number::real::consts::LN_2;
+use crate::number::vector::{Instructions, Vector};
 
 /// The chosen law and its modulus.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,11 +1,13 @@
 //! One cell of two triangles, driven through a history of deformation gradients, as the kernel's step drives it.
 
 use softanvil_kernel::element::{Block, CellHistory, Corners, ElementEnergy, internal_force};
-use softanvil_kernel::lanes::{Deviator, ZERO, sum};
 use softanvil_kernel::material::Laws;
+use softanvil_kernel::material::Material;
+use softanvil_kernel::number::pack::{ZERO, sum};
+use softanvil_kernel::number::vector::Scalar;
 use softanvil_kernel::sampling::SMALLEST_STEP;
-use softanvil_kernel::scenario::{Formulation, Material, StepBy};
-use softanvil_kernel::vector::Scalar;
+use softanvil_kernel::scenario::{Formulation, StepBy};
+use softanvil_kernel::tensor::deviator::Deviator;
 use softanvil_kernel::{Model, ModelMemory, Scalars, Scenario, Size, StateMemory};
 
 use crate::scenes;

@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 use softanvil_kernel::material::MAX_PRONY_TERMS;
+use softanvil_kernel::material::Material;
 use softanvil_kernel::parameter::Kind;
-use softanvil_kernel::scenario::Material;
 use softanvil_kernel::{Changes, Parameter, Scenario};
 
 /// How a range is searched.

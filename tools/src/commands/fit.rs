@@ -16,7 +16,7 @@ use softanvil_identify::law::fit::{Settings, Weighting};
 use softanvil_identify::law::{LAWS, Law, Mode};
 use softanvil_identify::relaxation::choice::TERMS;
 use softanvil_identify::relaxation::read as relaxation;
-use softanvil_kernel::scenario::Moduli;
+use softanvil_kernel::material::Moduli;
 
 use super::output_files::Overwrite;
 use crate::failure::Failure;

@@ -1,7 +1,8 @@
 //! The identified material, and the files that carry it to the simulation and to other programs.
 
 use softanvil_identify::export::{Layer, abaqus, c_source, ls_dyna, ssv};
-use softanvil_kernel::scenario::{Layers, Material, Moduli, VolumetricBy};
+use softanvil_kernel::material::{Material, Moduli, VolumetricBy};
+use softanvil_kernel::scenario::Layers;
 use softanvil_kernel::{Scenario, preset};
 
 use super::Identification;

@@ -5,7 +5,7 @@ use softanvil_identify::law::fit::{Fit, Settings, Weighting};
 use softanvil_identify::law::{DataSet, LAWS, Law, Mode, stress};
 use softanvil_kernel::Scenario;
 use softanvil_kernel::material::Elastic;
-use softanvil_kernel::scenario::{Material, Moduli, VolumetricBy};
+use softanvil_kernel::material::{Material, Moduli, VolumetricBy};
 
 use super::Study;
 use super::case::{Case, Outcome};

@@ -1,7 +1,8 @@
 //! The study's virtual material tests: a cylinder compressed to half its height, and held.
 
+use softanvil_kernel::material::Material;
 use softanvil_kernel::preset;
-use softanvil_kernel::scenario::{Formulation, Interface, Material, Scenario, Shape};
+use softanvil_kernel::scenario::{Formulation, Interface, Scenario, Shape};
 use softanvil_specimen::{Compression, Ends, Point, STUDY_RATES, compress};
 
 use crate::body::{Body, Pressure};

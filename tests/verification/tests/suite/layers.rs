@@ -1,8 +1,9 @@
 //! Two layers: the same numbers as one where both have the same material, and conservation where they differ.
 
 use softanvil_kernel::material::MAX_PRONY_TERMS;
-use softanvil_kernel::scenario::{Formulation, Layers, Material, StepBy};
-use softanvil_kernel::snapshot::{restore, save, snapshot_size};
+use softanvil_kernel::material::Material;
+use softanvil_kernel::scenario::{Formulation, Layers, StepBy};
+use softanvil_kernel::state::{restore, save, snapshot_size};
 use softanvil_kernel::{Scenario, Simulation, StepInput, preset};
 use softanvil_verification::scenes::run;
 use softanvil_verification::tolerance::{ENERGY_RESIDUAL, LAYERS, relative_error};

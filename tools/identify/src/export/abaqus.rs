@@ -4,7 +4,7 @@
 
 use std::fmt::Write;
 
-use softanvil_kernel::scenario::{ElasticLaw, Material, Moduli};
+use softanvil_kernel::material::{ElasticLaw, Material, Moduli};
 
 use super::ls_dyna::active;
 use super::prony_terms;

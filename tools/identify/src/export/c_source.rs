@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use softanvil_kernel::scenario::Material;
+use softanvil_kernel::material::Material;
 
 use super::{Layer, label, rows};
 

@@ -6,7 +6,7 @@
 
 use std::fmt::Write;
 
-use softanvil_kernel::scenario::{ElasticLaw, Material};
+use softanvil_kernel::material::{ElasticLaw, Material};
 
 use super::prony_terms;
 

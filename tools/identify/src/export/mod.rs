@@ -5,8 +5,9 @@ pub mod c_source;
 pub mod ls_dyna;
 pub mod ssv;
 
+use softanvil_kernel::material::Material;
 use softanvil_kernel::parameter::Kind;
-use softanvil_kernel::scenario::{Layers, Material};
+use softanvil_kernel::scenario::Layers;
 use softanvil_kernel::{PARAMETERS, Parameter, preset};
 
 /// Which layer of the anvil the material is for.

@@ -5,7 +5,7 @@ use std::io;
 
 use quick_xml::Writer;
 use quick_xml::events::{BytesDecl, Event};
-use softanvil_kernel::scenario::Material;
+use softanvil_kernel::material::Material;
 
 use super::{Layer, label, rows};
 

@@ -13,8 +13,8 @@ pub mod stability;
 pub mod statistics;
 pub mod stress;
 
+use softanvil_kernel::material::{ElasticLaw, Material, Moduli, VolumetricBy};
 use softanvil_kernel::preset;
-use softanvil_kernel::scenario::{ElasticLaw, Material, Moduli, VolumetricBy};
 
 /// A homogeneous test of an incompressible specimen; l is the stretch of the loaded direction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

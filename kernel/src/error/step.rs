@@ -1,0 +1,78 @@
+//! Steps that cannot be completed.
+
+use core::fmt;
+
+use super::memory::MemoryError;
+use super::parameter::ParameterError;
+use crate::number::decimal::Decimal;
+use crate::number::math;
+use crate::number::real::Real;
+use crate::sampling::SAMPLING_INTERVAL;
+
+/// Why a step could not be completed. But for an input or a memory that is refused, the state stays as the failing step
+/// left it, and every further step gives the same error until the state is reset or restored.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum StepError {
+    /// A triangle turned inside out, or its shape is not finite.
+    Inverted {
+        /// Index of the triangle.
+        element: u32,
+        /// Simulated time, s.
+        time: Real,
+    },
+    /// The step exceeds the current stability limit of a triangle.
+    Unstable {
+        /// Index of the triangle.
+        element: u32,
+        /// Simulated time, s.
+        time: Real,
+        /// Stability limit there, s.
+        limit: Real,
+        /// The fixed step, s.
+        step: Real,
+    },
+    /// An input is not legal. No step is made, and the state is as before.
+    Input {
+        /// The input, its refused value and what is legal.
+        error: ParameterError,
+        /// Simulated time, s.
+        time: Real,
+    },
+    /// There is too little memory for the state. No step is made.
+    Memory(MemoryError),
+}
+
+impl From<MemoryError> for StepError {
+    fn from(error: MemoryError) -> Self {
+        Self::Memory(error)
+    }
+}
+
+impl fmt::Display for StepError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Inverted { element, time } => {
+                write!(f, "element {element} is inverted or not finite at {} s", Decimal(*time))
+            }
+            Self::Unstable { element, time, limit, step } => {
+                let enough = Decimal(enough(*limit));
+                let [time, limit, step] = [*time, *limit, *step].map(Decimal);
+                write!(
+                    f,
+                    "the time step of {step} s is above the stability limit {limit} s of element {element} at {time} s: \
+                     {enough} s would do there (time.step_by = given with time.step, or for a driven face a larger \
+                     time.design_compression)"
+                )
+            }
+            Self::Input { error, time } => write!(f, "{error} (input at {} s)", Decimal(*time)),
+            Self::Memory(error) => error.fmt(f),
+        }
+    }
+}
+
+/// The largest step that is a whole divisor of the sampling interval and at least a tenth below `limit`, s.
+fn enough(limit: Real) -> Real {
+    SAMPLING_INTERVAL / math::ceil(SAMPLING_INTERVAL / (0.9 * limit))
+}
+
+impl core::error::Error for StepError {}

@@ -1,0 +1,117 @@
+//! A row of the table of parameters.
+
+use crate::error::ParameterError;
+use crate::number::real::Real;
+use crate::scenario::Scenario;
+
+/// One row of the table.
+#[derive(Clone, Copy)]
+pub struct Parameter {
+    /// Structured name, `group.field`.
+    pub name: &'static str,
+    /// What the value is and how it is stored.
+    pub kind: Kind,
+    /// Meaning, one line.
+    pub description: &'static str,
+}
+
+/// What a parameter's value is.
+#[derive(Clone, Copy)]
+pub enum Kind {
+    /// A physical quantity in an SI unit ("1" for a ratio), legal from `min` to `max`, both included.
+    Real {
+        /// SI unit.
+        unit: &'static str,
+        /// Smallest legal value.
+        min: Real,
+        /// Largest legal value.
+        max: Real,
+        /// The field in a scenario.
+        field: fn(&mut Scenario) -> &mut Real,
+    },
+    /// One of several named choices, numbered from 0 in this order.
+    Choice {
+        /// Names of the choices.
+        labels: &'static [&'static str],
+        /// Index of the scenario's choice.
+        read: fn(&Scenario) -> usize,
+        /// Sets the choice by its index.
+        write: fn(&mut Scenario, usize),
+    },
+}
+
+impl Parameter {
+    /// Unit of the value; "1" for ratios and choices.
+    pub fn unit(&self) -> &'static str {
+        match self.kind {
+            Kind::Real { unit, .. } => unit,
+            Kind::Choice { .. } => "1",
+        }
+    }
+
+    /// Smallest and largest legal value.
+    pub fn range(&self) -> (Real, Real) {
+        match self.kind {
+            Kind::Real { min, max, .. } => (min, max),
+            Kind::Choice { labels, .. } => (0.0, labels.len() as Real - 1.0),
+        }
+    }
+
+    /// The value in `scenario`; a choice as its index.
+    pub fn get(&self, scenario: &Scenario) -> Real {
+        match self.kind {
+            Kind::Real { field, .. } => *field(&mut { *scenario }),
+            Kind::Choice { read, .. } => read(scenario) as Real,
+        }
+    }
+
+    /// Sets the value in `scenario`; a choice by its index.
+    ///
+    /// # Errors
+    /// A value that is not legal is refused and changes nothing.
+    pub fn set(&self, scenario: &mut Scenario, value: Real) -> Result<(), ParameterError> {
+        self.check(value)?;
+        match self.kind {
+            Kind::Real { field, .. } => *field(scenario) = value,
+            Kind::Choice { write, .. } => write(scenario, value as usize),
+        }
+        Ok(())
+    }
+
+    /// Whether `value` is legal: finite, in range, and whole for a choice.
+    ///
+    /// # Errors
+    /// The name, value, unit and legal range of a refused value.
+    pub fn check(&self, value: Real) -> Result<(), ParameterError> {
+        let (min, max) = self.range();
+        let in_range = value >= min && value <= max;
+        let whole = match self.kind {
+            Kind::Real { .. } => true,
+            Kind::Choice { .. } => in_range && value as usize as Real == value,
+        };
+        if in_range && whole {
+            return Ok(());
+        }
+        Err(ParameterError { name: self.name, value, unit: self.unit(), min, max })
+    }
+}
+
+pub(crate) const fn real(
+    name: &'static str,
+    unit: &'static str,
+    range: (Real, Real),
+    field: fn(&mut Scenario) -> &mut Real,
+    description: &'static str,
+) -> Parameter {
+    Parameter { name, kind: Kind::Real { unit, min: range.0, max: range.1, field }, description }
+}
+
+pub(crate) const fn choice(
+    name: &'static str,
+    labels: &'static [&'static str],
+    read: fn(&Scenario) -> usize,
+    write: fn(&mut Scenario, usize),
+    description: &'static str,
+) -> Parameter {
+    Parameter { name, kind: Kind::Choice { labels, read, write }, description }
+}
