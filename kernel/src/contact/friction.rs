@@ -5,6 +5,6 @@ use crate::number::vector::Vector;
 /// `force`, its size limited to `limit`.
 #[inline(always)]
 pub(crate) fn limited<V: Vector>(force: V, limit: V) -> V {
-    let opposite = limit.times(-1.0);
-    force.if_greater(limit, limit, opposite.if_greater(force, opposite, force))
+    let opposite = limit.mul_scalar(-1.0);
+    force.select_greater(limit, limit, opposite.select_greater(force, opposite, force))
 }

@@ -19,7 +19,7 @@ use crate::number::math::THIRD;
 use crate::number::pack::ZERO;
 use crate::number::real::Real;
 use crate::number::real::consts::SQRT_2;
-use crate::number::vector::{Instructions, Vector};
+use crate::number::vector::{Simd, Vector};
 
 /// Rows of strain of a cell.
 const ROWS: usize = 7;
@@ -66,23 +66,24 @@ struct HoopRow<V> {
 
 /// Square of the largest stable step of each cell, s2, to one part in 10^8 from below; at most `bound`.
 #[inline(always)]
-pub(crate) fn limit_squared<S: Instructions>(set: S, matrix: &CellMatrix<S::Vector>, bound: S::Vector) -> S::Vector {
+pub(crate) fn limit_squared<S: Simd>(simd: S, matrix: &CellMatrix<S::Vector>, bound: S::Vector) -> S::Vector {
     let CellMatrix { moduli, square, real, hoop, .. } = matrix;
-    let shear = [real[0].times(THIRD) + square[0].times(2.0), real[2].times(THIRD) + square[1].times(2.0)];
+    let shear =
+        [real[0].mul_scalar(THIRD) + square[0].mul_scalar(2.0), real[2].mul_scalar(THIRD) + square[1].mul_scalar(2.0)];
     let [.., volume] = dilatation(&matrix.weight, real, hoop.as_ref().map(|row| &row.real));
     let trace = moduli[0] * shear[0] + moduli[1] * shear[1] + moduli[2] * volume;
     // The largest eigenvalue lies between the mean of all and their sum.
-    let zero = set.splat(0.0);
-    let mut stable = set.splat(1.0) / trace.larger(set.splat(Real::MIN_POSITIVE));
-    let mut beyond = stable.times(ROWS as Real);
-    beyond = beyond.if_greater(bound, bound, beyond);
+    let zero = simd.splat(0.0);
+    let mut stable = simd.splat(1.0) / trace.max(simd.splat(Real::MIN_POSITIVE));
+    let mut beyond = stable.mul_scalar(ROWS as Real);
+    beyond = beyond.select_greater(bound, bound, beyond);
     let mut probe = beyond;
     for _ in 0..=HALVINGS {
-        let lost = unstable(set, matrix, probe);
-        (stable, beyond) = (lost.if_greater(zero, stable, probe), lost.if_greater(zero, probe, beyond));
-        probe = (stable + beyond).times(0.5);
+        let lost = unstable(simd, matrix, probe);
+        (stable, beyond) = (lost.select_greater(zero, stable, probe), lost.select_greater(zero, probe, beyond));
+        probe = (stable + beyond).mul_scalar(0.5);
         let mut open = ZERO;
-        set.store(beyond - stable, &mut open, 0);
+        simd.store(beyond - stable, &mut open, 0);
         if open == ZERO {
             break;
         }
@@ -92,9 +93,9 @@ pub(crate) fn limit_squared<S: Instructions>(set: S, matrix: &CellMatrix<S::Vect
 
 /// 1 where the step of this square is too large, 0 elsewhere and where the state is not a number.
 #[inline(always)]
-pub(crate) fn unstable<S: Instructions>(set: S, matrix: &CellMatrix<S::Vector>, step_squared: S::Vector) -> S::Vector {
+pub(crate) fn unstable<S: Simd>(simd: S, matrix: &CellMatrix<S::Vector>, step_squared: S::Vector) -> S::Vector {
     let CellMatrix { moduli, weight, square, cross, real, mixed, hoop } = matrix;
-    let one = set.splat(1.0);
+    let one = simd.splat(1.0);
     let factor = [moduli[0] * step_squared, moduli[1] * step_squared, moduli[2] * step_squared];
     // 1 - E A of both z, and the inverse of what it is times 1 / E.
     let own = [one - factor[0] * square[0], one - factor[1] * square[1]];
@@ -114,12 +115,12 @@ pub(crate) fn unstable<S: Instructions>(set: S, matrix: &CellMatrix<S::Vector>, 
     ];
     let rest_of_hoop = elimination.rest_of_hoop(hoop.as_ref(), &effect);
     let dilatation = dilatation(weight, &rest, rest_of_hoop.as_ref());
-    let factor = [factor[0].times(THIRD), factor[1].times(THIRD), factor[2]];
-    let minors = leading_minors(set, &factor, &rest, &dilatation);
+    let factor = [factor[0].mul_scalar(THIRD), factor[1].mul_scalar(THIRD), factor[2]];
+    let minors = leading_minors(simd, &factor, &rest, &dilatation);
     // Positive definite is what has positive leading minors.
-    let mut unstable = set.splat(0.0);
+    let mut unstable = simd.splat(0.0);
     for minor in [own[0], determinant, minors[0], minors[1], minors[2]] {
-        unstable = set.splat(Real::MIN_POSITIVE).if_greater(minor, one, unstable);
+        unstable = simd.splat(Real::MIN_POSITIVE).select_greater(minor, one, unstable);
     }
     unstable
 }
@@ -160,9 +161,9 @@ fn dilatation<V: Vector>([w, x]: &[V; 2], [first, across, second]: &[V; 3], hoop
     let mean = [*w * *first + *x * *across, *w * *across + *x * *second];
     match hoop {
         Some([a, b, c]) => {
-            let with = [mean[0] + a.times(3.0), mean[1] + b.times(3.0)];
-            let with_hoop = *w * *a + *x * *b + c.times(3.0);
-            [with[0], with[1], *w * with[0] + *x * with[1] + with_hoop.times(3.0)]
+            let with = [mean[0] + a.mul_scalar(3.0), mean[1] + b.mul_scalar(3.0)];
+            let with_hoop = *w * *a + *x * *b + c.mul_scalar(3.0);
+            [with[0], with[1], *w * with[0] + *x * with[1] + with_hoop.mul_scalar(3.0)]
         }
         None => [mean[0], mean[1], *w * mean[0] + *x * mean[1]],
     }
@@ -170,43 +171,44 @@ fn dilatation<V: Vector>([w, x]: &[V; 2], [first, across, second]: &[V; 3], hoop
 
 /// Leading minors of 1 - E A for diagonal E and the symmetric A of r of both triangles and b.
 #[inline(always)]
-fn leading_minors<S: Instructions>(
-    set: S,
+fn leading_minors<S: Simd>(
+    simd: S,
     e: &[S::Vector; 3],
     [a00, a10, a11]: &[S::Vector; 3],
     [a20, a21, a22]: &[S::Vector; 3],
 ) -> [S::Vector; 3] {
-    let one = set.splat(1.0);
+    let one = simd.splat(1.0);
     let diagonal = [one - e[0] * *a00, one - e[1] * *a11, one - e[2] * *a22];
     let (of_first, of_second) = (e[0] * *a10, e[1] * *a10);
     let first_two = diagonal[0] * diagonal[1] - of_first * of_second;
     let (first, second) = (e[0] * *a20, e[1] * *a21);
-    let across = diagonal[0] * (second * *a21) + diagonal[1] * (first * *a20) + (of_first * second * *a20).times(2.0);
+    let across =
+        diagonal[0] * (second * *a21) + diagonal[1] * (first * *a20) + (of_first * second * *a20).mul_scalar(2.0);
     [diagonal[0], first_two, first_two * diagonal[2] - e[2] * across]
 }
 
 /// The matrix of neighbouring cells.
 #[inline(always)]
-pub(crate) fn cell_matrix<S: Instructions>(
-    set: S,
+pub(crate) fn cell_matrix<S: Simd>(
+    simd: S,
     chunk: usize,
     block: &Block,
     stiffness: &CellStiffness<S::Vector>,
 ) -> CellMatrix<S::Vector> {
     let [first, second] = &block.constants.triangle;
-    let weight = [set.load(&first.patch_weight, chunk), set.load(&second.patch_weight, chunk)];
+    let weight = [simd.load(&first.volume_fraction, chunk), simd.load(&second.volume_fraction, chunk)];
     let shear = [weight[0] * stiffness.shear[0], weight[1] * stiffness.shear[1]];
-    let inverse_density = set.splat(1.0 / block.laws.density);
+    let inverse_density = simd.splat(1.0 / block.laws.density);
     let moduli = [shear[0] * inverse_density, shear[1] * inverse_density, stiffness.bulk * inverse_density];
     // Gradients of edges as complex numbers. With those along the row reversed where the diagonal rises, the rows of the
     // corners have these products: 2 of an edge with itself, 1 of the two edges of a triangle, -1 of edges along and across of
     // different triangles, 0 of others.
     let [[a, b], [c, d]] =
-        [edge_gradients(set, chunk, block, stiffness, 0), edge_gradients(set, chunk, block, stiffness, 1)];
+        [edge_gradients(simd, chunk, block, stiffness, 0), edge_gradients(simd, chunk, block, stiffness, 1)];
     let (square, own) = own_products([&a, &b]);
     let (other_square, other) = own_products([&c, &d]);
-    let cross = (a.conjugate() * d + b.conjugate() * c).times(-1.0);
-    let mixed = (a * d + b * c).times(-1.0);
+    let cross = (a.conjugate() * d + b.conjugate() * c).mul_scalar(-1.0);
+    let mixed = (a * d + b * c).mul_scalar(-1.0);
     let mut matrix = CellMatrix {
         moduli,
         weight,
@@ -218,8 +220,8 @@ pub(crate) fn cell_matrix<S: Instructions>(
     };
     if let Some(HoopConstants { weight: [first, second] }) = block.hoop {
         // Whichever way the diagonal runs, the first triangle has corner 1 and the second corner 3.
-        let e = set.load(&first[1], chunk) * stiffness.hoop_scale[0];
-        let f = set.load(&second[3], chunk) * stiffness.hoop_scale[1];
+        let e = simd.load(&first[1], chunk) * stiffness.hoop_scale[0];
+        let f = simd.load(&second[3], chunk) * stiffness.hoop_scale[1];
         matrix.add_hoop([e, f], [&(a + b), &(c + d)]);
     }
     matrix
@@ -229,9 +231,9 @@ pub(crate) fn cell_matrix<S: Instructions>(
 #[inline(always)]
 fn own_products<V: Vector>([a, b]: [&Complex<V>; 2]) -> (V, Complex<V>) {
     // (a + b/2)^2 + 3/4 b^2.
-    let (c, d) = ((*a + b.times(0.5)).times(SQRT_2), b.times(SQRT_THREE_HALVES));
+    let (c, d) = ((*a + b.mul_scalar(0.5)).mul_scalar(SQRT_2), b.mul_scalar(SQRT_THREE_HALVES));
     let [re, im] = [c.re * c.re + d.re * d.re, c.im * c.im + d.im * d.im];
-    (re + im, Complex { re: re - im, im: (c.re * c.im + d.re * d.im).times(2.0) })
+    (re + im, Complex { re: re - im, im: (c.re * c.im + d.re * d.im).mul_scalar(2.0) })
 }
 
 impl<V: Vector> CellMatrix<V> {
@@ -241,44 +243,44 @@ impl<V: Vector> CellMatrix<V> {
     fn add_hoop(&mut self, [e, f]: [V; 2], outer: [&Complex<V>; 2]) {
         let [w, x] = self.weight;
         // Products of the triangles' hoop strains with each other and with z, whose real part is that with e11 + e22.
-        let (first, across, second) = ((e * e).times(3.0), (e * f).times(2.0), (f * f).times(3.0));
-        let (with_second, with_first) = (outer[1].scaled(e).times(-1.0), outer[0].scaled(f));
+        let (first, across, second) = ((e * e).mul_scalar(3.0), (e * f).mul_scalar(2.0), (f * f).mul_scalar(3.0));
+        let (with_second, with_first) = (outer[1].scaled(e).mul_scalar(-1.0), outer[0].scaled(f));
         self.hoop = Some(HoopRow {
             real: [
-                x * with_first.re - (w * first + x * across).times(2.0),
-                w * with_second.re - (w * across + x * second).times(2.0),
+                x * with_first.re - (w * first + x * across).mul_scalar(2.0),
+                w * with_second.re - (w * across + x * second).mul_scalar(2.0),
                 w * (w * first + x * across) + x * (w * across + x * second),
             ],
             mixed: [with_first.scaled(x), with_second.scaled(w)],
         });
-        self.real[0] = self.real[0] + first.times(4.0);
-        self.real[1] = self.real[1] + across.times(4.0) - (with_first.re + with_second.re).times(2.0);
-        self.real[2] = self.real[2] + second.times(4.0);
-        self.mixed[0][1] = self.mixed[0][1] + with_second.times(-2.0);
-        self.mixed[1][0] = self.mixed[1][0] + with_first.times(-2.0);
+        self.real[0] = self.real[0] + first.mul_scalar(4.0);
+        self.real[1] = self.real[1] + across.mul_scalar(4.0) - (with_first.re + with_second.re).mul_scalar(2.0);
+        self.real[2] = self.real[2] + second.mul_scalar(4.0);
+        self.mixed[0][1] = self.mixed[0][1] + with_second.mul_scalar(-2.0);
+        self.mixed[1][0] = self.mixed[1][0] + with_first.mul_scalar(-2.0);
     }
 }
 
 /// U^-1 times the gradients of a triangle's edges: the spatial ones but for a rotation. That along the row, reversed where
 /// the diagonal rises, then that across.
 #[inline(always)]
-fn edge_gradients<S: Instructions>(
-    set: S,
+fn edge_gradients<S: Simd>(
+    simd: S,
     chunk: usize,
     block: &Block,
     stiffness: &CellStiffness<S::Vector>,
     t: usize,
 ) -> [Complex<S::Vector>; 2] {
     let [v11, v22, v12] = stiffness.inverse_stretch[t];
-    let zero = set.splat(0.0);
+    let zero = simd.splat(0.0);
     let mut edges = [Complex { re: zero, im: zero }; 2];
     for edge in 0..2 {
-        let [x, y] = set.load_pair(&block.constants.triangle[t].shape_gradient[edge], chunk);
+        let [x, y] = simd.load_pair(&block.constants.triangle[t].shape_gradient[edge], chunk);
         edges[edge] = Complex { re: v11 * x + v12 * y, im: v12 * x + v22 * y };
     }
-    let (rising, reversed) = (set.load(&block.constants.rising, chunk), edges[0].times(-1.0));
-    edges[0].re = rising.if_greater(zero, reversed.re, edges[0].re);
-    edges[0].im = rising.if_greater(zero, reversed.im, edges[0].im);
+    let (diagonal, reversed) = (simd.load(&block.constants.diagonal, chunk), edges[0].mul_scalar(-1.0));
+    edges[0].re = diagonal.select_greater(zero, reversed.re, edges[0].re);
+    edges[0].im = diagonal.select_greater(zero, reversed.im, edges[0].im);
     edges
 }
 /// The square root of 3/2, rounded once.

@@ -1,6 +1,6 @@
 //! What the triangles of a block of cells remember.
 
-use crate::number::pack::{LANES, Lane, ZERO};
+use crate::number::pack::{LANES, Pack, ZERO};
 use crate::tensor::deviator::Deviator;
 
 /// What the triangles of a block of cells remember.
@@ -14,15 +14,15 @@ pub struct CellHistory {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TriangleHistory {
     /// Right stretch of the last step: mean, half difference, shear, hoop (see [`crate::tensor::kinematics::Kinematics`]).
-    pub stretch_prev: [Lane; 4],
+    pub stretch_prev: [Pack; 4],
     /// Long-term isochoric stress of the last step, Pa, before any tear.
     pub elastic_prev: Deviator,
     /// Stress of the damping spring, Pa, before any tear.
     pub slider_stress: Deviator,
     /// Largest principal stretch so far, where the material can tear; 1 otherwise.
-    pub largest_stretch: Lane,
+    pub largest_stretch: Pack,
     /// Isochoric and spring energy of the last step before any tear, J/m3, where the material can tear; 0 otherwise.
-    pub stored_prev: Lane,
+    pub stored_prev: Pack,
 }
 
 impl CellHistory {
@@ -38,4 +38,4 @@ impl CellHistory {
     };
 }
 
-const ONE: Lane = [1.0; LANES];
+const ONE: Pack = [1.0; LANES];

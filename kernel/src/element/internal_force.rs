@@ -8,9 +8,9 @@
 
 use crate::element::response::deviatoric_stress;
 use crate::element::{Block, CellHistory, Corners, Edges, ElementEnergy, HoopConstants, TriangleConstants};
-use crate::number::pack::Lane;
+use crate::number::pack::Pack;
 use crate::number::real::Real;
-use crate::number::vector::{Instructions, Vector};
+use crate::number::vector::{Simd, Vector};
 use crate::tensor::deviator::{Deviator, SQRT_THIRD};
 use crate::tensor::kinematics::Kinematics;
 
@@ -20,8 +20,8 @@ use crate::tensor::kinematics::Kinematics;
 /// `viscous` holds the overstress of the first triangle's terms, then of the second's. The history of an inverted
 /// triangle ([`ElementEnergy::inverted`]) is not to be used.
 #[inline(always)]
-pub fn internal_force<S: Instructions>(
-    set: S,
+pub fn internal_force<S: Simd>(
+    simd: S,
     chunk: usize,
     block: &Block,
     displacement: &Corners<S::Vector>,
@@ -29,29 +29,31 @@ pub fn internal_force<S: Instructions>(
     viscous: &mut [Deviator],
     energy: &mut ElementEnergy,
 ) -> Corners<S::Vector> {
-    let edges = triangle_edges(set, set.load(&block.constants.rising, chunk), displacement);
-    let kinematics = kinematics(set, chunk, block, displacement, &edges);
-    let pressure = patch_pressure(set, chunk, block, &kinematics, energy);
-    let [(a, first), (b, second)] = deviatoric_stress(set, chunk, block, &kinematics, history, viscous);
+    let edges = triangle_edges(simd, simd.load(&block.constants.diagonal, chunk), displacement);
+    let kinematics = kinematics(simd, chunk, block, displacement, &edges);
+    let pressure = mean_stress(simd, chunk, block, &kinematics, energy);
+    let [(a, first), (b, second)] = deviatoric_stress(simd, chunk, block, &kinematics, history, viscous);
     for (triangle, density) in block.constants.triangle.iter().zip([first, second]) {
-        let volume = set.load(&triangle.reference_volume, chunk);
-        density.add_to(set, chunk, volume, block.laws, energy);
+        let volume = simd.load(&triangle.reference_volume, chunk);
+        density.add_to(simd, chunk, volume, block.laws, energy);
     }
     let [k, l] = &kinematics;
-    let stress =
-        [spatial_stress(set, chunk, block, 0, k, pressure, &a), spatial_stress(set, chunk, block, 1, l, pressure, &b)];
+    let stress = [
+        spatial_stress(simd, chunk, block, 0, k, pressure, &a),
+        spatial_stress(simd, chunk, block, 1, l, pressure, &b),
+    ];
     let [of_first, of_second] = &block.constants.triangle;
     let edges = [
-        edge_forces(set, chunk, of_first, &edges[0], &stress[0]),
-        edge_forces(set, chunk, of_second, &edges[1], &stress[1]),
+        edge_forces(simd, chunk, of_first, &edges[0], &stress[0]),
+        edge_forces(simd, chunk, of_second, &edges[1], &stress[1]),
     ];
-    let mut force = corner_forces(set, set.load(&block.constants.rising, chunk), &edges);
+    let mut force = corner_forces(simd, simd.load(&block.constants.diagonal, chunk), &edges);
     if let Some(hoop) = block.hoop {
         for (t, deviator) in [&a, &b].into_iter().enumerate() {
-            let volume = set.load(&block.constants.triangle[t].reference_volume, chunk);
-            let kirchhoff = pressure * kinematics[t].jacobian - deviator.mean.times(2.0 * SQRT_THIRD);
+            let volume = simd.load(&block.constants.triangle[t].reference_volume, chunk);
+            let kirchhoff = pressure * kinematics[t].jacobian - deviator.mean.mul_scalar(2.0 * SQRT_THIRD);
             let nominal = volume * kirchhoff / kinematics[t].hoop;
-            add_hoop_force(set, chunk, nominal, &hoop.weight[t], &mut force);
+            add_hoop_force(simd, chunk, nominal, &hoop.weight[t], &mut force);
         }
     }
     force
@@ -59,20 +61,20 @@ pub fn internal_force<S: Instructions>(
 
 /// Deformation of the two triangles of each cell.
 #[inline(always)]
-pub(crate) fn cell_kinematics<S: Instructions>(
-    set: S,
+pub(crate) fn cell_kinematics<S: Simd>(
+    simd: S,
     chunk: usize,
     block: &Block,
     displacement: &Corners<S::Vector>,
 ) -> [Kinematics<S::Vector>; 2] {
-    let edges = triangle_edges(set, set.load(&block.constants.rising, chunk), displacement);
-    kinematics(set, chunk, block, displacement, &edges)
+    let edges = triangle_edges(simd, simd.load(&block.constants.diagonal, chunk), displacement);
+    kinematics(simd, chunk, block, displacement, &edges)
 }
 
 /// [`cell_kinematics`] with the differences of displacement along the edges.
 #[inline(always)]
-fn kinematics<S: Instructions>(
-    set: S,
+fn kinematics<S: Simd>(
+    simd: S,
     chunk: usize,
     block: &Block,
     displacement: &Corners<S::Vector>,
@@ -80,67 +82,63 @@ fn kinematics<S: Instructions>(
 ) -> [Kinematics<S::Vector>; 2] {
     let hoop = match block.hoop {
         Some(HoopConstants { weight: [a, b] }) => {
-            [Some(hoop_stretch(set, chunk, a, displacement)), Some(hoop_stretch(set, chunk, b, displacement))]
+            [Some(hoop_stretch(simd, chunk, a, displacement)), Some(hoop_stretch(simd, chunk, b, displacement))]
         }
         None => [None; 2],
     };
     let [a, b] = &block.constants.triangle;
     [
-        Kinematics::new(set, gradients(set, chunk, a), edges[0], hoop[0]),
-        Kinematics::new(set, gradients(set, chunk, b), edges[1], hoop[1]),
+        Kinematics::new(simd, gradients(simd, chunk, a), edges[0], hoop[0]),
+        Kinematics::new(simd, gradients(simd, chunk, b), edges[1], hoop[1]),
     ]
 }
 
 /// dN/dX of the two edges of a triangle of each cell.
 #[inline(always)]
-fn gradients<S: Instructions>(set: S, chunk: usize, constants: &TriangleConstants) -> [[S::Vector; 2]; 2] {
+fn gradients<S: Simd>(simd: S, chunk: usize, constants: &TriangleConstants) -> [[S::Vector; 2]; 2] {
     let [g, h] = &constants.shape_gradient;
-    [set.load_pair(g, chunk), set.load_pair(h, chunk)]
+    [simd.load_pair(g, chunk), simd.load_pair(h, chunk)]
 }
 
 /// Hoop stretch of a triangle, from the radial displacements of its corners.
 #[inline(always)]
-fn hoop_stretch<S: Instructions>(set: S, chunk: usize, weight: &[Lane; 4], corners: &Corners<S::Vector>) -> S::Vector {
-    let mut stretch = set.splat(1.0);
+fn hoop_stretch<S: Simd>(simd: S, chunk: usize, weight: &[Pack; 4], corners: &Corners<S::Vector>) -> S::Vector {
+    let mut stretch = simd.splat(1.0);
     for a in 0..4 {
-        stretch = stretch + set.load(&weight[a], chunk) * corners[a][0];
+        stretch = stretch + simd.load(&weight[a], chunk) * corners[a][0];
     }
     stretch
 }
 
 /// Differences of displacement along the edges of the two triangles of each cell.
 #[inline(always)]
-fn triangle_edges<S: Instructions>(
-    set: S,
-    rising: S::Vector,
+fn triangle_edges<S: Simd>(
+    simd: S,
+    diagonal: S::Vector,
     [c0, c1, c2, c3]: &Corners<S::Vector>,
 ) -> [Edges<S::Vector>; 2] {
-    let zero = set.splat(0.0);
+    let zero = simd.splat(0.0);
     let mut edges = [[[zero; 2]; 2]; 2];
     for i in 0..2 {
         let (left, right) = (c3[i] - c0[i], c2[i] - c1[i]);
         edges[0][0][i] = c1[i] - c0[i];
         edges[1][0][i] = c2[i] - c3[i];
         // The first triangle has the right edge where the diagonal rises.
-        edges[0][1][i] = rising.if_greater(zero, right, left);
-        edges[1][1][i] = rising.if_greater(zero, left, right);
+        edges[0][1][i] = diagonal.select_greater(zero, right, left);
+        edges[1][1][i] = diagonal.select_greater(zero, left, right);
     }
     edges
 }
 
 /// Forces on the corners from those on the edges of the two triangles, which pull an edge's end and push its start.
 #[inline(always)]
-fn corner_forces<S: Instructions>(
-    set: S,
-    rising: S::Vector,
-    [first, second]: &[Edges<S::Vector>; 2],
-) -> Corners<S::Vector> {
-    let zero = set.splat(0.0);
+fn corner_forces<S: Simd>(simd: S, diagonal: S::Vector, [first, second]: &[Edges<S::Vector>; 2]) -> Corners<S::Vector> {
+    let zero = simd.splat(0.0);
     let mut force = [[zero; 2]; 4];
     for i in 0..2 {
         let (bottom, top) = (first[0][i], second[0][i]);
-        let right = rising.if_greater(zero, first[1][i], second[1][i]);
-        let left = rising.if_greater(zero, second[1][i], first[1][i]);
+        let right = diagonal.select_greater(zero, first[1][i], second[1][i]);
+        let left = diagonal.select_greater(zero, second[1][i], first[1][i]);
         force[0][i] = zero - (bottom + left);
         force[1][i] = bottom - right;
         force[2][i] = top + right;
@@ -151,8 +149,8 @@ fn corner_forces<S: Instructions>(
 
 /// Pressure of each cell from the volume-weighted mean Jacobian of its two triangles, and which lanes are inverted.
 #[inline(always)]
-fn patch_pressure<S: Instructions>(
-    set: S,
+fn mean_stress<S: Simd>(
+    simd: S,
     chunk: usize,
     block: &Block,
     kinematics: &[Kinematics<S::Vector>; 2],
@@ -161,22 +159,23 @@ fn patch_pressure<S: Instructions>(
     let [a, b] = &block.constants.triangle;
     let [j, k] = [kinematics[0].jacobian, kinematics[1].jacobian];
     // What is next to nothing counts as inverted: roots want a normal number.
-    let (least, one) = (set.splat(Real::MIN_POSITIVE), set.splat(1.0));
-    let inverted = set.load(&energy.inverted, chunk);
-    let inverted = j.if_greater(least, k.if_greater(least, inverted, one), one);
-    set.store(inverted, &mut energy.inverted, chunk);
-    let mean = (set.load(&a.patch_weight, chunk) * (j - one) + set.load(&b.patch_weight, chunk) * (k - one)).plus(1.0);
-    let density = block.laws.volumetric.strain_energy_density(set, mean);
-    let volume = set.load(&a.reference_volume, chunk) + set.load(&b.reference_volume, chunk);
-    set.add(volume * density, &mut energy.elastic, chunk);
+    let (least, one) = (simd.splat(Real::MIN_POSITIVE), simd.splat(1.0));
+    let inverted = simd.load(&energy.inverted, chunk);
+    let inverted = j.select_greater(least, k.select_greater(least, inverted, one), one);
+    simd.store(inverted, &mut energy.inverted, chunk);
+    let mean = (simd.load(&a.volume_fraction, chunk) * (j - one) + simd.load(&b.volume_fraction, chunk) * (k - one))
+        .add_scalar(1.0);
+    let density = block.laws.volumetric.strain_energy_density(simd, mean);
+    let volume = simd.load(&a.reference_volume, chunk) + simd.load(&b.reference_volume, chunk);
+    simd.add(volume * density, &mut energy.elastic, chunk);
     block.laws.volumetric.stress(mean)
 }
 
 /// Components 11, 22 and 12 of V/J tau in the section of triangle `t` of each cell, J, with tau = R T R^T; in rings with
 /// the J of the section.
 #[inline(always)]
-fn spatial_stress<S: Instructions>(
-    set: S,
+fn spatial_stress<S: Simd>(
+    simd: S,
     chunk: usize,
     block: &Block,
     t: usize,
@@ -184,13 +183,13 @@ fn spatial_stress<S: Instructions>(
     pressure: S::Vector,
     deviator: &Deviator<S::Vector>,
 ) -> [S::Vector; 3] {
-    let volume = set.load(&block.constants.triangle[t].reference_volume, chunk);
+    let volume = simd.load(&block.constants.triangle[t].reference_volume, chunk);
     // 1/J is the cube of J^(-1/3).
     let cube = volume * (k.inverse_cbrt_j * k.inverse_cbrt_j * k.inverse_cbrt_j);
     let scale = if block.hoop.is_some() { k.hoop * cube } else { cube };
-    let section = scale * (deviator.mean.times(SQRT_THIRD) + pressure * k.jacobian);
+    let section = scale * (deviator.mean.mul_scalar(SQRT_THIRD) + pressure * k.jacobian);
     let (difference, shear) = (scale * deviator.difference, scale * deviator.shear);
-    let [cos, sin] = k.double_turn;
+    let [cos, sin] = k.rotation_2theta;
     let (difference, shear) = (cos * difference - sin * shear, cos * shear + sin * difference);
     [section + difference, section - difference, shear]
 }
@@ -200,15 +199,15 @@ fn spatial_stress<S: Instructions>(
 /// P is tau F^-T, and J F^-T times the gradient of an edge is the other edge as it is now, a quarter turn on, over twice the
 /// area at rest: that gradient, and a part from the displacement.
 #[inline(always)]
-fn edge_forces<S: Instructions>(
-    set: S,
+fn edge_forces<S: Simd>(
+    simd: S,
     chunk: usize,
     constants: &TriangleConstants,
     edges: &Edges<S::Vector>,
     [t11, t22, t12]: &[S::Vector; 3],
 ) -> Edges<S::Vector> {
-    let [g, h] = gradients(set, chunk, constants);
-    let scale = set.load(&constants.inverse_double_area, chunk);
+    let [g, h] = gradients(simd, chunk, constants);
+    let scale = simd.load(&constants.inverse_double_area, chunk);
     let [[ax, ay], [bx, by]] = *edges;
     let (along, across) = ([g[0] + scale * by, g[1] - scale * bx], [h[0] - scale * ay, h[1] + scale * ax]);
     [
@@ -219,14 +218,14 @@ fn edge_forces<S: Instructions>(
 
 /// Adds the radial forces of the nominal hoop stress times the volume to the corners.
 #[inline(always)]
-fn add_hoop_force<S: Instructions>(
-    set: S,
+fn add_hoop_force<S: Simd>(
+    simd: S,
     chunk: usize,
     hoop_stress: S::Vector,
-    weight: &[Lane; 4],
+    weight: &[Pack; 4],
     force: &mut Corners<S::Vector>,
 ) {
     for corner in 0..4 {
-        force[corner][0] = force[corner][0] + hoop_stress * set.load(&weight[corner], chunk);
+        force[corner][0] = force[corner][0] + hoop_stress * simd.load(&weight[corner], chunk);
     }
 }

@@ -47,6 +47,6 @@ impl Triangle {
         }
         constants.reference_volume[l] = self.volume;
         constants.inverse_double_area[l] = self.inverse_double_area;
-        constants.patch_weight[l] = self.volume / patch_volume;
+        constants.volume_fraction[l] = self.volume / patch_volume;
     }
 }

@@ -54,7 +54,7 @@ pub const MAX_MAXWELL_TERMS: usize = MAX_BRANCHES;
 /// A visco-hyperelastic material with frequency-independent damping.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material {
-    /// Density, kg/m3.
+    /// EnergyDensity, kg/m3.
     pub density: Real,
     /// Isochoric hyperelastic law; it uses those of the next coefficients that belong to it.
     pub law: ElasticLaw,

@@ -3,7 +3,7 @@
 use crate::material::{ElasticLaw, Material};
 use crate::material::{MooneyRivlin, NeoHookean, Ogden, Yeoh};
 use crate::number::real::Real;
-use crate::number::vector::Instructions;
+use crate::number::vector::Simd;
 use crate::tensor::deviator::Deviator;
 use crate::tensor::kinematics::Kinematics;
 use crate::tensor::stretch::IsochoricStretch;
@@ -42,16 +42,16 @@ impl Elastic {
         }
     }
 
-    /// Kirchhoff stress in the unrotated frame, Pa, and W, J/m3, of `N` neighbouring triangles each; without `rings`,
+    /// Kirchhoff stress in the unrotated frame, Pa, and W, J/m3, of `N` neighbouring triangles each; without `axisymmetric`,
     /// U33 = 1.
     #[inline(always)]
-    pub fn stress<S: Instructions, const N: usize>(
+    pub fn stress<S: Simd, const N: usize>(
         &self,
-        set: S,
+        simd: S,
         kinematics: &[Kinematics<S::Vector>; N],
-        rings: bool,
+        axisymmetric: bool,
     ) -> [(Deviator<S::Vector>, S::Vector); N] {
-        let zero = set.splat(0.0);
+        let zero = simd.splat(0.0);
         let mut response = [(Deviator { mean: zero, difference: zero, shear: zero }, zero); N];
         // The law is chosen outside the loop, so that the triangles go through it side by side.
         match self {
@@ -62,7 +62,7 @@ impl Elastic {
             }
             Self::MooneyRivlin(law) => {
                 for i in 0..N {
-                    response[i] = law.stress(&kinematics[i], rings);
+                    response[i] = law.stress(&kinematics[i], axisymmetric);
                 }
             }
             Self::Yeoh(law) => {
@@ -73,7 +73,7 @@ impl Elastic {
             Self::Ogden(law) => {
                 let kinematics = *kinematics;
                 for i in 0..N {
-                    response[i] = law.stress(set, &kinematics[i]);
+                    response[i] = law.stress(simd, &kinematics[i]);
                 }
             }
         }
@@ -92,12 +92,12 @@ impl Elastic {
 
     /// A majorant of the shear tangent at a stretch with the geometric stiffness of the stress, Pa.
     #[inline(always)]
-    pub fn shear_tangent<S: Instructions>(&self, set: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
+    pub fn shear_tangent<S: Simd>(&self, simd: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
         match self {
-            Self::NeoHookean(law) => law.shear_tangent(set, stretch),
-            Self::MooneyRivlin(law) => law.shear_tangent(set, stretch),
-            Self::Yeoh(law) => law.shear_tangent(set, stretch),
-            Self::Ogden(law) => law.shear_tangent(set, stretch),
+            Self::NeoHookean(law) => law.shear_tangent(simd, stretch),
+            Self::MooneyRivlin(law) => law.shear_tangent(simd, stretch),
+            Self::Yeoh(law) => law.shear_tangent(simd, stretch),
+            Self::Ogden(law) => law.shear_tangent(simd, stretch),
         }
     }
 }

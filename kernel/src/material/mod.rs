@@ -31,7 +31,7 @@ pub use description::{
 };
 pub use elastic::Elastic;
 pub use maxwell::Maxwell;
-pub use model::Laws;
+pub use model::MaterialModel;
 pub use mooney_rivlin::MooneyRivlin;
 pub use neo_hookean::NeoHookean;
 pub use ogden::Ogden;

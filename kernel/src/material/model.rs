@@ -2,13 +2,13 @@
 
 use crate::material::{Elastic, Material, Maxwell, Prony, Slider, Tear, Volumetric};
 use crate::number::real::Real;
-use crate::number::vector::{Instructions, Vector};
+use crate::number::vector::{Simd, Vector};
 use crate::tensor::stretch::IsochoricStretch;
 
 /// The laws of one layer with everything precomputed that does not change.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Laws {
-    /// Density, kg/m3.
+pub struct MaterialModel {
+    /// EnergyDensity, kg/m3.
     pub density: Real,
     /// Long-term isochoric elasticity.
     pub elastic: Elastic,
@@ -26,7 +26,7 @@ pub struct Laws {
     pub shear_modulus_0: Real,
 }
 
-impl Laws {
+impl MaterialModel {
     /// The laws of `material` for steps of `dt` s.
     pub fn new(material: &Material, dt: Real) -> Self {
         let (elastic, prony, maxwell) = (Elastic::new(material), Prony::new(material, dt), Maxwell::new(material, dt));
@@ -53,8 +53,11 @@ impl Laws {
     ///
     /// All viscous terms count as unrelaxed, and nothing as torn.
     #[inline(always)]
-    pub fn shear_tangent<S: Instructions>(&self, set: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
-        let elastic = self.elastic.shear_tangent(set, stretch);
-        elastic.times(1.0 + self.prony.overstress()).plus(self.maxwell.shear_modulus()).plus(self.slider.stiffness())
+    pub fn shear_tangent<S: Simd>(&self, simd: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
+        let elastic = self.elastic.shear_tangent(simd, stretch);
+        elastic
+            .mul_scalar(1.0 + self.prony.overstress())
+            .add_scalar(self.maxwell.shear_modulus())
+            .add_scalar(self.slider.stiffness())
     }
 }

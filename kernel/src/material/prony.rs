@@ -11,7 +11,7 @@
 use crate::material::Material;
 use crate::material::relaxation::{Branches, Overstress};
 use crate::number::real::Real;
-use crate::number::vector::Instructions;
+use crate::number::vector::Simd;
 use crate::tensor::deviator::Deviator;
 
 /// The constants of the recurrence, for one step size.
@@ -49,14 +49,14 @@ impl Prony {
     /// Advances the `history` of the two triangles of each cell of a block (one entry per active term) by the increment of
     /// the elastic stress.
     #[inline(always)]
-    pub fn update<S: Instructions>(
+    pub fn update<S: Simd>(
         &self,
-        set: S,
+        simd: S,
         chunk: usize,
         increment: &[Deviator<S::Vector>; 2],
         history: [&mut [Deviator]; 2],
         overstress: &mut [Overstress<S::Vector>; 2],
     ) {
-        self.branches.update(set, chunk, increment, history, overstress);
+        self.branches.update(simd, chunk, increment, history, overstress);
     }
 }

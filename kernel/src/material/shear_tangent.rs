@@ -1,7 +1,7 @@
 //! The shear tangent of laws of the invariants.
 
 use crate::number::math::THIRD;
-use crate::number::vector::{Instructions, Vector};
+use crate::number::vector::{Simd, Vector};
 use crate::tensor::stretch::IsochoricStretch;
 
 /// A majorant of the shear tangent of a law of the invariants, Pa, with what its own stress adds to it, from the first
@@ -13,21 +13,22 @@ use crate::tensor::stretch::IsochoricStretch;
 /// one by, are found to cover both in meshes of any state (`tests/verification/tests/suite/frequency.rs`). The second
 /// derivatives add the squares of dev b and dev 1/b, exactly. What softens is not counted.
 #[inline(always)]
-pub(crate) fn invariant_shear_tangent<S: Instructions>(
-    set: S,
+pub(crate) fn invariant_shear_tangent<S: Simd>(
+    simd: S,
     stretch: &IsochoricStretch<S::Vector>,
     [w1, w2]: [S::Vector; 2],
     [w11, w12, w22]: [S::Vector; 3],
 ) -> S::Vector {
-    let ((i1, i2), zero) = (stretch.invariants(), set.splat(0.0));
+    let ((i1, i2), zero) = (stretch.invariants(), simd.splat(0.0));
     let out = stretch.u33 * stretch.u33;
-    let around = out.larger(set.splat(1.0) / out).plus(-1.0);
-    let first = w1.larger(zero) * i1.plus(-1.0) + w2.larger(zero) * (i2 + around).times(2.0).plus(-4.0);
+    let around = out.max(simd.splat(1.0) / out).add_scalar(-1.0);
+    let first = w1.max(zero) * i1.add_scalar(-1.0) + w2.max(zero) * (i2 + around).mul_scalar(2.0).add_scalar(-4.0);
     // Squares and product of dev b and dev 1/b, the latter with its sign turned.
-    let squares = [i1 * i1.times(2.0 * THIRD) - i2.times(2.0), i2 * i2.times(2.0 * THIRD) - i1.times(2.0)];
-    let product = (i1 * i2.times(THIRD)).plus(-3.0);
-    let second = w11.larger(zero) * squares[0].larger(zero)
-        + w22.larger(zero) * squares[1].larger(zero)
-        + (w12.larger(zero) * product.larger(zero)).times(2.0);
-    first + second.times(2.0)
+    let squares =
+        [i1 * i1.mul_scalar(2.0 * THIRD) - i2.mul_scalar(2.0), i2 * i2.mul_scalar(2.0 * THIRD) - i1.mul_scalar(2.0)];
+    let product = (i1 * i2.mul_scalar(THIRD)).add_scalar(-3.0);
+    let second = w11.max(zero) * squares[0].max(zero)
+        + w22.max(zero) * squares[1].max(zero)
+        + (w12.max(zero) * product.max(zero)).mul_scalar(2.0);
+    first + second.mul_scalar(2.0)
 }

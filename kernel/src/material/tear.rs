@@ -12,7 +12,7 @@
 
 use crate::material::Material;
 use crate::number::real::Real;
-use crate::number::vector::Instructions;
+use crate::number::vector::Simd;
 use crate::tensor::kinematics::Kinematics;
 use crate::tensor::stretch::largest_in_plane;
 
@@ -53,14 +53,9 @@ impl Tear {
 
     /// Takes the stretch of neighbouring triangles into the `largest` so far; returns it, and phi before and after.
     #[inline(always)]
-    pub fn update<S: Instructions>(
-        &self,
-        set: S,
-        kinematics: &Kinematics<S::Vector>,
-        largest: S::Vector,
-    ) -> [S::Vector; 3] {
+    pub fn update<S: Simd>(&self, simd: S, kinematics: &Kinematics<S::Vector>, largest: S::Vector) -> [S::Vector; 3] {
         let Kinematics { mean, difference, shear, hoop, .. } = *kinematics;
-        set.map([mean, difference, shear, hoop, largest], |[mean, difference, shear, hoop, before]| {
+        simd.map([mean, difference, shear, hoop, largest], |[mean, difference, shear, hoop, before]| {
             let mut largest = before;
             for stretch in [largest_in_plane(mean, difference, shear), hoop] {
                 largest = if stretch > largest { stretch } else { largest };

@@ -11,12 +11,12 @@ pub const CORNERS: [(usize, usize); 4] = [(0, 0), (1, 0), (1, 1), (0, 1)];
 /// hoop strain of the mean dilatation depends on the diagonal, so that alternating diagonals would excite a checkerboard
 /// of the pressure near incompressibility: there all diagonals fall.
 pub fn triangles(grid: &Grid, u: usize, v: usize) -> [[usize; 3]; 2] {
-    let rising = if grid.axisymmetric {
+    let diagonal = if grid.axisymmetric {
         false
     } else if u >= grid.centre {
         (u - grid.centre + v).is_multiple_of(2)
     } else {
         !(grid.centre - 1 - u + v).is_multiple_of(2)
     };
-    if rising { [[0, 1, 2], [0, 2, 3]] } else { [[0, 1, 3], [1, 2, 3]] }
+    if diagonal { [[0, 1, 2], [0, 2, 3]] } else { [[0, 1, 3], [1, 2, 3]] }
 }

@@ -42,7 +42,7 @@ impl Grid {
             Shape::Round => HALF_PI * (geometry.core_radius + 0.5 * thickness),
             Shape::Block => 0.5 * geometry.block_width,
         };
-        let count = |length: Real| math::larger(1.0, math::round(length / scenario.mesh.element_size));
+        let count = |length: Real| math::max(1.0, math::round(length / scenario.mesh.element_size));
         let [silicone, skin] = match geometry.layers {
             Layers::One => [count(thickness), 0.0],
             Layers::Two => [count(geometry.silicone_thickness), count(geometry.skin_thickness)],

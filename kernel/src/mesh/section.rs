@@ -45,7 +45,7 @@ pub fn out_of_plane(scenario: &Scenario, x: Real) -> Real {
         (Formulation::PlaneStrain, Shape::Round) => {
             let radius = 0.5 * scenario.impactor.face_diameter;
             let x = x - scenario.impactor.offset;
-            let chord = 2.0 * math::sqrt(math::larger(0.0, radius * radius - x * x));
+            let chord = 2.0 * math::sqrt(math::max(0.0, radius * radius - x * x));
             if chord < geometry.length { chord } else { geometry.length }
         }
     }

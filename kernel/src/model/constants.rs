@@ -1,7 +1,7 @@
 //! The scalar constants of a model.
 
 use crate::cfc::Coefficients;
-use crate::material::Laws;
+use crate::material::MaterialModel;
 use crate::mesh::Grid;
 use crate::model::Size;
 use crate::number::math;
@@ -26,10 +26,10 @@ pub struct Constants {
     pub steps_per_sample: u32,
     /// Channel filter of the contact force.
     pub channel: Coefficients,
-    /// Laws of silicone and skin.
-    pub laws: [Laws; MAX_LAYERS],
+    /// MaterialModel of silicone and skin.
+    pub laws: [MaterialModel; MAX_LAYERS],
     /// Forces of the whole anvil per force of the meshed section: 2 in plane strain, which meshes one half.
-    pub section_factor: Real,
+    pub symmetry_factor: Real,
     /// Height of the undeformed anvil's top above the origin, m.
     pub top_height: Real,
     /// Fingerprint of the scenario and of the positions of the nodes at rest, which a snapshot must match.
@@ -41,17 +41,17 @@ impl Constants {
     pub(crate) fn set_step(&mut self, dt: Real, steps_per_sample: u32) {
         (self.dt, self.steps_per_sample) = (dt, steps_per_sample);
         for (laws, layer) in self.laws.iter_mut().zip(self.scenario.layers()) {
-            *laws = Laws::new(layer.material, dt);
+            *laws = MaterialModel::new(layer.material, dt);
         }
     }
 
     /// Mass of the impactor that belongs to the meshed section, kg.
     pub fn section_mass(&self) -> Real {
-        self.scenario.impactor.mass / self.section_factor
+        self.scenario.impactor.mass / self.symmetry_factor
     }
 
-    /// Laws of a block of cells.
-    pub fn laws_of(&self, block: usize) -> &Laws {
+    /// MaterialModel of a block of cells.
+    pub fn laws_of(&self, block: usize) -> &MaterialModel {
         let [silicone, skin] = &self.laws;
         if block < self.grid.n_block_silicone() { silicone } else { skin }
     }

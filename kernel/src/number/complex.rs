@@ -18,7 +18,7 @@ impl<V: Vector> Complex<V> {
     /// Same size, opposite angle.
     #[inline(always)]
     pub fn conjugate(&self) -> Self {
-        Self { re: self.re, im: self.im.times(-1.0) }
+        Self { re: self.re, im: self.im.mul_scalar(-1.0) }
     }
 
     /// Both parts times `factor`.
@@ -29,8 +29,8 @@ impl<V: Vector> Complex<V> {
 
     /// Both parts times the same number.
     #[inline(always)]
-    pub fn times(&self, number: Real) -> Self {
-        Self { re: self.re.times(number), im: self.im.times(number) }
+    pub fn mul_scalar(&self, number: Real) -> Self {
+        Self { re: self.re.mul_scalar(number), im: self.im.mul_scalar(number) }
     }
 
     /// Sum of the products of the parts: the real part of one number times the conjugate of the other.

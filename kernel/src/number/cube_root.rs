@@ -15,8 +15,8 @@ pub fn inverse_cbrt<V: Vector>(x: V) -> V {
     let mut y = x.guess_inverse_cbrt();
     for _ in 0..2 {
         // -r, so that it takes an addition.
-        let r = ((y * y) * (x * y)).plus(-1.0);
-        let series = r.times(2.0 / 9.0).plus(-THIRD) - (r * r).times(14.0 / 81.0);
+        let r = ((y * y) * (x * y)).add_scalar(-1.0);
+        let series = r.mul_scalar(2.0 / 9.0).add_scalar(-THIRD) - (r * r).mul_scalar(14.0 / 81.0);
         y = y + (y * r) * series;
     }
     y

@@ -54,17 +54,17 @@ impl InstructionSet {
         #[cfg(all(feature = "dispatch", target_arch = "x86_64", not(miri), not(feature = "single")))]
         {
             if self == Self::Avx512
-                && let Some(set) = x86::V4::try_new()
+                && let Some(simd) = x86::V4::try_new()
             {
-                return set.vectorize(x86::Call(set, work));
+                return simd.vectorize(x86::Call(simd, work));
             }
             if self == Self::Avx2
-                && let Some(set) = x86::V3::try_new()
+                && let Some(simd) = x86::V3::try_new()
             {
-                return set.vectorize(x86::Call(set, work));
+                return simd.vectorize(x86::Call(simd, work));
             }
-            if let Some(set) = x86::Sse2::try_new() {
-                return apart(set, work);
+            if let Some(simd) = x86::Sse2::try_new() {
+                return apart(simd, work);
             }
         }
         work.run(Scalar)
@@ -74,6 +74,6 @@ impl InstructionSet {
 /// Keeps work of the baseline behind a call, as `pulp` does with that of the other sets, which so need no room for its numbers.
 #[cfg(all(feature = "dispatch", target_arch = "x86_64", not(miri), not(feature = "single")))]
 #[inline(never)]
-fn apart<W: Work>(set: x86::Sse2, work: W) -> W::Output {
-    work.run(set)
+fn apart<W: Work>(simd: x86::Sse2, work: W) -> W::Output {
+    work.run(simd)
 }

@@ -2,7 +2,7 @@
 
 use crate::number::real::Real;
 
-pub use crate::number::real::{ceil, cos, exp, exp_less_one, ln, round, sin, sqrt};
+pub use crate::number::real::{ceil, cos, exp, exp_m1, ln, round, sin, sqrt};
 
 /// Absolute value.
 #[inline(always)]
@@ -12,7 +12,7 @@ pub fn abs(x: Real) -> Real {
 
 /// The larger of two numbers by comparison alone (no IEEE `max`, whose signed-zero case differs between targets).
 #[inline(always)]
-pub fn larger(a: Real, b: Real) -> Real {
+pub fn max(a: Real, b: Real) -> Real {
     if a > b { a } else { b }
 }
 

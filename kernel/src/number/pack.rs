@@ -10,25 +10,25 @@ use crate::number::real::Real;
 pub const LANES: usize = 8;
 
 /// One quantity of the cells of a block.
-pub type Lane = [Real; LANES];
+pub type Pack = [Real; LANES];
 
 /// A lane of zeros.
-pub const ZERO: Lane = [0.0; LANES];
+pub const ZERO: Pack = [0.0; LANES];
 
 /// The sum of a lane, in index order.
 #[inline(always)]
-pub fn sum([first, rest @ ..]: &Lane) -> Real {
+pub fn sum([first, rest @ ..]: &Pack) -> Real {
     rest.iter().fold(*first, |total, value| total + value)
 }
 
 /// The `count` lanes of `row` that begin at `start`; none if there are fewer.
 #[inline(always)]
-pub fn lanes(row: &[Real], start: usize, count: usize) -> Option<&[Lane]> {
+pub fn packs(row: &[Real], start: usize, count: usize) -> Option<&[Pack]> {
     row.get(start..)?.as_chunks().0.get(..count)
 }
 
 /// The same, to be changed.
 #[inline(always)]
-pub fn lanes_mut(row: &mut [Real], start: usize, count: usize) -> Option<&mut [Lane]> {
+pub fn packs_mut(row: &mut [Real], start: usize, count: usize) -> Option<&mut [Pack]> {
     row.get_mut(start..)?.as_chunks_mut().0.get_mut(..count)
 }

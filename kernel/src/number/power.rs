@@ -5,7 +5,7 @@
 //! the exponent rounds nothing. The coefficients in [`crate::number::real`] interpolate at Chebyshev's points.
 
 use crate::number::real::{COSH, LOG2, Real, SINH};
-use crate::number::vector::{Instructions, ROUNDING, Vector};
+use crate::number::vector::{ROUNDING, Simd, Vector};
 
 /// Binary logarithm of a normal positive number.
 ///
@@ -13,18 +13,18 @@ use crate::number::vector::{Instructions, ROUNDING, Vector};
 /// k + 2 atanh(t) / ln 2, of which eight terms are taken (four in single precision).
 /// Error: below 6e-16 (3e-7) relative, near 1 as well. Zero and negative numbers give no meaningful value, a NaN gives NaN.
 #[inline(always)]
-pub fn log2<S: Instructions>(set: S, a: S::Vector) -> S::Vector {
-    let [exponent, power] = a.binary_exponent(set.splat(1.0));
+pub fn log2<S: Simd>(simd: S, a: S::Vector) -> S::Vector {
+    let [exponent, power] = a.binary_exponent(simd.splat(1.0));
     exponent + log2_of_ratio((a - power) / (a + power))
 }
 
 /// Binary logarithm of a / b for normal positive numbers, given `difference` = a - b; as [`log2`], whose error it has
 /// however near to each other a and b are, if `difference` is exact.
 #[inline(always)]
-pub fn log2_of_quotient<S: Instructions>(set: S, a: S::Vector, b: S::Vector, difference: S::Vector) -> S::Vector {
+pub fn log2_of_quotient<S: Simd>(simd: S, a: S::Vector, b: S::Vector, difference: S::Vector) -> S::Vector {
     let [exponent, power] = a.binary_exponent(b);
     let scaled = power * b;
-    let numerator = (exponent * exponent).if_greater(set.splat(0.0), a - scaled, difference);
+    let numerator = (exponent * exponent).select_greater(simd.splat(0.0), a - scaled, difference);
     exponent + log2_of_ratio(numerator / (a + scaled))
 }
 
@@ -51,27 +51,27 @@ pub struct Power<V> {
 /// meaningful value, a NaN gives NaN.
 #[inline(always)]
 pub fn exp2_of_both_signs<V: Vector>(x: V) -> [Power<V>; 2] {
-    let rounded = x.plus(ROUNDING);
-    let fraction = x - rounded.plus(-ROUNDING);
+    let rounded = x.add_scalar(ROUNDING);
+    let fraction = x - rounded.add_scalar(-ROUNDING);
     let [power, inverse] = rounded.powers_of_two();
     let square = fraction * fraction;
     let odd = fraction * polynomial(square, &SINH);
     let even = square * polynomial(square, &COSH);
     let (more, further) = (power * (even + odd), inverse * (even - odd));
     [
-        Power { whole: power + more, less_one: power.plus(-1.0) + more },
-        Power { whole: inverse + further, less_one: inverse.plus(-1.0) + further },
+        Power { whole: power + more, less_one: power.add_scalar(-1.0) + more },
+        Power { whole: inverse + further, less_one: inverse.add_scalar(-1.0) + further },
     ]
 }
 
 /// Horner's scheme, from the coefficient of 1 on.
 #[inline(always)]
 fn polynomial<V: Vector, const N: usize>(x: V, coefficients: &[Real; N]) -> V {
-    let mut sum = x.times(coefficients[N - 1]);
+    let mut sum = x.mul_scalar(coefficients[N - 1]);
     for i in 2..N {
-        sum = sum.plus(coefficients[N - i]) * x;
+        sum = sum.add_scalar(coefficients[N - i]) * x;
     }
-    sum.plus(coefficients[0])
+    sum.add_scalar(coefficients[0])
 }
 
 #[cfg(test)]

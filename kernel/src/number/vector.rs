@@ -1,12 +1,12 @@
-//! Vectors: as many neighbours of a [`Lane`] as one register of the processor holds.
+//! Vectors: as many neighbours of a [`Pack`] as one register of the processor holds.
 //!
-//! The element loop is written once, for any [`Instructions`]; compilers turn loops over lanes into vectors only where
+//! The element loop is written once, for any [`Simd`]; compilers turn loops over lanes into vectors only where
 //! they see fit. Every operation works lane by lane and rounds as IEEE 754 says, so the width changes no bit.
 
 use core::ops::{Add, Div, Mul, Sub};
 
 use crate::number::math;
-use crate::number::pack::{LANES, Lane, ZERO};
+use crate::number::pack::{LANES, Pack, ZERO};
 use crate::number::real::{self, Bits, FRACTION_BITS, Real};
 
 /// The bits of 1.
@@ -27,22 +27,22 @@ pub const ROUNDING: Real = 1.5 * INTEGERS;
 /// Numbers of neighbouring cells.
 pub trait Vector: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> {
     /// Adds the same number to each.
-    fn plus(self, number: Real) -> Self;
+    fn add_scalar(self, number: Real) -> Self;
 
     /// Multiplies each by the same number.
-    fn times(self, number: Real) -> Self;
+    fn mul_scalar(self, number: Real) -> Self;
 
     /// `then` where this is larger than `other`, `otherwise` elsewhere and where either is not a number.
-    fn if_greater(self, other: Self, then: Self, otherwise: Self) -> Self;
+    fn select_greater(self, other: Self, then: Self, otherwise: Self) -> Self;
 
     /// The larger number where this and `other` are numbers, `other` elsewhere.
-    fn larger(self, other: Self) -> Self;
+    fn max(self, other: Self) -> Self;
 
     /// Square root, rounded as IEEE 754 says.
     fn square_root(self) -> Self;
 
     /// Each moved on by one place, the first from the end of `before`.
-    fn moved_on(self, before: Self) -> Self;
+    fn shift(self, before: Self) -> Self;
 
     /// [`real::INVERSE_CBRT_MAGIC`] and a third of the bits from these to [`real::CBRT_END`].
     fn guess_inverse_cbrt(self) -> Self;
@@ -55,11 +55,11 @@ pub trait Vector: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = 
     fn powers_of_two(self) -> [Self; 2];
 }
 
-/// Instructions for vectors of some width.
+/// Simd for vectors of some width.
 ///
 /// Everything between a token of a wide set and its instructions must be inlined, which closures and the methods of arrays
 /// that take them are not for certain: the code of the element loop is made of functions that say so, and of plain loops.
-pub trait Instructions: Copy {
+pub trait Simd: Copy {
     /// A register.
     type Vector: Vector;
     /// Numbers in it, a divisor of [`LANES`].
@@ -69,20 +69,20 @@ pub trait Instructions: Copy {
     fn splat(self, number: Real) -> Self::Vector;
 
     /// The `chunk`-th vector of a lane.
-    fn load(self, lane: &Lane, chunk: usize) -> Self::Vector;
+    fn load(self, lane: &Pack, chunk: usize) -> Self::Vector;
 
     /// Writes the `chunk`-th vector of a lane.
-    fn store(self, vector: Self::Vector, lane: &mut Lane, chunk: usize);
+    fn store(self, vector: Self::Vector, lane: &mut Pack, chunk: usize);
 
     /// Adds to the `chunk`-th vector of a lane.
     #[inline(always)]
-    fn add(self, vector: Self::Vector, lane: &mut Lane, chunk: usize) {
+    fn add(self, vector: Self::Vector, lane: &mut Pack, chunk: usize) {
         self.store(self.load(lane, chunk) + vector, lane, chunk);
     }
 
     /// The `chunk`-th vectors of a pair of lanes.
     #[inline(always)]
-    fn load_pair(self, pair: &[Lane; 2], chunk: usize) -> [Self::Vector; 2] {
+    fn load_pair(self, pair: &[Pack; 2], chunk: usize) -> [Self::Vector; 2] {
         [self.load(&pair[0], chunk), self.load(&pair[1], chunk)]
     }
 
@@ -117,23 +117,23 @@ pub trait Instructions: Copy {
 
 impl Vector for Real {
     #[inline(always)]
-    fn plus(self, number: Real) -> Self {
+    fn add_scalar(self, number: Real) -> Self {
         self + number
     }
 
     #[inline(always)]
-    fn times(self, number: Real) -> Self {
+    fn mul_scalar(self, number: Real) -> Self {
         self * number
     }
 
     #[inline(always)]
-    fn if_greater(self, other: Self, then: Self, otherwise: Self) -> Self {
+    fn select_greater(self, other: Self, then: Self, otherwise: Self) -> Self {
         if self > other { then } else { otherwise }
     }
 
     #[inline(always)]
-    fn larger(self, other: Self) -> Self {
-        math::larger(self, other)
+    fn max(self, other: Self) -> Self {
+        math::max(self, other)
     }
 
     #[inline(always)]
@@ -142,7 +142,7 @@ impl Vector for Real {
     }
 
     #[inline(always)]
-    fn moved_on(self, before: Self) -> Self {
+    fn shift(self, before: Self) -> Self {
         before
     }
 
@@ -171,7 +171,7 @@ impl Vector for Real {
 #[derive(Clone, Copy, Debug)]
 pub struct Scalar;
 
-impl Instructions for Scalar {
+impl Simd for Scalar {
     type Vector = Real;
     const WIDTH: usize = 1;
 
@@ -181,12 +181,12 @@ impl Instructions for Scalar {
     }
 
     #[inline(always)]
-    fn load(self, lane: &Lane, chunk: usize) -> Real {
+    fn load(self, lane: &Pack, chunk: usize) -> Real {
         lane[chunk % LANES]
     }
 
     #[inline(always)]
-    fn store(self, vector: Real, lane: &mut Lane, chunk: usize) {
+    fn store(self, vector: Real, lane: &mut Pack, chunk: usize) {
         lane[chunk % LANES] = vector;
     }
 }
@@ -196,5 +196,5 @@ pub(crate) trait Work {
     /// What it gives.
     type Output;
     /// Does it with vectors of this set; must be inlined, so that it takes on the instruction set of the caller.
-    fn run<S: Instructions>(self, set: S) -> Self::Output;
+    fn run<S: Simd>(self, simd: S) -> Self::Output;
 }

@@ -69,7 +69,7 @@ fn mean_jacobian(model: &Model, state: &StateView, block: usize, l: usize) -> Op
     let (constants, history) = (model.cells.get(block)?, state.cells.get(block)?);
     let mut mean = 1.0;
     for (constants, history) in constants.triangle.iter().zip(&history.triangle) {
-        mean += constants.patch_weight.get(l)? * (jacobian(&history.stretch_prev, l)? - 1.0);
+        mean += constants.volume_fraction.get(l)? * (jacobian(&history.stretch_prev, l)? - 1.0);
     }
     Some(mean)
 }

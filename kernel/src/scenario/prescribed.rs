@@ -100,7 +100,7 @@ mod tests {
                 let mean = 0.5 * (velocity(&impactor, times[0]) + velocity(&impactor, times[1]));
                 let change = 0.15 * dt / if rise > dt { rise } else { dt };
                 assert!((mean * dt + fall).abs() <= change * dt + 2.0 * slack, "{k}: {mean} m/s, {fall} m");
-                fastest = crate::number::math::larger(fastest, fall);
+                fastest = crate::number::math::max(fastest, fall);
             }
             assert!(fastest > 0.1 * dt * (1.0 - under));
         }

@@ -3,7 +3,7 @@
 use crate::cfc::Coefficients;
 use crate::element::{CellConstants, HoopConstants, Triangle};
 use crate::error::{ModelError, ScenarioError};
-use crate::material::Laws;
+use crate::material::MaterialModel;
 use crate::mesh::{CORNERS, Grid, triangles};
 use crate::model::Constants;
 use crate::model::{MODEL_NODE_FIELDS, ModelArrays, Size, split_row};
@@ -38,8 +38,8 @@ pub(crate) fn assemble(
         design_stretch: 1.0,
         steps_per_sample: 1,
         channel: channel.map_err(ScenarioError::Parameter)?,
-        laws: scenario.layers().map(|layer| Laws::new(layer.material, SAMPLING_INTERVAL)),
-        section_factor: section_factor(scenario),
+        laws: scenario.layers().map(|layer| MaterialModel::new(layer.material, SAMPLING_INTERVAL)),
+        symmetry_factor: symmetry_factor(scenario),
         top_height: position(grid.centre, grid.n_v)[1],
         fingerprint: 0,
     })
@@ -59,7 +59,7 @@ pub(crate) fn fingerprint(scenario: &Scenario, grid: &Grid, nodes: &[Real]) -> u
 const REFERENCE_FIELDS: usize = 2;
 
 /// Forces of the whole anvil per force of what is meshed.
-fn section_factor(scenario: &Scenario) -> Real {
+fn symmetry_factor(scenario: &Scenario) -> Real {
     match (scenario.geometry.formulation, scenario.geometry.section) {
         (Formulation::PlaneStrain, Section::Half) => 2.0,
         _ => 1.0,
@@ -84,7 +84,7 @@ fn build_cells(
             }
             let corners = CORNERS.map(|(du, dv)| position(u + du, v + dv));
             let nodes = triangles(grid, u, v);
-            cell.rising[l] = if nodes[0] == RISING { 1.0 } else { 0.0 };
+            cell.diagonal[l] = if nodes[0] == RISING { 1.0 } else { 0.0 };
             let pair = nodes.map(|nodes| Triangle::new(scenario, &corners, nodes));
             let volume = pair[0].volume + pair[1].volume;
             for (t, triangle) in pair.iter().enumerate() {

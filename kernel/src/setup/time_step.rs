@@ -75,7 +75,7 @@ fn foresee(
 ) -> Result<Forecast, ModelError> {
     let (mut tried, motion) = trial::of(scenario);
     let size = scenario.geometry.layer_thickness() / COARSE_ROWS;
-    tried.mesh.element_size = math::larger(size, scenario.mesh.element_size);
+    tried.mesh.element_size = math::max(size, scenario.mesh.element_size);
     let coarse = Grid::new(&tried)?;
     if coarse != *grid {
         let rest = |u, v| reference_position(&tried, &coarse, u, v);
@@ -96,7 +96,7 @@ fn margin(ratio: Real) -> Real {
 /// Steps per sampling interval: as few as are not longer than `step`, s.
 fn steps_per_sample(step: Real) -> Result<u32, ModelError> {
     // A step that is a whole divisor but for `SAME` counts as that divisor.
-    let count = math::larger(1.0, math::ceil(SAMPLING_INTERVAL / step * (1.0 - real::SAME)));
+    let count = math::max(1.0, math::ceil(SAMPLING_INTERVAL / step * (1.0 - real::SAME)));
     if count > MAX_STEPS_PER_SAMPLE as Real {
         return Err(ModelError::StepTooSmall { step, smallest: SMALLEST_STEP });
     }

@@ -30,13 +30,13 @@ pub(crate) struct Forecast {
 }
 
 /// Most steps between two looks at all cells. The monitor looks at some of them in each step.
-const MOST_STRIDE: Real = 16.0;
+const MAX_STRIDE: Real = 16.0;
 
 /// Part of the layer's thickness that the face may travel between two looks, so that no limit falls far in between.
 const TRAVEL: Real = 0.02;
 
 /// Most steps of a trial, so that its work is bounded whatever the scenario; what it has found until then counts.
-const MOST_STEPS: usize = 1 << 17;
+const MAX_STEPS: usize = 1 << 17;
 
 /// Part of the limit that the step follows it at: what is left is more than the limit falls between two looks.
 const FOLLOWED: Real = 0.9;
@@ -80,7 +80,7 @@ pub(crate) fn run(
     trial.constants.set_step(FOLLOWED * at_rest, 1);
     State::new(&trial.model(&arrays), state.lend())?;
     let (mut time, mut steps) = (0.0, 0);
-    while steps < MOST_STEPS {
+    while steps < MAX_STEPS {
         let model = trial.model(&arrays);
         let mut view = State::view(&model, state.lend())?;
         let stride = stride(&model, &view);
@@ -131,7 +131,7 @@ fn stride(model: &Model, state: &State) -> usize {
     let travel = math::abs(state.scalars.impactor.velocity_half) * model.constants.dt;
     let most = TRAVEL * model.constants.scenario.geometry.layer_thickness();
     // A quotient of any size or none ends in range.
-    if most >= MOST_STRIDE * travel { MOST_STRIDE as usize } else { 1 + (most / travel) as usize }
+    if most >= MAX_STRIDE * travel { MAX_STRIDE as usize } else { 1 + (most / travel) as usize }
 }
 
 /// Makes some steps; gives the error that stops them.

@@ -6,7 +6,7 @@ use crate::mesh::Grid;
 use crate::model::Model;
 use crate::model::take;
 use crate::number::real::Real;
-use crate::number::vector::Instructions;
+use crate::number::vector::Simd;
 use crate::state::StateMemory;
 use crate::state::{Scalars, StateNodes, corners};
 use crate::tensor::deviator::Deviator;
@@ -104,13 +104,7 @@ impl<'a> State<'a> {
 
     /// Displacements of the corners of neighbouring cells of a block.
     #[inline(always)]
-    pub(crate) fn corners<S: Instructions>(
-        &self,
-        set: S,
-        chunk: usize,
-        grid: &Grid,
-        block: usize,
-    ) -> Corners<S::Vector> {
-        corners(set, chunk, &self.nodes.rows(grid.first_nodes(grid.place(block))))
+    pub(crate) fn corners<S: Simd>(&self, simd: S, chunk: usize, grid: &Grid, block: usize) -> Corners<S::Vector> {
+        corners(simd, chunk, &self.nodes.rows(grid.first_nodes(grid.place(block))))
     }
 }

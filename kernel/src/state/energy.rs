@@ -27,12 +27,12 @@ use crate::number::pack::sum;
 use crate::number::real::Real;
 use crate::scenario::Motion;
 
-/// Numbers of a [`Ledger`] in a snapshot.
-pub(crate) const LEDGER_WORDS: usize = 16;
+/// Numbers of a [`EnergyBalance`] in a snapshot.
+pub(crate) const ENERGY_WORDS: usize = 16;
 
 /// Energies of the whole anvil and impactor at the end of the last step, J.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Ledger {
+pub struct EnergyBalance {
     /// Kinetic energy of a falling impactor.
     pub impactor_kinetic: Real,
     /// Kinetic energy of the layer.
@@ -49,7 +49,7 @@ pub struct Ledger {
     pub tear: Real,
     /// Energy dissipated by friction under the face and on the core.
     pub friction: Real,
-    /// Energy lost in catching nodes at the face and on the core.
+    /// Energy lost in contact_dissipation nodes at the face and on the core.
     pub contact: Real,
     /// Energy brought in: kinetic energy at the start, work of gravity and of the external force, or the work of the
     /// drive.
@@ -70,7 +70,7 @@ pub(crate) struct AtForces {
     tear: Real,
 }
 
-impl Ledger {
+impl EnergyBalance {
     /// Nothing at all.
     pub(crate) const ZERO: Self = Self {
         impactor_kinetic: 0.0,
@@ -118,7 +118,7 @@ impl Ledger {
     }
 
     /// Every number, for snapshots.
-    pub(crate) fn words_mut(&mut self) -> [&mut Real; LEDGER_WORDS] {
+    pub(crate) fn words_mut(&mut self) -> [&mut Real; ENERGY_WORDS] {
         let AtForces { kinetic, elastic, viscous, slider_stored, slider_dissipation, tear } = &mut self.at_forces;
         [
             &mut self.impactor_kinetic,
@@ -146,10 +146,10 @@ impl Ledger {
 pub(crate) struct ContactWork {
     /// Sum of the normal forces, N.
     pub normal_force: Real,
-    /// Energy lost in catching nodes, over the impulse of the forces, J.
-    pub catching: Real,
+    /// Energy lost in contact_dissipation nodes, over the impulse of the forces, J.
+    pub contact_dissipation: Real,
     /// Energy lost in sliding, likewise, J.
-    pub sliding: Real,
+    pub frictional_dissipation: Real,
 }
 
 /// What one step did, on the section.
@@ -167,10 +167,10 @@ pub(crate) struct StepWork<'w> {
     pub input: &'w StepInput,
 }
 
-impl Ledger {
+impl EnergyBalance {
     /// Books one step.
-    pub(crate) fn book(&mut self, model: &Model, work: &StepWork) {
-        let factor = model.constants.section_factor;
+    pub(crate) fn update(&mut self, model: &Model, work: &StepWork) {
+        let factor = model.constants.symmetry_factor;
         let (element, before) = (work.element, self.at_forces);
         let now = AtForces {
             kinetic: factor * work.layer_kinetic[0],
@@ -186,10 +186,10 @@ impl Ledger {
         self.viscous = carried(before.viscous, now.viscous);
         self.slider_stored = carried(before.slider_stored, now.slider_stored);
         let slid = carried(before.slider_dissipation, now.slider_dissipation);
-        self.slider_dissipation = math::larger(self.slider_dissipation, slid);
-        self.tear = math::larger(self.tear, carried(before.tear, now.tear));
-        self.friction += factor * (work.face.sliding + work.core.sliding);
-        self.contact += factor * (work.face.catching + work.core.catching);
+        self.slider_dissipation = math::max(self.slider_dissipation, slid);
+        self.tear = math::max(self.tear, carried(before.tear, now.tear));
+        self.friction += factor * (work.face.frictional_dissipation + work.core.frictional_dissipation);
+        self.contact += factor * (work.face.contact_dissipation + work.core.contact_dissipation);
         self.external += external_work(model, work);
         if work.prediction.free {
             let velocity = work.impactor.velocity;
@@ -211,6 +211,6 @@ fn external_work(model: &Model, work: &StepWork) -> Real {
         let impactor = &constants.scenario.impactor;
         over_impulse(work.input.external_force) - impactor.mass * impactor.gravity * (constants.dt * after)
     } else {
-        over_impulse(-constants.section_factor * work.face.normal_force)
+        over_impulse(-constants.symmetry_factor * work.face.normal_force)
     }
 }

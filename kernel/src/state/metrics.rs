@@ -70,7 +70,7 @@ impl Metrics {
         velocity: [Real; 2],
         depth: Real,
     ) {
-        self.max_deformation = math::larger(self.max_deformation, depth);
+        self.max_deformation = math::max(self.max_deformation, depth);
         if force <= 0.0 {
             return;
         }
@@ -85,7 +85,7 @@ impl Metrics {
 
     /// Takes in one sample.
     pub(crate) fn take_sample(&mut self, sample: &Sample, threshold: Real) {
-        self.peak_force = math::larger(self.peak_force, sample.contact_force);
+        self.peak_force = math::max(self.peak_force, sample.contact_force);
         if sample.contact_force >= threshold && sample.contact_force > 0.0 {
             if self.first_sample == 0 {
                 self.first_sample = sample.number;

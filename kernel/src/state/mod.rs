@@ -11,8 +11,8 @@ mod snapshot;
 mod view;
 
 pub use arrays::State;
-pub use energy::Ledger;
-pub(crate) use energy::{ContactWork, LEDGER_WORDS, StepWork};
+pub use energy::EnergyBalance;
+pub(crate) use energy::{ContactWork, ENERGY_WORDS, StepWork};
 pub use memory::StateMemory;
 pub use metrics::Metrics;
 pub(crate) use nodes::{Rows, StateNodes, corners};

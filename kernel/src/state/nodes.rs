@@ -2,9 +2,9 @@
 
 use crate::element::Corners;
 use crate::model::split_row;
-use crate::number::pack::{LANES, Lane};
+use crate::number::pack::{LANES, Pack};
 use crate::number::real::Real;
-use crate::number::vector::{Instructions, Vector};
+use crate::number::vector::{Simd, Vector};
 
 /// The arrays of the nodes, rows of [`Grid::stride`] from the core to the surface.
 pub(crate) struct StateNodes<'a> {
@@ -36,17 +36,12 @@ impl StateNodes<'_> {
 
     /// Takes the forces of the cells of a block from their corners.
     #[inline(always)]
-    pub(crate) fn subtract_force<S: Instructions>(
-        &mut self,
-        set: S,
-        [lower, upper]: [usize; 2],
-        force: &Corners<Lane>,
-    ) {
+    pub(crate) fn subtract_force<S: Simd>(&mut self, simd: S, [lower, upper]: [usize; 2], force: &Corners<Pack>) {
         let [c0, c1, c2, c3] = force;
         for i in 0..2 {
             let row = if i == 0 { &mut *self.force_x } else { &mut *self.force_y };
-            subtract_ends(set, row, lower, &c0[i], &c1[i]);
-            subtract_ends(set, row, upper, &c3[i], &c2[i]);
+            subtract_ends(simd, row, lower, &c0[i], &c1[i]);
+            subtract_ends(simd, row, upper, &c3[i], &c2[i]);
         }
     }
 }
@@ -63,15 +58,15 @@ fn span(row: &[Real], start: usize) -> &Span {
 
 /// The numbers at the corners of neighbouring cells of a block.
 #[inline(always)]
-pub(crate) fn corners<S: Instructions>(set: S, chunk: usize, rows: &Rows) -> Corners<S::Vector> {
-    let mut corners = [[set.splat(0.0); 2]; 4];
+pub(crate) fn corners<S: Simd>(simd: S, chunk: usize, rows: &Rows) -> Corners<S::Vector> {
+    let mut corners = [[simd.splat(0.0); 2]; 4];
     for i in 0..2 {
         let ([left @ .., _], [_, right @ ..]) = (rows[0][i], rows[0][i]);
-        corners[0][i] = set.load(left, chunk);
-        corners[1][i] = set.load(right, chunk);
+        corners[0][i] = simd.load(left, chunk);
+        corners[1][i] = simd.load(right, chunk);
         let ([left @ .., _], [_, right @ ..]) = (rows[1][i], rows[1][i]);
-        corners[2][i] = set.load(right, chunk);
-        corners[3][i] = set.load(left, chunk);
+        corners[2][i] = simd.load(right, chunk);
+        corners[3][i] = simd.load(left, chunk);
     }
     corners
 }
@@ -79,14 +74,14 @@ pub(crate) fn corners<S: Instructions>(set: S, chunk: usize, rows: &Rows) -> Cor
 /// Subtracts from the numbers of a row of nodes at the left ends of the cells of a block, then at the right ends, which are
 /// one place on. Without a store between: a processor is late to read what two stores have just written in parts.
 #[inline(always)]
-fn subtract_ends<S: Instructions>(set: S, row: &mut [Real], start: usize, left: &Lane, right: &Lane) {
+fn subtract_ends<S: Simd>(simd: S, row: &mut [Real], start: usize, left: &Pack, right: &Pack) {
     let Some(span) = row.get_mut(start..).and_then(|tail| tail.first_chunk_mut::<{ LANES + 1 }>()) else { return };
     let [lane @ .., last] = span;
-    let mut before = set.splat(0.0);
+    let mut before = simd.splat(0.0);
     for chunk in 0..LANES / S::WIDTH {
-        let of_right = set.load(right, chunk);
-        let rest = set.load(lane, chunk) - set.load(left, chunk);
-        set.store(rest - of_right.moved_on(before), lane, chunk);
+        let of_right = simd.load(right, chunk);
+        let rest = simd.load(lane, chunk) - simd.load(left, chunk);
+        simd.store(rest - of_right.shift(before), lane, chunk);
         before = of_right;
     }
     *last -= right[LANES - 1];

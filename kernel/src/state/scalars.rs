@@ -4,7 +4,7 @@ use crate::error::StepError;
 use crate::impactor::ImpactorState;
 use crate::model::Model;
 use crate::number::real::Real;
-use crate::state::{Forces, Ledger, Metrics, Sampler};
+use crate::state::{EnergyBalance, Forces, Metrics, Sampler};
 
 /// The numbers of a state that are not arrays.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,7 +22,7 @@ pub struct Scalars {
     /// Numbers of the test so far.
     pub metrics: Metrics,
     /// Energies of the last step.
-    pub energy: Ledger,
+    pub energy: EnergyBalance,
     /// Why no further step can be made.
     pub failure: Option<StepError>,
 }
@@ -36,7 +36,7 @@ impl Scalars {
         contact_half_width: 0.0,
         sampler: Sampler::START,
         metrics: Metrics::START,
-        energy: Ledger::ZERO,
+        energy: EnergyBalance::ZERO,
         failure: None,
     };
 
@@ -48,6 +48,6 @@ impl Scalars {
 
     /// The start of the drop.
     pub(crate) fn start(model: &Model) -> Self {
-        Self { impactor: ImpactorState::start(model), energy: Ledger::start(model), ..Self::BLANK }
+        Self { impactor: ImpactorState::start(model), energy: EnergyBalance::start(model), ..Self::BLANK }
     }
 }

@@ -11,7 +11,7 @@ use crate::model::{Constants, Model};
 use crate::number::digest::Digest;
 use crate::number::pack::LANES;
 use crate::number::real::{self, Real};
-use crate::state::LEDGER_WORDS;
+use crate::state::ENERGY_WORDS;
 use crate::state::StateView;
 use crate::state::{Scalars, State};
 use crate::tensor::deviator::Deviator;
@@ -26,8 +26,8 @@ const CHECKSUM_WORDS: usize = 1;
 const COUNTERS: usize = 7;
 /// Most steps that a state may have behind it: far from overflow, and every count is exact as a float of double
 /// precision.
-const MOST_STEPS: u64 = 1 << 53;
-const SCALAR_WORDS: usize = COUNTERS + 21 + LEDGER_WORDS;
+const MAX_STEPS: u64 = 1 << 53;
+const SCALAR_WORDS: usize = COUNTERS + 21 + ENERGY_WORDS;
 /// Lanes per triangle: stretch, elastic stress, slider stress, largest stretch, stored energy.
 const HISTORY_LANES: usize = 4 + 3 + 3 + 1 + 1;
 
@@ -124,7 +124,7 @@ fn counters_fit(constants: &Constants, counters: [u64; COUNTERS]) -> bool {
     let period = u64::from(constants.steps_per_sample);
     let whole = sample.checked_mul(period).and_then(|made| made.checked_add(steps)) == Some(step_index);
     whole
-        && step_index <= MOST_STEPS
+        && step_index <= MAX_STEPS
         && steps < period
         && first_sample <= last_sample
         && last_sample <= sample

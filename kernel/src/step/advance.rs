@@ -10,9 +10,9 @@ use crate::error::StepError;
 use crate::impactor::{DrivenPath, StepInput};
 use crate::model::Model;
 use crate::number::instruction_set::InstructionSet;
-use crate::number::pack::{LANES, Lane, ZERO, sum};
+use crate::number::pack::{LANES, Pack, ZERO, sum};
 use crate::number::real::Real;
-use crate::number::vector::{Instructions, Scalar, Vector, Work};
+use crate::number::vector::{Scalar, Simd, Vector, Work};
 use crate::state::ContactWork;
 use crate::state::StepWork;
 use crate::state::{Forces, Rows, State, corners};
@@ -99,23 +99,23 @@ impl Work for Advance<'_, '_, '_> {
     type Output = Result<(), StepError>;
 
     #[inline(always)]
-    fn run<S: Instructions>(self, set: S) -> Result<(), StepError> {
-        advance(set, self.model, self.state, self.input)
+    fn run<S: Simd>(self, simd: S) -> Result<(), StepError> {
+        advance(simd, self.model, self.state, self.input)
     }
 }
 
 #[inline(always)]
-fn advance<S: Instructions>(set: S, model: &Model, state: &mut State, input: &StepInput) -> Result<(), StepError> {
+fn advance<S: Simd>(simd: S, model: &Model, state: &mut State, input: &StepInput) -> Result<(), StepError> {
     let mut energy = ElementEnergy::ZERO;
-    internal_forces(set, model, state, &mut energy)?;
-    monitor::check(set, model, state)?;
-    let core = rigid_core::react(set, model, state);
+    internal_forces(simd, model, state, &mut energy)?;
+    monitor::check(simd, model, state)?;
+    let core = rigid_core::react(simd, model, state);
     let prediction = state.scalars.impactor.predict(model, input, state.scalars.step_index);
     let before = state.scalars.impactor.velocity_half;
-    let face = face::contact(set, model, state, &prediction);
+    let face = face::contact(simd, model, state, &prediction);
     state.scalars.contact_half_width = surface::contact_half_width(model, &state.as_view());
-    let layer_kinetic = move_nodes(set, model, state);
-    monitor::guard(model, state, model.constants.section_factor * layer_kinetic[0])?;
+    let layer_kinetic = move_nodes(simd, model, state);
+    monitor::guard(model, state, model.constants.symmetry_factor * layer_kinetic[0])?;
     let work = StepWork {
         element: &energy,
         face: &face,
@@ -126,7 +126,7 @@ fn advance<S: Instructions>(set: S, model: &Model, state: &mut State, input: &St
         prediction: &prediction,
         input,
     };
-    state.scalars.energy.book(model, &work);
+    state.scalars.energy.update(model, &work);
     measure(model, state, &face, &core, before);
     state.scalars.step_index += 1;
     Ok(())
@@ -134,8 +134,8 @@ fn advance<S: Instructions>(set: S, model: &Model, state: &mut State, input: &St
 
 /// Fills the nodal forces with minus the internal forces, block by block in index order, and adds up the energies.
 #[inline(always)]
-fn internal_forces<S: Instructions>(
-    set: S,
+fn internal_forces<S: Simd>(
+    simd: S,
     model: &Model,
     state: &mut State,
     energy: &mut ElementEnergy,
@@ -154,11 +154,11 @@ fn internal_forces<S: Instructions>(
         // Written twice, so that a copy knows whether there are rings and need not ask all over the element; processors
         // without vectors have less room for it.
         let force = if S::WIDTH == 1 || block.hoop.is_some() {
-            block_force(set, &block, &rows, history, viscous, energy)
+            block_force(simd, &block, &rows, history, viscous, energy)
         } else {
-            block_force(set, &Block { hoop: None, ..block }, &rows, history, viscous, energy)
+            block_force(simd, &Block { hoop: None, ..block }, &rows, history, viscous, energy)
         };
-        state.nodes.subtract_force(set, nodes, &force);
+        state.nodes.subtract_force(simd, nodes, &force);
         // The next block follows in the row, or begins the next one behind the lane that closes this one.
         place += 1;
         let further = if place == per_row { 2 * LANES } else { LANES };
@@ -170,25 +170,25 @@ fn internal_forces<S: Instructions>(
 
 /// Internal forces on the corners of the cells of a block, N.
 #[inline(always)]
-fn block_force<S: Instructions>(
-    set: S,
+fn block_force<S: Simd>(
+    simd: S,
     block: &Block,
     rows: &Rows,
     history: &mut CellHistory,
     viscous: &mut [Deviator],
     energy: &mut ElementEnergy,
-) -> Corners<Lane> {
+) -> Corners<Pack> {
     let mut force = [[ZERO; 2]; 4];
     for chunk in 0..LANES / S::WIDTH {
         // The compiler would work out the addresses of all lanes ahead, which are more than there are registers, and keep
         // them in memory; of what it cannot see through it adds up an address where it is needed, at no cost.
         let (rows, history) = (black_box(rows), black_box(&mut *history));
         let block = &Block { constants: black_box(block.constants), ..*block };
-        let displacement = corners(set, chunk, rows);
-        let of_chunk = element::internal_force(set, chunk, block, &displacement, history, viscous, energy);
+        let displacement = corners(simd, chunk, rows);
+        let of_chunk = element::internal_force(simd, chunk, block, &displacement, history, viscous, energy);
         for corner in 0..4 {
             for i in 0..2 {
-                set.store(of_chunk[corner][i], &mut force[corner][i], chunk);
+                simd.store(of_chunk[corner][i], &mut force[corner][i], chunk);
             }
         }
     }
@@ -215,19 +215,19 @@ fn first_inverted(model: &Model, state: &State) -> StepError {
 /// Moves the nodes under their forces; returns the kinetic energy of the section at the forces, from the velocities on both
 /// sides, and after their impulse.
 #[inline(always)]
-fn move_nodes<S: Instructions>(set: S, model: &Model, state: &mut State) -> [Real; 2] {
+fn move_nodes<S: Simd>(simd: S, model: &Model, state: &mut State) -> [Real; 2] {
     let dt = model.constants.dt;
     let (fixed, nodes) = (&model.nodes, &mut state.nodes);
     let masses = [fixed.nodal_mass, fixed.inverse_mass_x];
-    let along_x = move_along(set, dt, masses, nodes.force_x, nodes.velocity_x, nodes.displacement_x);
+    let along_x = move_along(simd, dt, masses, nodes.force_x, nodes.velocity_x, nodes.displacement_x);
     let masses = [fixed.nodal_mass, fixed.inverse_mass_y];
-    let along_y = move_along(set, dt, masses, nodes.force_y, nodes.velocity_y, nodes.displacement_y);
+    let along_y = move_along(simd, dt, masses, nodes.force_y, nodes.velocity_y, nodes.displacement_y);
     [along_x[0] + along_y[0], along_x[1] + along_y[1]]
 }
 
 #[inline(always)]
-fn move_along<S: Instructions>(
-    set: S,
+fn move_along<S: Simd>(
+    simd: S,
     dt: Real,
     [mass, inverse_mass]: [&[Real]; 2],
     force: &[Real],
@@ -239,13 +239,13 @@ fn move_along<S: Instructions>(
     let moving = velocity.as_chunks_mut().0.iter_mut().zip(displacement.as_chunks_mut().0);
     for (((mass, inverse_mass), force), (velocity, displacement)) in fixed.zip(moving) {
         for chunk in 0..LANES / S::WIDTH {
-            let before = set.load(velocity, chunk);
-            let after = before + (set.load(inverse_mass, chunk) * set.load(force, chunk)).times(dt);
-            set.store(after, velocity, chunk);
-            set.store(set.load(displacement, chunk) + after.times(dt), displacement, chunk);
-            let momentum = set.load(mass, chunk) * after;
-            set.add(momentum * before, &mut double_kinetic[0], chunk);
-            set.add(momentum * after, &mut double_kinetic[1], chunk);
+            let before = simd.load(velocity, chunk);
+            let after = before + (simd.load(inverse_mass, chunk) * simd.load(force, chunk)).mul_scalar(dt);
+            simd.store(after, velocity, chunk);
+            simd.store(simd.load(displacement, chunk) + after.mul_scalar(dt), displacement, chunk);
+            let momentum = simd.load(mass, chunk) * after;
+            simd.add(momentum * before, &mut double_kinetic[0], chunk);
+            simd.add(momentum * after, &mut double_kinetic[1], chunk);
         }
     }
     double_kinetic.map(|lane| 0.5 * sum(&lane))
@@ -257,8 +257,8 @@ fn measure(model: &Model, state: &mut State, face: &ContactWork, core: &ContactW
     let constants = &model.constants;
     let scalars = &mut state.scalars;
     scalars.force = Forces {
-        contact: constants.section_factor * face.normal_force,
-        core_reaction: constants.section_factor * core.normal_force,
+        contact: constants.symmetry_factor * face.normal_force,
+        core_reaction: constants.symmetry_factor * core.normal_force,
     };
     let velocity = [velocity_before, scalars.impactor.velocity_half];
     let depth = scalars.impactor.deformation();

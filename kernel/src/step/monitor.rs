@@ -7,8 +7,8 @@ use crate::model::Model;
 use crate::number::math;
 use crate::number::pack::{LANES, ZERO};
 use crate::number::real::Real;
-use crate::number::vector::{Instructions, Scalar};
-use crate::state::{Ledger, State};
+use crate::number::vector::{Scalar, Simd};
+use crate::state::{EnergyBalance, State};
 use crate::step::stable_step::{critical_time_step, current_matrix};
 
 /// The monitor visits every cell at least once in this many steps. At the study's speeds a stretch changes by some
@@ -16,7 +16,7 @@ use crate::step::stable_step::{critical_time_step, current_matrix};
 pub const MONITOR_PERIOD: usize = 64;
 
 /// The fewest cells that it visits in a step: on a small mesh, all cells have their turn sooner.
-const LEAST_GROUP: usize = 4;
+const MIN_GROUP: usize = 4;
 
 /// Compares the step with the current limit of this step's share of the cells, as the internal forces have found them: the
 /// same number in every step, so that all have had their turn after [`MONITOR_PERIOD`] steps at most.
@@ -24,17 +24,17 @@ const LEAST_GROUP: usize = 4;
 /// # Errors
 /// The first cell whose limit is below the step.
 #[inline(always)]
-pub(crate) fn check<S: Instructions>(set: S, model: &Model, state: &State) -> Result<(), StepError> {
-    let share = Share::new(model.cells.len() * LANES, state.scalars.step_index);
-    let step_squared = set.splat(model.constants.dt * model.constants.dt);
+pub(crate) fn check<S: Simd>(simd: S, model: &Model, state: &State) -> Result<(), StepError> {
+    let share = MonitorWindow::new(model.cells.len() * LANES, state.scalars.step_index);
+    let step_squared = simd.splat(model.constants.dt * model.constants.dt);
     for turn in 0..share.count {
         let (block, start) = (share.cell(turn) / LANES, share.cell(turn) % LANES);
         let (Some(constants), Some(history)) = (model.cells.get(block), state.cells.get(block)) else { continue };
         let block_of = Block { laws: model.constants.laws_of(block), constants, hoop: model.hoops.get(block) };
         for chunk in start / S::WIDTH..(start + share.group).div_ceil(S::WIDTH) {
-            let matrix = current_matrix(set, chunk, &block_of, history);
+            let matrix = current_matrix(simd, chunk, &block_of, history);
             let mut lost = ZERO;
-            set.store(unstable(set, &matrix, step_squared), &mut lost, chunk);
+            simd.store(unstable(simd, &matrix, step_squared), &mut lost, chunk);
             let (first, end) = (start.max(chunk * S::WIDTH), (start + share.group).min((chunk + 1) * S::WIDTH));
             let visited = lost.get(first..end).unwrap_or_default();
             if let Some(l) = visited.iter().position(|lost| *lost > 0.0) {
@@ -46,7 +46,7 @@ pub(crate) fn check<S: Instructions>(set: S, model: &Model, state: &State) -> Re
 }
 
 /// The cells that a step visits: groups of neighbours.
-struct Share {
+struct MonitorWindow {
     /// Cells of a group, a divisor of [`LANES`].
     group: usize,
     /// The first group.
@@ -57,14 +57,14 @@ struct Share {
     of: usize,
 }
 
-impl Share {
+impl MonitorWindow {
     /// Of the step `step_index`, for a mesh of so many `cells`, padding included.
     fn new(cells: usize, step_index: u64) -> Self {
         let each = cells.div_ceil(MONITOR_PERIOD);
-        let (group, count, of) = if each > LEAST_GROUP {
+        let (group, count, of) = if each > MIN_GROUP {
             (LANES, each.div_ceil(LANES), cells / LANES)
         } else {
-            (LEAST_GROUP, 1, cells / LEAST_GROUP)
+            (MIN_GROUP, 1, cells / MIN_GROUP)
         };
         let first = step_index % of.div_ceil(count).max(1) as u64;
         Self { group, first: first as usize * count, count, of }
@@ -124,13 +124,13 @@ pub(crate) fn guard(model: &Model, state: &State, layer_kinetic: Real) -> Result
 /// Whether the kinetic energies of this step and of the last, which `ledger` holds, are below zero by more than those of single
 /// nodes.
 #[inline(always)]
-fn is_unstable(ledger: &Ledger, layer_kinetic: Real) -> bool {
+fn is_unstable(ledger: &EnergyBalance, layer_kinetic: Real) -> bool {
     let before = ledger.at_forces.kinetic;
     if layer_kinetic >= 0.0 || before >= 0.0 {
         return false;
     }
     let at_hand = math::abs(ledger.external) + math::abs(ledger.elastic) + math::abs(ledger.viscous);
-    let least = -math::larger(layer_kinetic, before);
+    let least = -math::max(layer_kinetic, before);
     least > NEGATIVE_PART * at_hand && least > Real::EPSILON
 }
 
@@ -141,7 +141,7 @@ mod tests {
     #[test]
     fn only_kinetic_energies_below_zero_in_two_steps_running_are_an_instability() {
         let ledger = |layer_kinetic, external| {
-            let mut ledger = Ledger::ZERO;
+            let mut ledger = EnergyBalance::ZERO;
             (ledger.at_forces.kinetic, ledger.external) = (layer_kinetic, external);
             ledger
         };
@@ -162,7 +162,7 @@ mod tests {
             for start in [0, 1, 12_345] {
                 let mut visits = [0; 300 * LANES];
                 for step in start..start + MONITOR_PERIOD as u64 {
-                    let share = Share::new(cells, step);
+                    let share = MonitorWindow::new(cells, step);
                     for cell in (0..share.count).map(|turn| share.cell(turn)) {
                         assert_eq!(cell / LANES, (cell + share.group - 1) / LANES);
                         visits[cell..cell + share.group].iter_mut().for_each(|visits| *visits += 1);

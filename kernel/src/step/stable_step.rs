@@ -16,7 +16,7 @@ use crate::number::instruction_set::InstructionSet;
 use crate::number::math;
 use crate::number::pack::{LANES, ZERO};
 use crate::number::real::Real;
-use crate::number::vector::{Instructions, Vector, Work};
+use crate::number::vector::{Simd, Vector, Work};
 use crate::state::State;
 use crate::tensor::stretch::{IsochoricStretch, largest_in_plane};
 
@@ -77,21 +77,21 @@ impl Work for Search<'_, '_, '_> {
     type Output = Option<Critical>;
 
     #[inline(always)]
-    fn run<S: Instructions>(self, set: S) -> Option<Critical> {
+    fn run<S: Simd>(self, simd: S) -> Option<Critical> {
         let Cells { constants, cells, hoops } = *self.cells;
         let (mut critical, mut bound) = (None, self.bound);
         for (index, cell) in cells.iter().enumerate() {
             let Some(history) = (self.history)(index) else { continue };
             let block = Block { laws: constants.laws_of(index), constants: cell, hoop: hoops.get(index) };
             for chunk in 0..LANES / S::WIDTH {
-                let matrix = current_matrix(set, chunk, &block, history);
-                let (step_squared, mut lost) = (set.splat(bound), ZERO);
-                set.store(unstable(set, &matrix, step_squared), &mut lost, chunk);
+                let matrix = current_matrix(simd, chunk, &block, history);
+                let (step_squared, mut lost) = (simd.splat(bound), ZERO);
+                simd.store(unstable(simd, &matrix, step_squared), &mut lost, chunk);
                 if lost == ZERO {
                     continue;
                 }
                 let mut limits = ZERO;
-                set.store(limit_squared(set, &matrix, step_squared), &mut limits, chunk);
+                simd.store(limit_squared(simd, &matrix, step_squared), &mut limits, chunk);
                 for l in chunk * S::WIDTH..(chunk + 1) * S::WIDTH {
                     // Padding has no volume.
                     let limit_squared = limits[l % LANES];
@@ -118,33 +118,33 @@ fn smallest_stretch(history: &CellHistory, l: usize) -> Real {
 
 /// The matrix of neighbouring cells at the stretches that the last internal forces have left in the history.
 #[inline(always)]
-pub(crate) fn current_matrix<S: Instructions>(
-    set: S,
+pub(crate) fn current_matrix<S: Simd>(
+    simd: S,
     chunk: usize,
     block: &Block,
     history: &CellHistory,
 ) -> CellMatrix<S::Vector> {
-    let (zero, one) = (set.splat(0.0), set.splat(1.0));
+    let (zero, one) = (simd.splat(0.0), simd.splat(1.0));
     let mut stiffness =
         CellStiffness { inverse_stretch: [[zero; 3]; 2], hoop_scale: [one; 2], shear: [zero; 2], bulk: zero };
     for t in 0..2 {
         let [mean, difference, shear, hoop] = &history.triangle[t].stretch_prev;
-        let (mean, difference) = (set.load(mean, chunk), set.load(difference, chunk));
-        let (u12, u33) = (set.load(shear, chunk), set.load(hoop, chunk));
+        let (mean, difference) = (simd.load(mean, chunk), simd.load(difference, chunk));
+        let (u12, u33) = (simd.load(shear, chunk), simd.load(hoop, chunk));
         let (u11, u22) = (mean + difference, mean - difference);
         let section = mean * mean - (difference * difference + u12 * u12);
         let inverse = one / section;
-        stiffness.inverse_stretch[t] = [u22 * inverse, u11 * inverse, (u12 * inverse).times(-1.0)];
+        stiffness.inverse_stretch[t] = [u22 * inverse, u11 * inverse, (u12 * inverse).mul_scalar(-1.0)];
         if block.hoop.is_some() {
             stiffness.hoop_scale[t] = one / u33;
         }
         let jacobian = section * u33;
         let scale = inverse_cbrt(jacobian);
         let isochoric = IsochoricStretch { u11: scale * u11, u22: scale * u22, u12: scale * u12, u33: scale * u33 };
-        stiffness.shear[t] = block.laws.shear_tangent(set, &isochoric);
+        stiffness.shear[t] = block.laws.shear_tangent(simd, &isochoric);
         // Stresses stiffen a change of volume, too: by about what they add to the shear.
-        let added = stiffness.shear[t].plus(-block.laws.shear_modulus_0).larger(zero);
-        stiffness.bulk = (block.laws.volumetric.tangent(set, jacobian) + added).larger(stiffness.bulk);
+        let added = stiffness.shear[t].add_scalar(-block.laws.shear_modulus_0).max(zero);
+        stiffness.bulk = (block.laws.volumetric.tangent(simd, jacobian) + added).max(stiffness.bulk);
     }
-    cell_matrix(set, chunk, block, &stiffness)
+    cell_matrix(simd, chunk, block, &stiffness)
 }

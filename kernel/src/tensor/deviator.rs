@@ -2,16 +2,16 @@
 
 use core::ops::{Add, Sub};
 
-use crate::number::pack::{Lane, ZERO};
+use crate::number::pack::{Pack, ZERO};
 use crate::number::real::Real;
-use crate::number::vector::{Instructions, Vector};
+use crate::number::vector::{Simd, Vector};
 
 /// A symmetric deviatoric tensor in the unrotated frame (see [`crate::material`]), one per lane or neighbour.
 ///
 /// A section has three components, since zz = -(xx + yy) and xz = yz = 0. They are stored in an orthogonal basis of equal
 /// lengths, so that a contraction is a sum of three products: a : b = 2 (mean mean + difference difference + shear shear).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Deviator<T = Lane> {
+pub struct Deviator<T = Pack> {
     /// Mean of the section, sqrt(3)/2 (xx + yy).
     pub mean: T,
     /// Half difference of the section, (xx - yy)/2.
@@ -47,20 +47,20 @@ impl<V: Vector> Deviator<V> {
 
     /// The `chunk`-th vectors of a lane of tensors.
     #[inline(always)]
-    pub fn load<S: Instructions<Vector = V>>(set: S, deviator: &Deviator, chunk: usize) -> Self {
+    pub fn load<S: Simd<Vector = V>>(simd: S, deviator: &Deviator, chunk: usize) -> Self {
         Self {
-            mean: set.load(&deviator.mean, chunk),
-            difference: set.load(&deviator.difference, chunk),
-            shear: set.load(&deviator.shear, chunk),
+            mean: simd.load(&deviator.mean, chunk),
+            difference: simd.load(&deviator.difference, chunk),
+            shear: simd.load(&deviator.shear, chunk),
         }
     }
 
     /// Writes the `chunk`-th vectors of a lane of tensors.
     #[inline(always)]
-    pub fn store<S: Instructions<Vector = V>>(&self, set: S, deviator: &mut Deviator, chunk: usize) {
-        set.store(self.mean, &mut deviator.mean, chunk);
-        set.store(self.difference, &mut deviator.difference, chunk);
-        set.store(self.shear, &mut deviator.shear, chunk);
+    pub fn store<S: Simd<Vector = V>>(&self, simd: S, deviator: &mut Deviator, chunk: usize) {
+        simd.store(self.mean, &mut deviator.mean, chunk);
+        simd.store(self.difference, &mut deviator.difference, chunk);
+        simd.store(self.shear, &mut deviator.shear, chunk);
     }
 
     /// Every component times `factor`.

@@ -51,7 +51,8 @@ impl<V: Vector> IsochoricStretch<V> {
     /// The larger and the smaller stretch in the section, and the one out of it.
     #[inline(always)]
     pub fn principal(&self) -> [V; 3] {
-        let largest = largest_in_plane((self.u11 + self.u22).times(0.5), (self.u11 - self.u22).times(0.5), self.u12);
+        let largest =
+            largest_in_plane((self.u11 + self.u22).mul_scalar(0.5), (self.u11 - self.u22).mul_scalar(0.5), self.u12);
         [largest, (self.u11 * self.u22 - self.u12 * self.u12) / largest, self.u33]
     }
 }

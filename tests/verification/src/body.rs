@@ -239,9 +239,9 @@ impl Body {
 fn alone(cells: &[CellConstants], t: usize) -> Vec<CellConstants> {
     let mut alone = vec![CellConstants::ZERO; cells.len()];
     for (to, from) in alone.iter_mut().zip(cells) {
-        to.rising = from.rising;
+        to.diagonal = from.diagonal;
         to.triangle[t] = from.triangle[t];
-        to.triangle[t].patch_weight = [1.0; LANES];
+        to.triangle[t].volume_fraction = [1.0; LANES];
     }
     alone
 }

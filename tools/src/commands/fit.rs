@@ -119,7 +119,7 @@ struct SpecimenOptions {
 }
 
 #[derive(Debug, Args)]
-#[command(next_help_heading = "Laws")]
+#[command(next_help_heading = "MaterialModel")]
 struct LawOptions {
     /// Law to choose instead of the stable one of lowest residual
     #[arg(long, value_name = "NAME", value_parser = law)]

@@ -31,7 +31,7 @@ pub struct Identification {
     pub curves: Vec<Curves>,
     /// The laws in the order of the ranking; empty without curves.
     pub fits: Vec<Fit>,
-    /// Laws that could not be fitted, and why.
+    /// MaterialModel that could not be fitted, and why.
     pub failed: Vec<String>,
     /// Index of the chosen law.
     pub chosen: usize,

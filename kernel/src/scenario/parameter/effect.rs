@@ -94,7 +94,7 @@ const fn chosen(of: &'static str, by: &'static str, choice: &'static str) -> Con
     Condition { of, by, acts: Acts::Chosen(choice) }
 }
 
-const fn beside(of: &'static str, by: &'static str) -> Condition {
+const fn only_with(of: &'static str, by: &'static str) -> Condition {
     Condition { of, by, acts: Acts::Beside }
 }
 
@@ -141,24 +141,24 @@ macro_rules! material_conditions {
             under(concat!($layer, ".ogden_alpha_1"), LAW, &["ogden"]),
             under(concat!($layer, ".ogden_alpha_2"), LAW, &["ogden"]),
             under(concat!($layer, ".ogden_alpha_3"), LAW, &["ogden"]),
-            beside(concat!($layer, ".ogden_alpha_1"), concat!($layer, ".ogden_mu_1")),
-            beside(concat!($layer, ".ogden_alpha_2"), concat!($layer, ".ogden_mu_2")),
-            beside(concat!($layer, ".ogden_alpha_3"), concat!($layer, ".ogden_mu_3")),
+            only_with(concat!($layer, ".ogden_alpha_1"), concat!($layer, ".ogden_mu_1")),
+            only_with(concat!($layer, ".ogden_alpha_2"), concat!($layer, ".ogden_mu_2")),
+            only_with(concat!($layer, ".ogden_alpha_3"), concat!($layer, ".ogden_mu_3")),
             chosen(concat!($layer, ".bulk_modulus"), VOLUMETRIC_BY, "bulk_modulus"),
             chosen(concat!($layer, ".poissons_ratio"), VOLUMETRIC_BY, "poissons_ratio"),
-            beside(concat!($layer, ".prony_tau_1"), concat!($layer, ".prony_g_1")),
-            beside(concat!($layer, ".prony_tau_2"), concat!($layer, ".prony_g_2")),
-            beside(concat!($layer, ".prony_tau_3"), concat!($layer, ".prony_g_3")),
-            beside(concat!($layer, ".prony_tau_4"), concat!($layer, ".prony_g_4")),
-            beside(concat!($layer, ".prony_tau_5"), concat!($layer, ".prony_g_5")),
-            beside(concat!($layer, ".maxwell_beta_1"), concat!($layer, ".maxwell_g_1")),
-            beside(concat!($layer, ".maxwell_beta_2"), concat!($layer, ".maxwell_g_2")),
-            beside(concat!($layer, ".maxwell_beta_3"), concat!($layer, ".maxwell_g_3")),
-            beside(concat!($layer, ".maxwell_beta_4"), concat!($layer, ".maxwell_g_4")),
-            beside(concat!($layer, ".maxwell_beta_5"), concat!($layer, ".maxwell_g_5")),
-            beside(concat!($layer, ".slider_yield_stress"), concat!($layer, ".slider_stiffness")),
-            beside(concat!($layer, ".tear_width"), concat!($layer, ".tear_stretch")),
-            beside(concat!($layer, ".tear_residual"), concat!($layer, ".tear_stretch")),
+            only_with(concat!($layer, ".prony_tau_1"), concat!($layer, ".prony_g_1")),
+            only_with(concat!($layer, ".prony_tau_2"), concat!($layer, ".prony_g_2")),
+            only_with(concat!($layer, ".prony_tau_3"), concat!($layer, ".prony_g_3")),
+            only_with(concat!($layer, ".prony_tau_4"), concat!($layer, ".prony_g_4")),
+            only_with(concat!($layer, ".prony_tau_5"), concat!($layer, ".prony_g_5")),
+            only_with(concat!($layer, ".maxwell_beta_1"), concat!($layer, ".maxwell_g_1")),
+            only_with(concat!($layer, ".maxwell_beta_2"), concat!($layer, ".maxwell_g_2")),
+            only_with(concat!($layer, ".maxwell_beta_3"), concat!($layer, ".maxwell_g_3")),
+            only_with(concat!($layer, ".maxwell_beta_4"), concat!($layer, ".maxwell_g_4")),
+            only_with(concat!($layer, ".maxwell_beta_5"), concat!($layer, ".maxwell_g_5")),
+            only_with(concat!($layer, ".slider_yield_stress"), concat!($layer, ".slider_stiffness")),
+            only_with(concat!($layer, ".tear_width"), concat!($layer, ".tear_stretch")),
+            only_with(concat!($layer, ".tear_residual"), concat!($layer, ".tear_stretch")),
         ]
     }};
 }

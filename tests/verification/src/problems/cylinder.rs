@@ -132,7 +132,7 @@ pub fn bonded_equilibrium(cells: u32) -> f64 {
     }
     let force = solve(&mut body, &supports, 20).force;
     let top: f64 = (0..=grid.n_u).map(|u| -force[body.node(u, grid.n_v)][1]).sum();
-    body.constants().section_factor * top / test.area()
+    body.constants().symmetry_factor * top / test.area()
 }
 
 fn bonded_material() -> Material {

@@ -50,7 +50,7 @@ pub struct DataSet {
     pub points: Vec<(f64, f64)>,
 }
 
-/// Laws of which one has the other's terms and more.
+/// MaterialModel of which one has the other's terms and more.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Family {
     /// One coefficient.

@@ -5,7 +5,7 @@ use super::fit::{Fit, Settings};
 use super::ogden::LARGEST_ALPHA;
 use super::{DataSet, Family, Mode, profile};
 
-/// Fits in the order of the study: the best of each family by residual, then the others by residual. Laws that the
+/// Fits in the order of the study: the best of each family by residual, then the others by residual. MaterialModel that the
 /// kernel refuses, because their shear modulus at rest is not positive, come last.
 pub fn rank(mut fits: Vec<Fit>) -> Vec<Fit> {
     let order = |fit: &Fit| (fit.shear_modulus() <= 0.0, fit.statistics.residual_sum);
