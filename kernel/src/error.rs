@@ -9,6 +9,15 @@ use crate::sampling::SAMPLING_INTERVAL;
 use crate::scenario::ElasticLaw;
 
 /// A parameter value that is not legal.
+///
+/// ```
+/// use softanvil_kernel::{Parameter, preset};
+///
+/// let mut scenario = preset::study();
+/// let refused = Parameter::find("impactor.mass").unwrap().set(&mut scenario, -1.0).unwrap_err();
+/// assert_eq!(refused.to_string(), "impactor.mass = -1 kg is refused: legal is 0.001 to 10000 kg");
+/// assert_eq!(scenario, preset::study());
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParameterError {
     /// Name of the parameter.
@@ -46,6 +55,17 @@ impl fmt::Display for ParameterError {
 impl core::error::Error for ParameterError {}
 
 /// A value that has no effect in its scenario.
+///
+/// ```
+/// use softanvil_kernel::{Changes, NoEffect, Parameter, ScenarioError, preset};
+///
+/// let mut changes = Changes::of(&preset::study());
+/// changes.set(Parameter::find("skin.density").unwrap(), 900.0)?;
+/// let no_effect = NoEffect { name: "skin.density", value: 900.0, unit: "kg/m3", by: "geometry.layers", says: "one" };
+/// assert_eq!(changes.apply(), Err(ScenarioError::NoEffect(no_effect)));
+/// assert_eq!(no_effect.to_string(), "skin.density = 900 kg/m3 has no effect: geometry.layers is one");
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NoEffect {
     /// Name of the parameter.
@@ -70,6 +90,14 @@ impl fmt::Display for NoEffect {
 impl core::error::Error for NoEffect {}
 
 /// A scenario that cannot be simulated.
+///
+/// ```
+/// use softanvil_kernel::{ScenarioError, preset};
+///
+/// let mut scenario = preset::study();
+/// scenario.silicone.prony_g = [0.75, 0.5, 0.0, 0.0, 0.0];
+/// assert_eq!(scenario.validate(), Err(ScenarioError::PronySum { layer: "silicone", sum: 1.25 }));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ScenarioError {
     /// One value is out of its range.
@@ -201,6 +229,18 @@ impl fmt::Display for ScenarioError {
 impl core::error::Error for ScenarioError {}
 
 /// Why a model or a state could not be built.
+///
+/// ```
+/// use softanvil_kernel::scenario::StepBy;
+/// use softanvil_kernel::{ModelError, Simulation, preset};
+///
+/// let mut scenario = preset::study();
+/// (scenario.time.step_by, scenario.time.step) = (StepBy::Given, 5e-5);
+/// let Some(ModelError::StepTooLarge { step, limit }) = Simulation::new(&scenario).err() else { panic!("too large") };
+/// assert!(step == 5e-5 && limit < step);
+/// scenario.time.step = 0.5 * limit;
+/// assert!(Simulation::new(&scenario).is_ok());
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ModelError {
     /// The scenario is refused.
@@ -234,6 +274,18 @@ pub enum ModelError {
 }
 
 /// The memory given is smaller than [`crate::storage::Size`] says.
+///
+/// ```
+/// use softanvil_kernel::{MemoryError, Scalars, Simulation, StateContent, StateView, preset};
+///
+/// let mut anvil = Simulation::new(&preset::study())?;
+/// let needed = anvil.constants().size.state_nodes;
+/// let scalars = *anvil.scalars();
+/// let short = StateContent { nodes: &[0.0; 100], cells: &[], viscous: &[] };
+/// let refused = anvil.with(|model, _| StateView::new(model, &scalars, short).err())?;
+/// assert_eq!(refused, Some(MemoryError { what: "state nodes", given: 100, needed }));
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MemoryError {
     /// What the memory is for.
@@ -295,6 +347,29 @@ impl core::error::Error for ModelError {}
 
 /// Why a step could not be completed. But for an input or a memory that is refused, the state stays as the failing step
 /// left it, and every further step gives the same error until the state is reset or restored.
+///
+/// ```
+/// use softanvil_kernel::scenario::Motion;
+/// use softanvil_kernel::{Simulation, StepError, StepInput, preset};
+///
+/// let mut scenario = preset::study();
+/// scenario.impactor.motion = Motion::Driven;
+/// let mut anvil = Simulation::new(&scenario)?;
+///
+/// // Refused before anything happens: a face a kilometre below the anvil.
+/// let far = StepInput { driven_position: Some(-1e3), ..StepInput::default() };
+/// assert!(matches!(anvil.run(1e-3, &far), Err(StepError::Input { .. })));
+/// assert_eq!(anvil.time(), 0.0);
+///
+/// // Fails on its way through the core, and from then on.
+/// let through = StepInput { driven_position: Some(-0.05), ..StepInput::default() };
+/// let failure = anvil.run(1e-3, &through).unwrap_err();
+/// assert!(matches!(failure, StepError::Unstable { .. } | StepError::Inverted { .. }));
+/// assert_eq!(anvil.step(1, &StepInput::default()), Err(failure));
+/// anvil.reset()?;
+/// anvil.step(1, &StepInput::default())?;
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum StepError {
     /// A triangle turned inside out, or its shape is not finite.
@@ -362,6 +437,19 @@ fn enough(limit: Real) -> Real {
 impl core::error::Error for StepError {}
 
 /// Why a saved state was refused.
+///
+/// ```
+/// use softanvil_kernel::{Simulation, SnapshotError, preset};
+///
+/// let saved = Simulation::new(&preset::study())?.save()?;
+/// let mut heavier = preset::study();
+/// heavier.impactor.mass = 6.0;
+/// let mut other = Simulation::new(&heavier)?;
+/// assert_eq!(other.restore(&saved), Err(SnapshotError::Foreign));
+/// let (given, needed) = (saved.len() - 1, saved.len());
+/// assert_eq!(other.restore(&saved[1..]), Err(SnapshotError::Length { given, needed }));
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SnapshotError {
     /// The buffer is not as long as the snapshot of this model.

@@ -8,6 +8,22 @@ use crate::scenario::Motion;
 
 /// What acts on the impactor from outside during a call, of one step or of many. The default leaves things as they are: no
 /// force, and a driven face stays where it is.
+///
+/// ```
+/// use softanvil_kernel::scenario::Motion;
+/// use softanvil_kernel::{Simulation, StepInput, preset};
+///
+/// let mut scenario = preset::study();
+/// scenario.impactor.motion = Motion::Driven;
+/// let mut anvil = Simulation::new(&scenario)?;
+/// // Within 5 ms to 3 mm below the top of the anvil, and there at rest.
+/// let input = StepInput { driven_position: Some(-3e-3), driven_velocity: Some(0.0), ..StepInput::default() };
+/// anvil.run(5e-3, &input)?;
+/// let impactor = &anvil.scalars().impactor;
+/// assert_eq!([impactor.position, impactor.velocity], [-3e-3, 0.0]);
+/// assert!(anvil.output("contact.force") > Some(100.0));
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct StepInput {
     /// Upward force on a falling impactor besides gravity and contact, N; held over the steps of the call.
@@ -94,6 +110,35 @@ impl StepInput {
 ///
 /// With the time from 0 to 1, that of a call, the cubic has the given positions and velocities at both ends (Hermite's
 /// form); after the end it goes on along its tangent, and a straight line goes on straight.
+///
+/// ```
+/// use softanvil_kernel::scenario::Motion;
+/// use softanvil_kernel::{DrivenPath, Simulation, StepError, StepInput, preset, step_along};
+///
+/// let mut scenario = preset::study();
+/// scenario.impactor.motion = Motion::Driven;
+/// let mut at_once = Simulation::new(&scenario)?;
+/// let mut watched = at_once.clone();
+/// let input = StepInput { driven_position: Some(-1e-3), ..StepInput::default() };
+/// at_once.step(1000, &input)?;
+///
+/// // The same steps, with a look at the force after each.
+/// let path = DrivenPath::new(watched.constants(), &watched.scalars().impactor, &input, 1000.0);
+/// let touched = watched.with(|model, state| {
+///     let mut touched = None;
+///     for number in 1..=1000 {
+///         step_along(model, state, &path, number)?;
+///         if touched.is_none() && state.scalars.force.contact > 0.0 {
+///             touched = Some(number);
+///         }
+///     }
+///     Ok::<_, StepError>(touched)
+/// })??;
+/// // Two of the three millimetres from the gap are in the air.
+/// assert!(touched.is_some_and(|number| (600..700).contains(&number)));
+/// assert_eq!(watched.scalars(), at_once.scalars());
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DrivenPath {
     input: StepInput,

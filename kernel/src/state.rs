@@ -13,6 +13,19 @@ use crate::storage::{StateMemory, split_row, take};
 use crate::vector::{Instructions, Vector};
 
 /// The numbers of a state that are not arrays.
+///
+/// ```
+/// use softanvil_kernel::{Simulation, StepInput, preset};
+///
+/// let mut anvil = Simulation::new(&preset::study())?;
+/// anvil.run(15e-3, &StepInput::default())?;
+/// let scalars = anvil.scalars();
+/// assert!(scalars.contact_has_ended());
+/// assert!(scalars.impactor.velocity > 0.0 && scalars.metrics.restitution() < 1.0);
+/// // The books close: what came in is where the ledger says.
+/// assert!(scalars.energy.residual().abs() < 1e-3 * scalars.energy.external);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scalars {
     /// Steps completed.
@@ -63,6 +76,20 @@ pub(crate) struct StateNodes<'a> {
 }
 
 /// The changing part of a simulation.
+///
+/// ```
+/// use softanvil_kernel::{Simulation, StepInput, preset};
+///
+/// let mut anvil = Simulation::new(&preset::study())?;
+/// anvil.run(4e-3, &StepInput::default())?;
+/// anvil.with(|model, state| {
+///     // The first node of the last row: the top of the anvil on its centre line, which touches the face.
+///     let top = model.constants.grid.n_v * model.constants.grid.stride();
+///     let [_, along_y] = state.displacement();
+///     assert!((along_y[top] - state.scalars.impactor.position).abs() < 1e-12);
+/// })?;
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 pub struct State<'a> {
     /// The numbers that are not arrays.
     pub scalars: &'a mut Scalars,

@@ -17,6 +17,22 @@ pub(crate) const STATE_NODE_FIELDS: usize = 6;
 pub(crate) const SURFACE_FIELDS: usize = 2;
 
 /// Items of each kind that a model and its states need.
+///
+/// ```
+/// use softanvil_kernel::{Size, preset};
+///
+/// let size = Size::of(&preset::study())?;
+/// // The history of two triangles a cell for every Prony term, and no hoops in plane strain.
+/// let terms = preset::study().silicone.n_viscous_term();
+/// assert_eq!((size.state_viscous, size.model_hoops), (2 * terms * size.state_cells, 0));
+///
+/// // Half the edge length makes about four times the cells.
+/// let mut finer = preset::study();
+/// finer.mesh.element_size *= 0.5;
+/// let ratio = Size::of(&finer)?.state_cells as f64 / size.state_cells as f64;
+/// assert!(ratio > 3.0 && ratio < 5.0);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Size {
     /// Numbers for the nodes of a model.
@@ -58,6 +74,29 @@ impl Size {
 }
 
 /// Memory lent to a model while it is built.
+///
+/// ```
+/// use softanvil_kernel::element::{CellConstants, HoopConstants};
+/// use softanvil_kernel::scenario::StepBy;
+/// use softanvil_kernel::{Model, ModelMemory, Scalars, StateMemory, preset};
+///
+/// // A size for every scenario to come, as on a microcontroller; it holds one model after the other.
+/// let (mut constants, mut nodes) = (None, [0.0; 2000]);
+/// let (mut cells, mut hoops) = ([CellConstants::ZERO; 40], [HoopConstants::ZERO; 40]);
+/// let mut elements = [0; 2];
+/// for (number, element_size) in [5e-3, 4e-3].into_iter().enumerate() {
+///     let mut scenario = preset::study();
+///     scenario.mesh.element_size = element_size;
+///     // A given step needs no trial, so there is no memory of a state for it.
+///     (scenario.time.step_by, scenario.time.step) = (StepBy::Given, 1e-6);
+///     let scalars = &mut { Scalars::BLANK };
+///     let of_state = &mut StateMemory { scalars, nodes: &mut [], cells: &mut [], viscous: &mut [] };
+///     let memory = ModelMemory { constants: &mut constants, nodes: &mut nodes, cells: &mut cells, hoops: &mut hoops };
+///     elements[number] = Model::new(&scenario, memory, of_state)?.constants.grid.n_elem();
+/// }
+/// assert!(0 < elements[0] && elements[0] < elements[1]);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 pub struct ModelMemory<'a> {
     /// Place for the scalar constants.
     pub constants: &'a mut Option<Constants>,
@@ -88,6 +127,29 @@ impl ModelArrays<'_> {
 }
 
 /// Memory lent to a state for its lifetime, or to a model while it is built.
+///
+/// ```
+/// use softanvil_kernel::element::CellHistory;
+/// use softanvil_kernel::lanes::Deviator;
+/// use softanvil_kernel::{Scalars, Simulation, State, StateMemory, StepInput, preset, steps};
+///
+/// // A second state of the same model: the drop against a constant force.
+/// let mut free = Simulation::new(&preset::study())?;
+/// free.run(15e-3, &StepInput::default())?;
+/// let held = free.with(|model, _| {
+///     let size = &model.constants.size;
+///     let (mut scalars, mut nodes) = (Scalars::BLANK, vec![0.0; size.state_nodes]);
+///     let mut cells = vec![CellHistory::REST; size.state_cells];
+///     let mut viscous = vec![Deviator::ZERO; size.state_viscous];
+///     let memory = StateMemory { scalars: &mut scalars, nodes: &mut nodes, cells: &mut cells, viscous: &mut viscous };
+///     let mut state = State::new(model, memory)?;
+///     let upward = StepInput { external_force: 1000.0, ..StepInput::default() };
+///     steps(model, &mut state, model.constants.steps_in(15e-3), &upward)?;
+///     Ok::<_, softanvil_kernel::StepError>(state.scalars.metrics.peak_force)
+/// })??;
+/// assert!(held < free.scalars().metrics.peak_force);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 pub struct StateMemory<'a> {
     /// Place for the numbers that are not arrays: [`Scalars::BLANK`] will do.
     pub scalars: &'a mut Scalars,
