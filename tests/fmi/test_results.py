@@ -207,6 +207,20 @@ def test_driven_by_number_in_fmpy_the_face_follows_the_input_as_in_the_c_abi(eit
     assert after[outputs].tolist() == [tuple(row) for row in expected]
 
 
+@pytest.mark.parametrize("gap", [2e-3, 5e-3, 1e-4])
+def test_a_driven_face_that_is_given_no_position_stays_where_the_scenario_puts_it(either, gap):
+    outputs = ["impactor.driven_position", "impactor.position", "impactor.velocity", "contact.force"]
+    rows = simulate_fmu(either, start_values={"impactor.motion": 1, "impactor.gap": gap}, output=outputs, stop_time=1e-3,
+                        output_interval=STEP)
+    assert len(rows) == 21 and set(rows[outputs].tolist()) == {(gap, gap, 0.0, 0.0)}
+
+
+def test_a_position_given_at_the_start_counts_whatever_the_gap(either):
+    start = {"impactor.motion": 1, "impactor.driven_position": 2e-3, "impactor.gap": 5e-3}
+    rows = simulate_fmu(either, start_values=start, output=["impactor.position"], stop_time=1e-3, output_interval=1e-3)
+    assert rows["impactor.position"].tolist() == [5e-3, 2e-3]
+
+
 @pytest.mark.parametrize("size, most", [(50e-6, 0.005), (200e-6, 0.02)])
 @pytest.mark.parametrize("with_velocity", [False, True])
 def test_driven_by_a_mass_outside_it_has_the_peak_of_the_drop(another, size, most, with_velocity):
