@@ -85,6 +85,22 @@ impl Noise {
 }
 
 /// How a run is read.
+///
+/// ```
+/// use softanvil_kernel::preset;
+/// use softanvil_tools::quantity::PEAK_FORCE;
+/// use softanvil_tools::reading::Reading;
+/// use softanvil_tools::run::Drop;
+/// use softanvil_tools::series::Sensor;
+///
+/// let run = Drop::new(&preset::study())?.run(|_| {})?;
+/// let on_impactor = Reading::PLAIN.take(&run)?;
+/// let under_core = Reading { sensor: Sensor::Core, threshold: Some("5%".parse()?), ..Reading::PLAIN }.take(&run)?;
+/// // The load cells see the inertia of the layer as well.
+/// assert!(under_core.values[PEAK_FORCE] > on_impactor.values[PEAK_FORCE]);
+/// assert_eq!(under_core.threshold, 0.05 * under_core.series.peak());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reading {
     /// Which force.

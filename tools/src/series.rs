@@ -37,6 +37,19 @@ impl Sensor {
 }
 
 /// Forces at equal intervals.
+///
+/// ```
+/// use softanvil_kernel::preset;
+/// use softanvil_tools::run::Drop;
+/// use softanvil_tools::series::{Sensor, Series};
+///
+/// let run = Drop::new(&preset::study())?.run(|_| {})?;
+/// let series = Series::of_run(&run, Sensor::Contact);
+/// assert_eq!(series.peak(), run.end().metrics.peak_force);
+/// let filtered = series.clone().filtered(180.0)?;
+/// assert!(filtered.peak() < series.peak());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Series {
     /// Time of the first force, s.

@@ -1,7 +1,7 @@
 //! What a master gives at communication points.
 
 use softanvil_kernel::impactor::{INPUTS as ROWS, InputRow};
-use softanvil_kernel::{ParameterError, StepInput, preset};
+use softanvil_kernel::{ParameterError, Scenario, StepInput, preset};
 
 use super::references;
 
@@ -14,6 +14,8 @@ pub struct Inputs {
     pub driven_position: f64,
     /// Velocity of a driven impactor at the end of the communication step, m/s.
     pub driven_velocity: f64,
+    /// Whether the master gives the position: whether it has ever set one.
+    pub has_position: bool,
     /// Whether the master gives the velocity: whether it has ever set one.
     pub has_velocity: bool,
 }
@@ -21,8 +23,19 @@ pub struct Inputs {
 impl Inputs {
     /// No force, and the impactor at rest where the preset has it.
     pub fn start() -> Self {
-        let driven_position = preset::study().impactor.gap;
-        Self { external_force: 0.0, driven_position, driven_velocity: 0.0, has_velocity: false }
+        Self {
+            external_force: 0.0,
+            driven_position: preset::study().impactor.gap,
+            driven_velocity: 0.0,
+            has_position: false,
+            has_velocity: false,
+        }
+    }
+
+    /// The same for the impactor of `scenario`, which stays where that puts it until the master gives a position.
+    pub fn in_scenario(self, scenario: &Scenario) -> Self {
+        let driven_position = if self.has_position { self.driven_position } else { scenario.impactor.gap };
+        Self { driven_position, ..self }
     }
 
     /// What acts on the impactor during a communication step.
@@ -54,6 +67,7 @@ impl Input {
     pub fn set(&self, inputs: &mut Inputs, value: f64) -> Result<(), ParameterError> {
         self.row.check(value)?;
         *(self.field)(inputs) = value;
+        inputs.has_position |= self.reference == references::DRIVEN_POSITION;
         inputs.has_velocity |= inputs.driven_velocity != 0.0;
         Ok(())
     }
@@ -73,7 +87,7 @@ pub static INPUTS: &[Input] = &[
         row: &ROWS[1],
         field: |inputs| &mut inputs.driven_position,
         description: "height of the face of a driven impactor at the end of the communication step that follows, to which \
-                      it moves from where it is",
+                      it moves from where it is; impactor.gap until it is set",
     },
     Input {
         reference: references::DRIVEN_VELOCITY,

@@ -8,6 +8,18 @@ use crate::number::decimal::Decimal;
 use crate::number::real::Real;
 
 /// Why a model or a state could not be built.
+///
+/// ```
+/// use softanvil_kernel::scenario::StepBy;
+/// use softanvil_kernel::{ModelError, Simulation, preset};
+///
+/// let mut scenario = preset::study();
+/// (scenario.time.step_by, scenario.time.step) = (StepBy::Given, 5e-5);
+/// let Some(ModelError::StepTooLarge { step, limit }) = Simulation::new(&scenario).err() else { panic!("too large") };
+/// assert!(step == 5e-5 && limit < step);
+/// scenario.time.step = 0.5 * limit;
+/// assert!(Simulation::new(&scenario).is_ok());
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ModelError {
     /// The scenario is refused.

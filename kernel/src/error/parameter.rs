@@ -6,6 +6,15 @@ use crate::number::decimal::Decimal;
 use crate::number::real::Real;
 
 /// A parameter value that is not legal.
+///
+/// ```
+/// use softanvil_kernel::{Parameter, preset};
+///
+/// let mut scenario = preset::study();
+/// let refused = Parameter::find("impactor.mass").unwrap().set(&mut scenario, -1.0).unwrap_err();
+/// assert_eq!(refused.to_string(), "impactor.mass = -1 kg is refused: legal is 0.001 to 10000 kg");
+/// assert_eq!(scenario, preset::study());
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParameterError {
     /// Name of the parameter.
@@ -43,6 +52,17 @@ impl fmt::Display for ParameterError {
 impl core::error::Error for ParameterError {}
 
 /// A value that has no effect in its scenario.
+///
+/// ```
+/// use softanvil_kernel::{Changes, NoEffect, Parameter, ScenarioError, preset};
+///
+/// let mut changes = Changes::of(&preset::study());
+/// changes.set(Parameter::find("skin.density").unwrap(), 900.0)?;
+/// let no_effect = NoEffect { name: "skin.density", value: 900.0, unit: "kg/m3", by: "geometry.layers", says: "one" };
+/// assert_eq!(changes.apply(), Err(ScenarioError::NoEffect(no_effect)));
+/// assert_eq!(no_effect.to_string(), "skin.density = 900 kg/m3 has no effect: geometry.layers is one");
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NoEffect {
     /// Name of the parameter.

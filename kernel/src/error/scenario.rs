@@ -7,6 +7,14 @@ use crate::number::decimal::Decimal;
 use crate::number::real::Real;
 
 /// A scenario that cannot be simulated.
+///
+/// ```
+/// use softanvil_kernel::{ScenarioError, preset};
+///
+/// let mut scenario = preset::study();
+/// scenario.silicone.prony_g = [0.75, 0.5, 0.0, 0.0, 0.0];
+/// assert_eq!(scenario.validate(), Err(ScenarioError::PronySum { layer: "silicone", sum: 1.25 }));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ScenarioError {
     /// One value is out of its range.

@@ -5,6 +5,19 @@ use core::fmt;
 use super::memory::MemoryError;
 
 /// Why a saved state was refused.
+///
+/// ```
+/// use softanvil_kernel::{Simulation, SnapshotError, preset};
+///
+/// let saved = Simulation::new(&preset::study())?.save()?;
+/// let mut heavier = preset::study();
+/// heavier.impactor.mass = 6.0;
+/// let mut other = Simulation::new(&heavier)?;
+/// assert_eq!(other.restore(&saved), Err(SnapshotError::Foreign));
+/// let (given, needed) = (saved.len() - 1, saved.len());
+/// assert_eq!(other.restore(&saved[1..]), Err(SnapshotError::Length { given, needed }));
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SnapshotError {
     /// The buffer is not as long as the snapshot of this model.

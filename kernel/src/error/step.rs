@@ -11,6 +11,29 @@ use crate::sampling::SAMPLING_INTERVAL;
 
 /// Why a step could not be completed. But for an input or a memory that is refused, the state stays as the failing step
 /// left it, and every further step gives the same error until the state is reset or restored.
+///
+/// ```
+/// use softanvil_kernel::scenario::Motion;
+/// use softanvil_kernel::{Simulation, StepError, StepInput, preset};
+///
+/// let mut scenario = preset::study();
+/// scenario.impactor.motion = Motion::Driven;
+/// let mut anvil = Simulation::new(&scenario)?;
+///
+/// // Refused before anything happens: a face a kilometre below the anvil.
+/// let far = StepInput { driven_position: Some(-1e3), ..StepInput::default() };
+/// assert!(matches!(anvil.run(1e-3, &far), Err(StepError::Input { .. })));
+/// assert_eq!(anvil.time(), 0.0);
+///
+/// // Fails on its way through the core, and from then on.
+/// let through = StepInput { driven_position: Some(-0.05), ..StepInput::default() };
+/// let failure = anvil.run(1e-3, &through).unwrap_err();
+/// assert!(matches!(failure, StepError::Unstable { .. } | StepError::Inverted { .. }));
+/// assert_eq!(anvil.step(1, &StepInput::default()), Err(failure));
+/// anvil.reset()?;
+/// anvil.step(1, &StepInput::default())?;
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum StepError {
     /// A triangle turned inside out, or its shape is not finite.

@@ -8,6 +8,35 @@ use crate::number::real::Real;
 ///
 /// With the time from 0 to 1, that of a call, the cubic has the given positions and velocities at both ends (Hermite's
 /// form); after the end it goes on along its tangent, and a straight line goes on straight.
+///
+/// ```
+/// use softanvil_kernel::scenario::Motion;
+/// use softanvil_kernel::{DrivenPath, Simulation, StepError, StepInput, preset, step_along};
+///
+/// let mut scenario = preset::study();
+/// scenario.impactor.motion = Motion::Driven;
+/// let mut at_once = Simulation::new(&scenario)?;
+/// let mut watched = at_once.clone();
+/// let input = StepInput { driven_position: Some(-1e-3), ..StepInput::default() };
+/// at_once.step(1000, &input)?;
+///
+/// // The same steps, with a look at the force after each.
+/// let path = DrivenPath::new(watched.constants(), &watched.scalars().impactor, &input, 1000.0);
+/// let touched = watched.with(|model, state| {
+///     let mut touched = None;
+///     for number in 1..=1000 {
+///         step_along(model, state, &path, number)?;
+///         if touched.is_none() && state.scalars.force.contact > 0.0 {
+///             touched = Some(number);
+///         }
+///     }
+///     Ok::<_, StepError>(touched)
+/// })??;
+/// // Two of the three millimetres from the gap are in the air.
+/// assert!(touched.is_some_and(|number| (600..700).contains(&number)));
+/// assert_eq!(watched.scalars(), at_once.scalars());
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DrivenPath {
     input: StepInput,

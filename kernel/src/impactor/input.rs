@@ -7,6 +7,22 @@ use crate::scenario::Motion;
 
 /// What acts on the impactor from outside during a call, of one step or of many. The default leaves things as they are: no
 /// force, and a driven face stays where it is.
+///
+/// ```
+/// use softanvil_kernel::scenario::Motion;
+/// use softanvil_kernel::{Simulation, StepInput, preset};
+///
+/// let mut scenario = preset::study();
+/// scenario.impactor.motion = Motion::Driven;
+/// let mut anvil = Simulation::new(&scenario)?;
+/// // Within 5 ms to 3 mm below the top of the anvil, and there at rest.
+/// let input = StepInput { driven_position: Some(-3e-3), driven_velocity: Some(0.0), ..StepInput::default() };
+/// anvil.run(5e-3, &input)?;
+/// let impactor = &anvil.scalars().impactor;
+/// assert_eq!([impactor.position, impactor.velocity], [-3e-3, 0.0]);
+/// assert!(anvil.output("contact.force") > Some(100.0));
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct StepInput {
     /// Upward force on a falling impactor besides gravity and contact, N; held over the steps of the call.

@@ -10,6 +10,19 @@ use crate::sampling::SAMPLING_RATE;
 use crate::scenario::{MAX_LAYERS, Scenario};
 
 /// The scalar constants of a model.
+///
+/// ```
+/// use softanvil_kernel::{Simulation, preset};
+///
+/// let anvil = Simulation::new(&preset::study())?;
+/// let constants = anvil.constants();
+/// // A millisecond has twenty sampling intervals of 50 us, each a whole number of steps.
+/// let steps = constants.steps_in(1e-3);
+/// assert_eq!(steps, 20 * u64::from(constants.steps_per_sample));
+/// assert_eq!(constants.time(steps), 1e-3);
+/// assert!((steps as f64 * constants.dt - 1e-3).abs() < 1e-15);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Constants {
     /// The scenario that the model was built from.

@@ -6,6 +6,29 @@ use crate::model::{Constants, Size};
 use crate::number::real::Real;
 
 /// Memory lent to a model while it is built.
+///
+/// ```
+/// use softanvil_kernel::element::{CellConstants, HoopConstants};
+/// use softanvil_kernel::scenario::StepBy;
+/// use softanvil_kernel::{Model, ModelMemory, Scalars, StateMemory, preset};
+///
+/// // A size for every scenario to come, as on a microcontroller; it holds one model after the other.
+/// let (mut constants, mut nodes) = (None, [0.0; 2000]);
+/// let (mut cells, mut hoops) = ([CellConstants::ZERO; 40], [HoopConstants::ZERO; 40]);
+/// let mut elements = [0; 2];
+/// for (number, element_size) in [5e-3, 4e-3].into_iter().enumerate() {
+///     let mut scenario = preset::study();
+///     scenario.mesh.element_size = element_size;
+///     // A given step needs no trial, so there is no memory of a state for it.
+///     (scenario.time.step_by, scenario.time.step) = (StepBy::Given, 1e-6);
+///     let scalars = &mut { Scalars::BLANK };
+///     let of_state = &mut StateMemory { scalars, nodes: &mut [], cells: &mut [], viscous: &mut [] };
+///     let memory = ModelMemory { constants: &mut constants, nodes: &mut nodes, cells: &mut cells, hoops: &mut hoops };
+///     elements[number] = Model::new(&scenario, memory, of_state)?.constants.grid.n_elem();
+/// }
+/// assert!(0 < elements[0] && elements[0] < elements[1]);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 pub struct ModelMemory<'a> {
     /// Place for the scalar constants.
     pub constants: &'a mut Option<Constants>,

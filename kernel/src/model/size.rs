@@ -12,6 +12,22 @@ pub(crate) const STATE_NODE_FIELDS: usize = 6;
 pub(crate) const SURFACE_FIELDS: usize = 2;
 
 /// Items of each kind that a model and its states need.
+///
+/// ```
+/// use softanvil_kernel::{Size, preset};
+///
+/// let size = Size::of(&preset::study())?;
+/// // The history of two triangles a cell for every Prony term, and no hoops in plane strain.
+/// let terms = preset::study().silicone.n_viscous_term();
+/// assert_eq!((size.state_viscous, size.model_hoops), (2 * terms * size.state_cells, 0));
+///
+/// // Half the edge length makes about four times the cells.
+/// let mut finer = preset::study();
+/// finer.mesh.element_size *= 0.5;
+/// let ratio = Size::of(&finer)?.state_cells as f64 / size.state_cells as f64;
+/// assert!(ratio > 3.0 && ratio < 5.0);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Size {
     /// Numbers for the nodes of a model.

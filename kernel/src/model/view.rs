@@ -38,6 +38,32 @@ impl<'a> ModelNodes<'a> {
 }
 
 /// The immutable part of a simulation. One model may serve any number of states at once.
+///
+/// ```
+/// use softanvil_kernel::element::{CellConstants, CellHistory, HoopConstants};
+/// use softanvil_kernel::lanes::Deviator;
+/// use softanvil_kernel::{Model, ModelMemory, Scalars, Size, State, StateMemory, StepInput, preset, steps};
+///
+/// let scenario = preset::study();
+/// let size = Size::of(&scenario)?;
+/// let (mut constants, mut nodes) = (None, vec![0.0; size.model_nodes]);
+/// let mut cells = vec![CellConstants::ZERO; size.model_cells];
+/// let mut hoops = vec![HoopConstants::ZERO; size.model_hoops];
+/// let of_model = ModelMemory { constants: &mut constants, nodes: &mut nodes, cells: &mut cells, hoops: &mut hoops };
+/// let (mut scalars, mut nodes) = (Scalars::BLANK, vec![0.0; size.state_nodes]);
+/// let mut cells = vec![CellHistory::REST; size.state_cells];
+/// let mut viscous = vec![Deviator::ZERO; size.state_viscous];
+/// let mut of_state = StateMemory { scalars: &mut scalars, nodes: &mut nodes, cells: &mut cells, viscous: &mut viscous };
+///
+/// let model = Model::new(&scenario, of_model, &mut of_state)?;
+/// let mut state = State::new(&model, of_state)?;
+/// let count = model.constants.steps_in(scenario.time.duration);
+/// steps(&model, &mut state, count, &StepInput::default())?;
+/// assert_eq!(state.time(&model), scenario.time.duration);
+/// let peak = state.scalars.metrics.peak_force;
+/// assert!(peak > 5000.0 && peak < 6000.0, "{peak} N");
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 pub struct Model<'a> {
     /// Scalar constants.
     pub constants: &'a Constants,

@@ -8,6 +8,23 @@ use crate::number::vector::{Scalar, Work};
 use crate::number::x86;
 
 /// Vector instructions.
+///
+/// ```
+/// use softanvil_kernel::{InstructionSet, Simulation, StepInput, preset, step_with};
+///
+/// let mut anvil = Simulation::new(&preset::study())?;
+/// anvil.run(4e-3, &StepInput::default())?;
+/// let next = |set| {
+///     let mut anvil = anvil.clone();
+///     anvil.with(|model, state| step_with(set, model, state, &StepInput::default()))??;
+///     Ok::<_, Box<dyn core::error::Error>>(*anvil.scalars())
+/// };
+/// assert!(InstructionSet::best().available());
+/// for set in InstructionSet::ALL.into_iter().filter(|set| set.available()) {
+///     assert_eq!(next(set)?, next(InstructionSet::Baseline)?);
+/// }
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum InstructionSet {
     /// SSE2, vectors of two numbers, which every x86-64 has; scalar code elsewhere.

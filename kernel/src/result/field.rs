@@ -36,6 +36,23 @@ pub enum Source {
 }
 
 /// One row of the table.
+///
+/// ```
+/// use softanvil_kernel::{Field, Simulation, StepInput, preset};
+///
+/// let mut anvil = Simulation::new(&preset::study())?;
+/// anvil.run(4e-3, &StepInput::default())?;
+/// let pressure = Field::find("surface.contact_pressure").unwrap();
+/// let along_surface: Vec<f64> = anvil.with(|model, state| {
+///     let [_, columns] = pressure.shape(model);
+///     let state = state.as_view();
+///     (0..columns).filter_map(|column| pressure.value(model, &state, 0, column, 0)).collect()
+/// })?;
+/// // The face presses the top of the round anvil, and not its side.
+/// assert!(along_surface[0] > 0.0);
+/// assert_eq!(along_surface.last(), Some(&0.0));
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 pub struct Field {
     /// Name, such as "node.displacement".
     pub name: &'static str,

@@ -7,6 +7,21 @@ use crate::number::real::Real;
 use crate::state::Scalars;
 
 /// One row of the table.
+///
+/// ```
+/// use softanvil_kernel::{OUTPUTS, Output, Simulation, StepInput, preset};
+///
+/// let mut anvil = Simulation::new(&preset::study())?;
+/// anvil.run(15e-3, &StepInput::default())?;
+/// let peak = Output::find("result.peak_force").unwrap();
+/// assert_eq!(Some((peak.read)(anvil.constants(), anvil.scalars())), anvil.output("result.peak_force"));
+///
+/// // A line of a table, and the line above it.
+/// let names: Vec<String> = OUTPUTS.iter().map(|output| format!("{} [{}]", output.name, output.unit)).collect();
+/// let row: Vec<f64> = OUTPUTS.iter().map(|output| (output.read)(anvil.constants(), anvil.scalars())).collect();
+/// assert!(names.contains(&"result.peak_force [N]".into()) && row.iter().all(|value| value.is_finite()));
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 pub struct Output {
     /// Structured name, `group.field`.
     pub name: &'static str,

@@ -8,6 +8,21 @@ use crate::number::math;
 use crate::number::real::Real;
 
 /// Everything that defines a simulation, in SI units.
+///
+/// ```
+/// use softanvil_kernel::preset;
+///
+/// let mut scenario = preset::study();
+/// scenario.geometry.silicone_thickness = 20e-3;
+/// scenario.impactor.mass = 4.0;
+/// scenario.impactor = scenario.impactor.with_energy(8.0);
+/// scenario.validate()?;
+/// assert_eq!(scenario.impactor.start_speed(), 2.0);
+/// scenario.impactor.face_diameter = 10e-3;
+/// let refused = scenario.validate().unwrap_err().to_string();
+/// assert!(refused.starts_with("impactor.face_diameter = 0.01 m is refused: over this anvil legal is at least "));
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scenario {
     /// Shape and size of the anvil.

@@ -12,6 +12,20 @@ use crate::state::{Scalars, StateNodes, corners};
 use crate::tensor::deviator::Deviator;
 
 /// The changing part of a simulation.
+///
+/// ```
+/// use softanvil_kernel::{Simulation, StepInput, preset};
+///
+/// let mut anvil = Simulation::new(&preset::study())?;
+/// anvil.run(4e-3, &StepInput::default())?;
+/// anvil.with(|model, state| {
+///     // The first node of the last row: the top of the anvil on its centre line, which touches the face.
+///     let top = model.constants.grid.n_v * model.constants.grid.stride();
+///     let [_, along_y] = state.displacement();
+///     assert!((along_y[top] - state.scalars.impactor.position).abs() < 1e-12);
+/// })?;
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 pub struct State<'a> {
     /// The numbers that are not arrays.
     pub scalars: &'a mut Scalars,

@@ -7,6 +7,19 @@ use crate::number::real::Real;
 use crate::state::{EnergyBalance, Forces, Metrics, Sampler};
 
 /// The numbers of a state that are not arrays.
+///
+/// ```
+/// use softanvil_kernel::{Simulation, StepInput, preset};
+///
+/// let mut anvil = Simulation::new(&preset::study())?;
+/// anvil.run(15e-3, &StepInput::default())?;
+/// let scalars = anvil.scalars();
+/// assert!(scalars.contact_has_ended());
+/// assert!(scalars.impactor.velocity > 0.0 && scalars.metrics.restitution() < 1.0);
+/// // The books close: what came in is where the ledger says.
+/// assert!(scalars.energy.residual().abs() < 1e-3 * scalars.energy.external);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scalars {
     /// Steps completed.

@@ -8,6 +8,21 @@ use crate::state::{Scalars, State};
 use crate::tensor::deviator::Deviator;
 
 /// A state to read from.
+///
+/// ```
+/// use softanvil_kernel::{Simulation, StepInput, preset};
+///
+/// let mut anvil = Simulation::new(&preset::study())?;
+/// anvil.run(4e-3, &StepInput::default())?;
+/// // The force on the impactor is that of the surface nodes, of the meshed half and of the other.
+/// let force = anvil.with(|model, state| {
+///     let [pressing, _] = state.as_view().contact_force();
+///     model.constants.section_factor * pressing.iter().sum::<f64>()
+/// })?;
+/// assert!(force > 100.0);
+/// assert!((force / anvil.scalars().force.contact - 1.0).abs() < 1e-12);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 #[derive(Clone, Copy)]
 pub struct StateView<'a> {
     /// The numbers that are not arrays.
@@ -19,6 +34,31 @@ pub struct StateView<'a> {
 }
 
 /// Memory of a state as [`crate::StateMemory`] lends it, to read from.
+///
+/// ```
+/// use softanvil_kernel::element::CellHistory;
+/// use softanvil_kernel::lanes::Deviator;
+/// use softanvil_kernel::{Field, Scalars, Simulation, State, StateContent, StateMemory, StateView, preset};
+///
+/// let mut anvil = Simulation::new(&preset::study())?;
+/// let gap = anvil.constants().scenario.impactor.gap;
+/// anvil.with(|model, _| {
+///     let size = &model.constants.size;
+///     let (mut scalars, mut nodes) = (Scalars::BLANK, vec![0.0; size.state_nodes]);
+///     let mut cells = vec![CellHistory::REST; size.state_cells];
+///     let mut viscous = vec![Deviator::ZERO; size.state_viscous];
+///     let memory = StateMemory { scalars: &mut scalars, nodes: &mut nodes, cells: &mut cells, viscous: &mut viscous };
+///     State::new(model, memory)?;
+///     // Whoever lent the memory has it back and reads the state in it.
+///     let content = StateContent { nodes: &nodes, cells: &cells, viscous: &viscous };
+///     let view = StateView::new(model, &scalars, content)?;
+///     assert_eq!(view.scalars.impactor.position, gap);
+///     let velocity = Field::find("node.velocity").unwrap();
+///     assert_eq!(velocity.value(model, &view, 0, 0, 1), Some(0.0));
+///     Ok::<_, softanvil_kernel::MemoryError>(())
+/// })??;
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 #[derive(Clone, Copy)]
 pub struct StateContent<'a> {
     /// At least [`crate::Size::state_nodes`] numbers.

@@ -10,6 +10,22 @@ use crate::number::real::Real;
 use crate::scenario::{Layers, Scenario};
 
 /// Values given over those of a base.
+///
+/// ```
+/// use softanvil_kernel::scenario::DropBy;
+/// use softanvil_kernel::{Changes, Parameter, preset};
+///
+/// let study = preset::study();
+/// let mut changes = Changes::of(&study);
+/// changes.set(Parameter::find("impactor.drop_height").unwrap(), 0.2)?;
+/// // The height is given, so it decides, and not the energy of the preset.
+/// let scenario = changes.apply()?;
+/// assert_eq!((study.impactor.drop_by, scenario.impactor.drop_by), (DropBy::Energy, DropBy::Height));
+/// // A second number for the same drop contradicts it.
+/// changes.set(Parameter::find("impactor.drop_speed").unwrap(), 2.0)?;
+/// assert!(changes.apply().is_err());
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Changes {
     scenario: Scenario,

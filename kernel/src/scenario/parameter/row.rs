@@ -5,6 +5,23 @@ use crate::number::real::Real;
 use crate::scenario::Scenario;
 
 /// One row of the table.
+///
+/// ```
+/// use softanvil_kernel::parameter::Kind;
+/// use softanvil_kernel::{Parameter, preset};
+///
+/// let mut scenario = preset::study();
+/// let mass = Parameter::find("impactor.mass").unwrap();
+/// assert_eq!((mass.get(&scenario), mass.unit(), mass.range()), (5.0, "kg", (1e-3, 1e4)));
+/// mass.set(&mut scenario, 6.0)?;
+/// assert_eq!(scenario.impactor.mass, 6.0);
+///
+/// // A choice goes by the number of its label.
+/// let motion = Parameter::find("impactor.motion").unwrap();
+/// let Kind::Choice { labels, .. } = motion.kind else { panic!("no choice") };
+/// assert_eq!(labels[motion.get(&scenario) as usize], "drop");
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 #[derive(Clone, Copy)]
 pub struct Parameter {
     /// Structured name, `group.field`.

@@ -17,6 +17,20 @@ pub enum Direction {
 }
 
 /// What the file leaves open.
+///
+/// ```
+/// use softanvil_identify::data::curve::{self, Direction, Options};
+/// use softanvil_identify::data::specimen::Specimen;
+///
+/// // Travel and force of a test machine need the size of the specimen, and their signs a direction.
+/// let specimen = Specimen { height: Some(10e-3), area: Some(1e-4) };
+/// let options = Options { specimen, direction: Some(Direction::Compression), ..Options::default() };
+/// let file = b"displacement [mm],force [N]\n1,2\n2,4\n3,6\n";
+/// let curve = curve::read("press.csv", file, &options)?;
+/// let third = curve.repeats[0].points[2];
+/// assert!((third.stretch - 0.7).abs() < 1e-12 && (third.stress + 60e3).abs() < 1e-6);
+/// # Ok::<(), softanvil_identify::data::ReadError>(())
+/// ```
 #[derive(Clone, Debug, Default)]
 pub struct Options {
     /// Titles instead of the file's.
@@ -56,6 +70,18 @@ pub struct Repeat {
 }
 
 /// What a file holds.
+///
+/// ```
+/// use softanvil_identify::data::curve::{self, Options};
+///
+/// let file = b"strain [%];stress [kPa]\n10;20\n20;40\n30;60\n";
+/// let curve = curve::read("tension.csv", file, &Options::default())?;
+/// assert_eq!((curve.repeats.len(), curve.repeats[0].points.len()), (1, 3));
+/// let first = curve.repeats[0].points[0];
+/// assert!((first.line, first.stress) == (2, 20e3) && (first.stretch - 1.1).abs() < 1e-12);
+/// assert!(curve.notes.iter().any(|note| note.contains("engineering strain")));
+/// # Ok::<(), softanvil_identify::data::ReadError>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Curve {
     /// The specimens.

@@ -18,6 +18,14 @@ pub mod thinned;
 pub mod unit;
 
 /// Why a file is refused.
+///
+/// ```
+/// use softanvil_identify::data::curve;
+///
+/// let file = b"strain,stress\n0.1,0.2\n0.2,0.3\n0.3,0.4\n";
+/// let refused = curve::read("tension.csv", file, &curve::Options::default()).unwrap_err();
+/// assert!(refused.to_string().contains("has no unit"));
+/// ```
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum ReadError {
     /// One line is wrong.

@@ -45,6 +45,17 @@ pub enum Load {
 }
 
 /// A relaxation test.
+///
+/// ```
+/// use softanvil_identify::relaxation::read::{self, Load, Options};
+///
+/// let file = b"time [s],stress [kPa]\n0,100\n1,80\n10,60\n100,55\n1000,55\n";
+/// let options = Options { start: Some(0.0), ramp_time: Some(0.0), ..Options::default() };
+/// let test = read::read(file, &options, None)?;
+/// assert_eq!(test.load, Load::Stress);
+/// assert_eq!((test.relaxation.times.last(), test.relaxation.loads.last()), (Some(&1000.0), Some(&55e3)));
+/// # Ok::<(), softanvil_identify::data::ReadError>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Test {
     /// Load over time; positive.
