@@ -1,6 +1,6 @@
 //! Too little memory.
 
-use core::fmt;
+use thiserror::Error;
 
 /// The memory given is smaller than [`crate::model::Size`] says.
 ///
@@ -15,7 +15,8 @@ use core::fmt;
 /// assert_eq!(refused, Some(MemoryError { what: "state nodes", given: 100, needed }));
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
+#[error("memory for {what} holds {given} items: expected at least {needed}")]
 pub struct MemoryError {
     /// What the memory is for.
     pub what: &'static str,
@@ -24,12 +25,3 @@ pub struct MemoryError {
     /// Items needed.
     pub needed: usize,
 }
-
-impl fmt::Display for MemoryError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { what, given, needed } = self;
-        write!(f, "memory for {what} holds {given} items: legal is at least {needed}")
-    }
-}
-
-impl core::error::Error for MemoryError {}

@@ -1,6 +1,6 @@
 //! Models that cannot be built.
 
-use core::fmt;
+use thiserror::Error;
 
 use super::memory::MemoryError;
 use super::scenario::ScenarioError;
@@ -20,11 +20,13 @@ use crate::number::real::Real;
 /// scenario.time.step = 0.5 * limit;
 /// assert!(Simulation::new(&scenario).is_ok());
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Error, PartialEq)]
 pub enum ModelError {
     /// The scenario is refused.
-    Scenario(ScenarioError),
+    #[error(transparent)]
+    Scenario(#[from] ScenarioError),
     /// The mesh would have too many cells.
+    #[error("mesh.element_size asks for {} cells: expected 1 to {max} (choose a larger size, in m)", Decimal(*cells))]
     TooManyCells {
         /// Cells that the element size asks for.
         cells: Real,
@@ -32,6 +34,7 @@ pub enum ModelError {
         max: usize,
     },
     /// The stable step is below the smallest divisor of the sampling interval that is offered.
+    #[error("the stable time step is {} s: expected at least {} s (softer or coarser)", Decimal(*step), Decimal(*smallest))]
     StepTooSmall {
         /// Stable step, s.
         step: Real,
@@ -39,6 +42,7 @@ pub enum ModelError {
         smallest: Real,
     },
     /// The given step is above the stability limit at rest.
+    #[error("time.step = {} s is refused: expected above 0 s and up to {} s at rest", Decimal(*step), Decimal(*limit))]
     StepTooLarge {
         /// Given step, s.
         step: Real,
@@ -46,50 +50,12 @@ pub enum ModelError {
         limit: Real,
     },
     /// A triangle without area, or with its corners in the wrong order.
+    #[error("element {element} has no area: expected corners in counter-clockwise order")]
     NoArea {
         /// Index of the triangle.
         element: u32,
     },
     /// There is too little memory.
-    Memory(MemoryError),
+    #[error(transparent)]
+    Memory(#[from] MemoryError),
 }
-
-impl From<ScenarioError> for ModelError {
-    fn from(error: ScenarioError) -> Self {
-        Self::Scenario(error)
-    }
-}
-
-impl From<MemoryError> for ModelError {
-    fn from(error: MemoryError) -> Self {
-        Self::Memory(error)
-    }
-}
-
-impl fmt::Display for ModelError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Scenario(error) => error.fmt(f),
-            Self::TooManyCells { cells, max } => write!(
-                f,
-                "mesh.element_size asks for {} cells: legal is 1 to {} (choose a larger size, in m)",
-                Decimal(*cells),
-                max
-            ),
-            Self::StepTooSmall { step, smallest } => {
-                let (step, smallest) = (Decimal(*step), Decimal(*smallest));
-                write!(f, "the stable time step is {step} s: legal is at least {smallest} s (softer or coarser)")
-            }
-            Self::StepTooLarge { step, limit } => {
-                let (step, limit) = (Decimal(*step), Decimal(*limit));
-                write!(f, "time.step = {step} s is refused: legal is above 0 s and up to {limit} s at rest")
-            }
-            Self::NoArea { element } => {
-                write!(f, "element {element} has no area: legal are corners in counter-clockwise order")
-            }
-            Self::Memory(error) => error.fmt(f),
-        }
-    }
-}
-
-impl core::error::Error for ModelError {}

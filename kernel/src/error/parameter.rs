@@ -2,6 +2,8 @@
 
 use core::fmt;
 
+use thiserror::Error;
+
 use crate::number::decimal::Decimal;
 use crate::number::real::Real;
 
@@ -15,7 +17,8 @@ use crate::number::real::Real;
 /// assert_eq!(refused.to_string(), "impactor.mass = -1 kg is refused: legal is 0.001 to 10000 kg");
 /// assert_eq!(scenario, preset::study());
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Error, PartialEq)]
+#[error("{name} = {} is refused: expected {} to {}", Quantity(*value, unit), Decimal(*min), Quantity(*max, unit))]
 pub struct ParameterError {
     /// Name of the parameter.
     pub name: &'static str,
@@ -41,16 +44,6 @@ impl fmt::Display for Quantity {
     }
 }
 
-impl fmt::Display for ParameterError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let legal = Quantity(self.max, self.unit);
-        let (value, min) = (Quantity(self.value, self.unit), Decimal(self.min));
-        write!(f, "{} = {value} is refused: legal is {min} to {legal}", self.name)
-    }
-}
-
-impl core::error::Error for ParameterError {}
-
 /// A value that has no effect in its scenario.
 ///
 /// ```
@@ -63,7 +56,8 @@ impl core::error::Error for ParameterError {}
 /// assert_eq!(no_effect.to_string(), "skin.density = 900 kg/m3 has no effect: geometry.layers is one");
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Error, PartialEq)]
+#[error("{name} = {} has no effect: {by} is {}", Quantity(*value, unit), if says.is_empty() { "0" } else { says })]
 pub struct NoEffect {
     /// Name of the parameter.
     pub name: &'static str,
@@ -76,12 +70,3 @@ pub struct NoEffect {
     /// What that says: the label of its choice, or nothing where it is 0.
     pub says: &'static str,
 }
-
-impl fmt::Display for NoEffect {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (value, says) = (Quantity(self.value, self.unit), if self.says.is_empty() { "0" } else { self.says });
-        write!(f, "{} = {value} has no effect: {} is {says}", self.name, self.by)
-    }
-}
-
-impl core::error::Error for NoEffect {}

@@ -1,6 +1,6 @@
 //! Snapshots that are refused.
 
-use core::fmt;
+use thiserror::Error;
 
 use super::memory::MemoryError;
 
@@ -18,9 +18,10 @@ use super::memory::MemoryError;
 /// assert_eq!(other.restore(&saved[1..]), Err(SnapshotError::Length { given, needed }));
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
 pub enum SnapshotError {
     /// The buffer is not as long as the snapshot of this model.
+    #[error("the snapshot buffer has {given} bytes: expected exactly {needed}")]
     Length {
         /// Bytes given.
         given: usize,
@@ -28,36 +29,18 @@ pub enum SnapshotError {
         needed: usize,
     },
     /// The bytes are not a snapshot of this format version.
+    #[error("the bytes are not a snapshot of this version")]
     Format,
     /// The snapshot belongs to a different model.
+    #[error("the snapshot belongs to a different model")]
     Foreign,
     /// The checksum does not match.
+    #[error("the snapshot's checksum does not match its content")]
     Corrupt,
     /// The state has failed; there is nothing worth saving.
+    #[error("the state has failed and cannot be saved: reset or restore it first")]
     Failed,
     /// There is too little memory.
-    Memory(MemoryError),
+    #[error(transparent)]
+    Memory(#[from] MemoryError),
 }
-
-impl From<MemoryError> for SnapshotError {
-    fn from(error: MemoryError) -> Self {
-        Self::Memory(error)
-    }
-}
-
-impl fmt::Display for SnapshotError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Length { given, needed } => {
-                write!(f, "the snapshot buffer has {given} bytes: legal is exactly {needed}")
-            }
-            Self::Format => f.write_str("the bytes are not a snapshot of this version"),
-            Self::Foreign => f.write_str("the snapshot belongs to a different model"),
-            Self::Corrupt => f.write_str("the snapshot's checksum does not match its content"),
-            Self::Failed => f.write_str("the state has failed and cannot be saved: reset or restore it first"),
-            Self::Memory(error) => error.fmt(f),
-        }
-    }
-}
-
-impl core::error::Error for SnapshotError {}

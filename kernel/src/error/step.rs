@@ -1,6 +1,6 @@
 //! Steps that cannot be completed.
 
-use core::fmt;
+use thiserror::Error;
 
 use super::memory::MemoryError;
 use super::parameter::ParameterError;
@@ -34,9 +34,10 @@ use crate::sampling::SAMPLING_INTERVAL;
 /// anvil.step(1, &StepInput::default())?;
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Error, PartialEq)]
 pub enum StepError {
     /// A triangle turned inside out, or its shape is not finite.
+    #[error("element {element} is inverted or not finite at {} s", Decimal(*time))]
     Inverted {
         /// Index of the triangle.
         element: u32,
@@ -44,6 +45,14 @@ pub enum StepError {
         time: Real,
     },
     /// The step exceeds the current stability limit of a triangle.
+    #[error(
+        "the time step of {} s is above the stability limit {} s of element {element} at {} s: {} s would do there \
+         (time.step_by = given with time.step, or for a driven face a larger time.design_compression)",
+        Decimal(*step),
+        Decimal(*limit),
+        Decimal(*time),
+        Decimal(enough(*limit))
+    )]
     Unstable {
         /// Index of the triangle.
         element: u32,
@@ -55,6 +64,7 @@ pub enum StepError {
         step: Real,
     },
     /// An input is not legal. No step is made, and the state is as before.
+    #[error("{error} (input at {} s)", Decimal(*time))]
     Input {
         /// The input, its refused value and what is legal.
         error: ParameterError,
@@ -62,40 +72,11 @@ pub enum StepError {
         time: Real,
     },
     /// There is too little memory for the state. No step is made.
-    Memory(MemoryError),
-}
-
-impl From<MemoryError> for StepError {
-    fn from(error: MemoryError) -> Self {
-        Self::Memory(error)
-    }
-}
-
-impl fmt::Display for StepError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Inverted { element, time } => {
-                write!(f, "element {element} is inverted or not finite at {} s", Decimal(*time))
-            }
-            Self::Unstable { element, time, limit, step } => {
-                let enough = Decimal(enough(*limit));
-                let [time, limit, step] = [*time, *limit, *step].map(Decimal);
-                write!(
-                    f,
-                    "the time step of {step} s is above the stability limit {limit} s of element {element} at {time} s: \
-                     {enough} s would do there (time.step_by = given with time.step, or for a driven face a larger \
-                     time.design_compression)"
-                )
-            }
-            Self::Input { error, time } => write!(f, "{error} (input at {} s)", Decimal(*time)),
-            Self::Memory(error) => error.fmt(f),
-        }
-    }
+    #[error(transparent)]
+    Memory(#[from] MemoryError),
 }
 
 /// The largest step that is a whole divisor of the sampling interval and at least a tenth below `limit`, s.
 fn enough(limit: Real) -> Real {
     SAMPLING_INTERVAL / math::ceil(SAMPLING_INTERVAL / (0.9 * limit))
 }
-
-impl core::error::Error for StepError {}

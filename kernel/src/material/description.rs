@@ -1,10 +1,13 @@
 //! What a user says of a material.
 
+use strum::{FromRepr, VariantNames};
+
 use crate::material::relaxation::MAX_BRANCHES;
 use crate::number::real::Real;
 
 /// The volumetric law.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, FromRepr, PartialEq, Eq, VariantNames)]
+#[strum(serialize_all = "snake_case")]
 pub enum VolumetricLaw {
     /// K/2 (J - 1)^2.
     Quadratic,
@@ -13,7 +16,8 @@ pub enum VolumetricLaw {
 }
 
 /// Which of the two numbers states the compressibility.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, FromRepr, PartialEq, Eq, VariantNames)]
+#[strum(serialize_all = "snake_case")]
 pub enum VolumetricBy {
     /// [`Material::bulk_modulus`].
     BulkModulus,
@@ -23,7 +27,8 @@ pub enum VolumetricBy {
 }
 
 /// The isochoric hyperelastic law.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, FromRepr, PartialEq, Eq, VariantNames)]
+#[strum(serialize_all = "snake_case")]
 pub enum ElasticLaw {
     /// C10.
     NeoHookean,
@@ -36,7 +41,8 @@ pub enum ElasticLaw {
 }
 
 /// Which moduli the coefficients of the elastic law are.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, FromRepr, PartialEq, Eq, VariantNames)]
+#[strum(serialize_all = "snake_case")]
 pub enum Moduli {
     /// The law after full relaxation.
     LongTerm,

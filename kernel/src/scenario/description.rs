@@ -3,6 +3,8 @@
 //! A [`Scenario`] is plain data. Every field is a row of [`crate::scenario::parameter::PARAMETERS`], which holds its name,
 //! unit, legal range and meaning; [`Scenario::validate`] checks the rows and what several fields say together.
 
+use strum::{FromRepr, VariantNames};
+
 use crate::material::Material;
 use crate::number::math;
 use crate::number::real::Real;
@@ -46,7 +48,8 @@ pub struct Scenario {
 }
 
 /// Shape of the section.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, FromRepr, PartialEq, Eq, VariantNames)]
+#[strum(serialize_all = "snake_case")]
 pub enum Shape {
     /// A layer on a round core: half a cylinder in plane strain, half a sphere when axisymmetric.
     Round,
@@ -55,7 +58,8 @@ pub enum Shape {
 }
 
 /// Kinematics of the section.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, FromRepr, PartialEq, Eq, VariantNames)]
+#[strum(serialize_all = "snake_case")]
 pub enum Formulation {
     /// No strain out of the section, whose thickness is the chord of the face (limited to the length).
     PlaneStrain,
@@ -64,7 +68,8 @@ pub enum Formulation {
 }
 
 /// Layers of different material.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, FromRepr, PartialEq, Eq, VariantNames)]
+#[strum(serialize_all = "snake_case")]
 pub enum Layers {
     /// The silicone's material through the whole thickness: the study's simplification.
     One,
@@ -85,7 +90,8 @@ pub struct Layer<'a> {
 }
 
 /// How much of the section is meshed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, FromRepr, PartialEq, Eq, VariantNames)]
+#[strum(serialize_all = "snake_case")]
 pub enum Section {
     /// The right half, with a centre line that moves only vertically.
     Half,
@@ -127,7 +133,8 @@ impl Geometry {
 }
 
 /// How the impactor moves.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, FromRepr, PartialEq, Eq, VariantNames)]
+#[strum(serialize_all = "snake_case")]
 pub enum Motion {
     /// A free mass that falls.
     Drop,
@@ -138,7 +145,8 @@ pub enum Motion {
 }
 
 /// Which of the three numbers states the drop.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, FromRepr, PartialEq, Eq, VariantNames)]
+#[strum(serialize_all = "snake_case")]
 pub enum DropBy {
     /// [`Impactor::drop_height`].
     Height,
@@ -196,7 +204,8 @@ impl Impactor {
 }
 
 /// How the layer sits on the core.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, FromRepr, PartialEq, Eq, VariantNames)]
+#[strum(serialize_all = "snake_case")]
 pub enum Interface {
     /// Glued: no relative motion.
     Bonded,
@@ -230,7 +239,8 @@ pub struct Mesh {
 }
 
 /// Which of the two numbers states the time step.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, FromRepr, PartialEq, Eq, VariantNames)]
+#[strum(serialize_all = "snake_case")]
 pub enum StepBy {
     /// [`Time::safety_factor`] times the stability limit of the stiffest expected state.
     SafetyFactor,

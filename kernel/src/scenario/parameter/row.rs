@@ -43,8 +43,10 @@ pub enum Kind {
         min: Real,
         /// Largest legal value.
         max: Real,
-        /// The field in a scenario.
-        field: fn(&mut Scenario) -> &mut Real,
+        /// The scenario's value.
+        read: fn(&Scenario) -> Real,
+        /// Sets it.
+        write: fn(&mut Scenario, Real),
     },
     /// One of several named choices, numbered from 0 in this order.
     Choice {
@@ -77,7 +79,7 @@ impl Parameter {
     /// The value in `scenario`; a choice as its index.
     pub fn get(&self, scenario: &Scenario) -> Real {
         match self.kind {
-            Kind::Real { field, .. } => *field(&mut { *scenario }),
+            Kind::Real { read, .. } => read(scenario),
             Kind::Choice { read, .. } => read(scenario) as Real,
         }
     }
@@ -89,7 +91,7 @@ impl Parameter {
     pub fn set(&self, scenario: &mut Scenario, value: Real) -> Result<(), ParameterError> {
         self.check(value)?;
         match self.kind {
-            Kind::Real { field, .. } => *field(scenario) = value,
+            Kind::Real { write, .. } => write(scenario, value),
             Kind::Choice { write, .. } => write(scenario, value as usize),
         }
         Ok(())
@@ -113,22 +115,47 @@ impl Parameter {
     }
 }
 
-pub(crate) const fn real(
-    name: &'static str,
-    unit: &'static str,
-    range: (Real, Real),
-    field: fn(&mut Scenario) -> &mut Real,
-    description: &'static str,
-) -> Parameter {
-    Parameter { name, kind: Kind::Real { unit, min: range.0, max: range.1, field }, description }
+/// The row of a quantity: its field in a scenario, which is its name as well, or an entry of one with its number in the name; its
+/// unit, legal range and meaning.
+macro_rules! real {
+    ($group:ident.$field:ident, $unit:literal, $range:expr, $text:expr) => {
+        real!([$group.$field] concat!(stringify!($group), ".", stringify!($field)), $unit, $range, $text)
+    };
+    ($group:ident.$field:ident[$i:literal] = $number:literal, $unit:literal, $range:expr, $text:expr) => {
+        real!([$group.$field[$i]] concat!(stringify!($group), ".", stringify!($field), "_", $number), $unit, $range, $text)
+    };
+    ([$($field:tt)+] $name:expr, $unit:literal, $range:expr, $text:expr) => {
+        Parameter {
+            name: $name,
+            kind: Kind::Real {
+                unit: $unit,
+                min: $range.0,
+                max: $range.1,
+                read: |scenario| scenario.$($field)+,
+                write: |scenario, value| scenario.$($field)+ = value,
+            },
+            description: $text,
+        }
+    };
 }
+pub(super) use real;
 
-pub(crate) const fn choice(
-    name: &'static str,
-    labels: &'static [&'static str],
-    read: fn(&Scenario) -> usize,
-    write: fn(&mut Scenario, usize),
-    description: &'static str,
-) -> Parameter {
-    Parameter { name, kind: Kind::Choice { labels, read, write }, description }
+/// The row of a choice: its field in a scenario, which is its name as well, the type of that, and its meaning.
+macro_rules! choice {
+    ($group:ident.$field:ident: $choice:ty, $text:expr) => {
+        Parameter {
+            name: concat!(stringify!($group), ".", stringify!($field)),
+            kind: Kind::Choice {
+                labels: <$choice as strum::VariantNames>::VARIANTS,
+                read: |scenario| scenario.$group.$field as usize,
+                write: |scenario, index| {
+                    if let Some(choice) = <$choice>::from_repr(index) {
+                        scenario.$group.$field = choice;
+                    }
+                },
+            },
+            description: $text,
+        }
+    };
 }
+pub(super) use choice;

@@ -1,7 +1,7 @@
 //! The rows of the table.
 
 use super::material::{SILICONE, SKIN};
-use super::row::{Parameter, choice, real};
+use super::row::{Kind, Parameter, choice, real};
 use crate::scenario::{DropBy, Formulation, Interface, Layers, Motion, Section, Shape, StepBy};
 
 /// Every parameter of a scenario, in the order in which users meet them.
@@ -36,216 +36,96 @@ const fn join<const N: usize>(groups: [&[Parameter]; 4]) -> [Parameter; N] {
 
 /// Geometry and impactor.
 const TEST: &[Parameter] = &[
-    choice(
-        "geometry.shape",
-        &["round", "block"],
-        |s| s.geometry.shape as usize,
-        |s, i| s.geometry.shape = if i == 0 { Shape::Round } else { Shape::Block },
-        "layer on a round core, or a flat block on a flat core",
+    choice!(geometry.shape: Shape, "layer on a round core, or a flat block on a flat core"),
+    choice!(geometry.formulation: Formulation, "kinematics of the section"),
+    choice!(
+        geometry.layers: Layers,
+        "one material through the whole thickness (the study's simplification), or a skin of its own on the silicone"
     ),
-    choice(
-        "geometry.formulation",
-        &["plane_strain", "axisymmetric"],
-        |s| s.geometry.formulation as usize,
-        |s, i| s.geometry.formulation = if i == 0 { Formulation::PlaneStrain } else { Formulation::Axisymmetric },
-        "kinematics of the section",
-    ),
-    choice(
-        "geometry.layers",
-        &["one", "two"],
-        |s| s.geometry.layers as usize,
-        |s, i| s.geometry.layers = if i == 0 { Layers::One } else { Layers::Two },
-        "one material through the whole thickness (the study's simplification), or a skin of its own on the silicone",
-    ),
-    choice(
-        "geometry.section",
-        &["half", "full"],
-        |s| s.geometry.section as usize,
-        |s, i| s.geometry.section = if i == 0 { Section::Half } else { Section::Full },
-        "half of the section with symmetry, or all of it",
-    ),
-    real(
-        "geometry.core_radius",
-        "m",
-        (1e-3, 1.0),
-        |s| &mut s.geometry.core_radius,
-        "radius of the rigid core (round shape)",
-    ),
-    real(
-        "geometry.silicone_thickness",
+    choice!(geometry.section: Section, "half of the section with symmetry, or all of it"),
+    real!(geometry.core_radius, "m", (1e-3, 1.0), "radius of the rigid core (round shape)"),
+    real!(
+        geometry.silicone_thickness,
         "m",
         (1e-4, 0.5),
-        |s| &mut s.geometry.silicone_thickness,
-        "thickness of the silicone; of the whole layer where there is one",
+        "thickness of the silicone; of the whole layer where there is one"
     ),
-    real(
-        "geometry.skin_thickness",
-        "m",
-        (0.0, 0.1),
-        |s| &mut s.geometry.skin_thickness,
-        "thickness of the skin on the silicone (two layers)",
-    ),
-    real(
-        "geometry.length",
+    real!(geometry.skin_thickness, "m", (0.0, 0.1), "thickness of the skin on the silicone (two layers)"),
+    real!(
+        geometry.length,
         "m",
         (1e-3, 10.0),
-        |s| &mut s.geometry.length,
-        "largest out-of-plane thickness in plane strain (effective length of the layer)",
+        "largest out-of-plane thickness in plane strain (effective length of the layer)"
     ),
-    real(
-        "geometry.block_width",
-        "m",
-        (1e-4, 10.0),
-        |s| &mut s.geometry.block_width,
-        "full width, or diameter if axisymmetric (block shape)",
+    real!(geometry.block_width, "m", (1e-4, 10.0), "full width, or diameter if axisymmetric (block shape)"),
+    choice!(
+        impactor.motion: Motion,
+        "a falling mass, a position given from outside with every call, or down at a speed to a depth and hold"
     ),
-    choice(
-        "impactor.motion",
-        &["drop", "driven", "prescribed"],
-        |s| s.impactor.motion as usize,
-        |s, i| {
-            s.impactor.motion = match i {
-                0 => Motion::Drop,
-                1 => Motion::Driven,
-                _ => Motion::Prescribed,
-            }
-        },
-        "a falling mass, a position given from outside with every call, or down at a speed to a depth and hold",
-    ),
-    real("impactor.mass", "kg", (1e-3, 1e4), |s| &mut s.impactor.mass, "mass of the impactor"),
-    real(
-        "impactor.face_diameter",
+    real!(impactor.mass, "kg", (1e-3, 1e4), "mass of the impactor"),
+    real!(
+        impactor.face_diameter,
         "m",
         (1e-3, 10.0),
-        |s| &mut s.impactor.face_diameter,
-        "diameter of the flat face; its chord is the thickness of a round section in plane strain",
+        "diameter of the flat face; its chord is the thickness of a round section in plane strain"
     ),
-    real(
-        "impactor.offset",
+    real!(
+        impactor.offset,
         "m",
         (-1.0, 1.0),
-        |s| &mut s.impactor.offset,
-        "distance of the face's centre from the centre line, to the right (full section)",
+        "distance of the face's centre from the centre line, to the right (full section)"
     ),
-    real("impactor.gap", "m", (0.0, 1.0), |s| &mut s.impactor.gap, "height of the face above the anvil at the start"),
-    real("impactor.gravity", "m/s2", (0.0, 100.0), |s| &mut s.impactor.gravity, "acceleration of gravity"),
-    choice(
-        "impactor.drop_by",
-        &["height", "energy", "speed"],
-        |s| s.impactor.drop_by as usize,
-        |s, i| {
-            s.impactor.drop_by = match i {
-                0 => DropBy::Height,
-                1 => DropBy::Energy,
-                _ => DropBy::Speed,
-            }
-        },
-        "which of the next three states the drop",
-    ),
-    real("impactor.drop_height", "m", (0.0, 100.0), |s| &mut s.impactor.drop_height, "free fall before the start"),
-    real("impactor.drop_energy", "J", (0.0, 1e5), |s| &mut s.impactor.drop_energy, "kinetic energy at the start"),
-    real("impactor.drop_speed", "m/s", (0.0, 100.0), |s| &mut s.impactor.drop_speed, "downward speed at the start"),
-    real(
-        "impactor.prescribed_speed",
-        "m/s",
-        (1e-6, 100.0),
-        |s| &mut s.impactor.prescribed_speed,
-        "downward speed of the prescribed motion",
-    ),
-    real(
-        "impactor.prescribed_depth",
+    real!(impactor.gap, "m", (0.0, 1.0), "height of the face above the anvil at the start"),
+    real!(impactor.gravity, "m/s2", (0.0, 100.0), "acceleration of gravity"),
+    choice!(impactor.drop_by: DropBy, "which of the next three states the drop"),
+    real!(impactor.drop_height, "m", (0.0, 100.0), "free fall before the start"),
+    real!(impactor.drop_energy, "J", (0.0, 1e5), "kinetic energy at the start"),
+    real!(impactor.drop_speed, "m/s", (0.0, 100.0), "downward speed at the start"),
+    real!(impactor.prescribed_speed, "m/s", (1e-6, 100.0), "downward speed of the prescribed motion"),
+    real!(
+        impactor.prescribed_depth,
         "m",
         (0.0, 1.0),
-        |s| &mut s.impactor.prescribed_depth,
-        "depth below the undeformed anvil at which the prescribed motion ends and holds",
+        "depth below the undeformed anvil at which the prescribed motion ends and holds"
     ),
-    real(
-        "impactor.prescribed_rise",
+    real!(
+        impactor.prescribed_rise,
         "s",
         (0.0, 100.0),
-        |s| &mut s.impactor.prescribed_rise,
-        "time over which the prescribed speed rises at the start and falls at the end, smoothly; at most travel / speed",
+        "time over which the prescribed speed rises at the start and falls at the end, smoothly; at most travel / speed"
     ),
 ];
 
 /// Interfaces, mesh, time and measurement.
 const NUMERICS: &[Parameter] = &[
-    choice(
-        "core.interface",
-        &["bonded", "frictional", "sliding"],
-        |s| s.core.interface as usize,
-        |s, i| {
-            s.core.interface = match i {
-                0 => Interface::Bonded,
-                1 => Interface::Frictional,
-                _ => Interface::Sliding,
-            }
-        },
-        "how the layer sits on the core: glued, in contact with friction, or on rollers (neither lifts nor rubs)",
+    choice!(
+        core.interface: Interface,
+        "how the layer sits on the core: glued, in contact with friction, or on rollers (neither lifts nor rubs)"
     ),
-    real(
-        "core.friction_coefficient",
-        "1",
-        (0.0, 10.0),
-        |s| &mut s.core.friction_coefficient,
-        "Coulomb coefficient of a frictional core",
-    ),
-    real(
-        "face.friction_coefficient",
-        "1",
-        (0.0, 10.0),
-        |s| &mut s.face.friction_coefficient,
-        "Coulomb coefficient under the impactor",
-    ),
-    real(
-        "mesh.element_size",
-        "m",
-        (1e-5, 0.1),
-        |s| &mut s.mesh.element_size,
-        "edge length that the structured mesh aims at",
-    ),
-    choice(
-        "time.step_by",
-        &["safety_factor", "given"],
-        |s| s.time.step_by as usize,
-        |s, i| s.time.step_by = if i == 0 { StepBy::SafetyFactor } else { StepBy::Given },
-        "which of the next two states the time step",
-    ),
-    real(
-        "time.safety_factor",
+    real!(core.friction_coefficient, "1", (0.0, 10.0), "Coulomb coefficient of a frictional core"),
+    real!(face.friction_coefficient, "1", (0.0, 10.0), "Coulomb coefficient under the impactor"),
+    real!(mesh.element_size, "m", (1e-5, 0.1), "edge length that the structured mesh aims at"),
+    choice!(time.step_by: StepBy, "which of the next two states the time step"),
+    real!(
+        time.safety_factor,
         "1",
         (0.01, 1.0),
-        |s| &mut s.time.safety_factor,
-        "fraction of the smallest stability limit that a trial of the scenario finds",
+        "fraction of the smallest stability limit that a trial of the scenario finds"
     ),
-    real(
-        "time.step",
-        "s",
-        (1e-10, 5e-5),
-        |s| &mut s.time.step,
-        "requested step; the largest whole divisor of 50 us not above it is used",
-    ),
-    real(
-        "time.design_compression",
+    real!(time.step, "s", (1e-10, 5e-5), "requested step; the largest whole divisor of 50 us not above it is used"),
+    real!(
+        time.design_compression,
         "1",
         (0.01, 0.95),
-        |s| &mut s.time.design_compression,
-        "part of the layer's thickness that a driven face presses it by at most, for which the step is chosen",
+        "part of the layer's thickness that a driven face presses it by at most, for which the step is chosen"
     ),
-    real("time.duration", "s", (5e-5, 100.0), |s| &mut s.time.duration, "simulated time of a run"),
-    real(
-        "measurement.force_threshold",
-        "N",
-        (0.0, 1e5),
-        |s| &mut s.measurement.force_threshold,
-        "force that begins and ends the impact duration",
-    ),
-    real(
-        "measurement.channel_class",
+    real!(time.duration, "s", (5e-5, 100.0), "simulated time of a run"),
+    real!(measurement.force_threshold, "N", (0.0, 1e5), "force that begins and ends the impact duration"),
+    real!(
+        measurement.channel_class,
         "Hz",
         (1.0, 2000.0),
-        |s| &mut s.measurement.channel_class,
-        "channel frequency class (SAE J211, ISO 6487) of contact.force_filtered, such as 60, 180, 600 or 1000",
+        "channel frequency class (SAE J211, ISO 6487) of contact.force_filtered, such as 60, 180, 600 or 1000"
     ),
 ];
 
