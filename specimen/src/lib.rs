@@ -163,12 +163,12 @@ pub struct Point {
 ///
 /// let flat = Compression { strain: 1.0, ..Compression::study(0.67) };
 /// let refused = compress(&preset::elastic().silicone, &flat).unwrap_err();
-/// assert_eq!(refused.to_string(), "strain = 1 is refused: legal is above 0 and below 1");
+/// assert_eq!(refused.to_string(), "strain = 1 is refused: expected above 0 and below 1");
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum Error {
     /// A number of the test is not legal.
-    #[error("{name} = {value} is refused: legal is {legal}")]
+    #[error("{name} = {value} is refused: expected {legal}")]
     Test {
         /// The number.
         name: &'static str,

@@ -14,7 +14,7 @@ use crate::number::real::Real;
 ///
 /// let mut scenario = preset::study();
 /// let refused = Parameter::find("impactor.mass").unwrap().set(&mut scenario, -1.0).unwrap_err();
-/// assert_eq!(refused.to_string(), "impactor.mass = -1 kg is refused: legal is 0.001 to 10000 kg");
+/// assert_eq!(refused.to_string(), "impactor.mass = -1 kg is refused: expected 0.001 to 10000 kg");
 /// assert_eq!(scenario, preset::study());
 /// ```
 #[derive(Clone, Copy, Debug, Error, PartialEq)]

@@ -22,7 +22,7 @@ use crate::number::real::Real;
 /// assert_eq!(scenario.impactor.start_speed(), 2.0);
 /// scenario.impactor.face_diameter = 10e-3;
 /// let refused = scenario.validate().unwrap_err().to_string();
-/// assert!(refused.starts_with("impactor.face_diameter = 0.01 m is refused: over this anvil legal is at least "));
+/// assert!(refused.starts_with("impactor.face_diameter = 0.01 m is refused: expected at least "));
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
