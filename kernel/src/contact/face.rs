@@ -3,7 +3,7 @@
 //! ContactWork is a constraint, not a penalty: the forces are those that leave every touching node on the face at the end
 //! of the step, with the impactor's own reaction included (forward increment Lagrange multipliers, Carpenter, Taylor
 //! and Katona 1991; here in closed form, because the lumped masses decouple). Nothing penetrates and no energy hides in
-//! springs. A node that is caught loses the kinetic energy of its velocity relative to the face; the ledger counts it.
+//! springs. A node that is caught loses the kinetic energy of its velocity relative to the face; the energy balance counts it.
 //!
 //! Friction stops a node within the limit of Coulomb's law in the same step: a sticking node has exactly no velocity.
 
@@ -94,7 +94,7 @@ impl<'s> Surface<'s> {
 
     /// Height of the face at the end of the step, m, from the free heights.
     ///
-    /// It is the root z of M (z - z_free) = sum m_i max(0, y_i - z), a concave diagonal function: Newton's method climbs to
+    /// It is the root z of M (z - z_free) = sum m_i max(0, y_i - z), a concave rising function: Newton's method climbs to
     /// it from z_free through a shrinking set of touching nodes.
     #[inline(always)]
     fn face_position<S: Simd>(&self, simd: S, impactor_mass: Real, prediction: &Prediction) -> Real {

@@ -54,7 +54,7 @@ impl HoopConstants {
 /// What does not change in a block of cells.
 #[derive(Clone, Copy)]
 pub struct Block<'m> {
-    /// MaterialModel of its layer.
+    /// Material model of its layer.
     pub laws: &'m MaterialModel,
     /// Its triangles at rest.
     pub constants: &'m CellConstants,

@@ -39,7 +39,7 @@ pub struct Constants {
     pub steps_per_sample: u32,
     /// Channel filter of the contact force.
     pub channel: Coefficients,
-    /// MaterialModel of silicone and skin.
+    /// Material models of silicone and skin.
     pub laws: [MaterialModel; MAX_LAYERS],
     /// Forces of the whole anvil per force of the meshed section: 2 in plane strain, which meshes one half.
     pub symmetry_factor: Real,
@@ -63,7 +63,7 @@ impl Constants {
         self.scenario.impactor.mass / self.symmetry_factor
     }
 
-    /// MaterialModel of a block of cells.
+    /// Material model of a block of cells.
     pub fn laws_of(&self, block: usize) -> &MaterialModel {
         let [silicone, skin] = &self.laws;
         if block < self.grid.n_block_silicone() { silicone } else { skin }

@@ -55,7 +55,7 @@ pub trait Vector: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = 
     fn powers_of_two(self) -> [Self; 2];
 }
 
-/// Simd for vectors of some width.
+/// The vectors of an instruction set.
 ///
 /// Everything between a token of a wide set and its instructions must be inlined, which closures and the methods of arrays
 /// that take them are not for certain: the code of the element loop is made of functions that say so, and of plain loops.

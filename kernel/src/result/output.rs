@@ -139,7 +139,7 @@ pub static OUTPUTS: &[Output] = &[
     output("energy.slider_dissipation", "J", |_, s| s.energy.slider_dissipation, "energy dissipated by the sliders"),
     output("energy.tear", "J", |_, s| s.energy.tear, "energy dissipated by tearing"),
     output("energy.friction", "J", |_, s| s.energy.friction, "energy dissipated by friction"),
-    output("energy.contact", "J", |_, s| s.energy.contact, "energy lost in contact_dissipation nodes of finite mass"),
+    output("energy.contact", "J", |_, s| s.energy.contact, "energy lost in catching nodes of finite mass"),
     output("energy.external", "J", |_, s| s.energy.external, "energy at the start and work from outside"),
     output(
         "energy.residual",

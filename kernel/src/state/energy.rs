@@ -1,4 +1,4 @@
-//! The energy ledger: where the impactor's energy is, term by term, and what the sum leaves unexplained.
+//! The energy balance: where the impactor's energy is, term by term, and what the sum leaves unexplained.
 //!
 //! All terms belong to the end of the last step, as position and velocity of the impactor do. Its forces have then given
 //! their whole impulse: kinetic energies are 1/2 m v^2 with the velocities after it, and against them balances exactly what
@@ -27,7 +27,7 @@ use crate::number::pack::sum;
 use crate::number::real::Real;
 use crate::scenario::Motion;
 
-/// Numbers of a [`EnergyBalance`] in a snapshot.
+/// Numbers of an [`EnergyBalance`] in a snapshot.
 pub(crate) const ENERGY_WORDS: usize = 16;
 
 /// Energies of the whole anvil and impactor at the end of the last step, J.
@@ -49,7 +49,7 @@ pub struct EnergyBalance {
     pub tear: Real,
     /// Energy dissipated by friction under the face and on the core.
     pub friction: Real,
-    /// Energy lost in contact_dissipation nodes at the face and on the core.
+    /// Energy lost in catching nodes at the face and on the core.
     pub contact: Real,
     /// Energy brought in: kinetic energy at the start, work of gravity and of the external force, or the work of the
     /// drive.
@@ -146,7 +146,7 @@ impl EnergyBalance {
 pub(crate) struct ContactWork {
     /// Sum of the normal forces, N.
     pub normal_force: Real,
-    /// Energy lost in contact_dissipation nodes, over the impulse of the forces, J.
+    /// Energy lost in catching nodes, over the impulse of the forces, J.
     pub contact_dissipation: Real,
     /// Energy lost in sliding, likewise, J.
     pub frictional_dissipation: Real,

@@ -2,7 +2,7 @@
 //!
 //! A sample is the mean contact force over its sampling interval, that is, its impulse over its length, as a load cell
 //! behind an anti-aliasing filter gives it. Peak force and impact duration are read from the samples: the force of a
-//! single step is not a converged number, because contact_dissipation a node of finite mass on a rigid face takes an impulse.
+//! single step is not a converged number, because catching a node of finite mass on a rigid face takes an impulse.
 
 use crate::cfc::Filter;
 use crate::model::Constants;

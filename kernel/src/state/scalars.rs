@@ -16,7 +16,7 @@ use crate::state::{EnergyBalance, Forces, Metrics, Sampler};
 /// let scalars = anvil.scalars();
 /// assert!(scalars.contact_has_ended());
 /// assert!(scalars.impactor.velocity > 0.0 && scalars.metrics.restitution() < 1.0);
-/// // The books close: what came in is where the ledger says.
+/// // The books close: what came in is where the balance says.
 /// assert!(scalars.energy.residual().abs() < 1e-3 * scalars.energy.external);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```

@@ -107,7 +107,7 @@ const NEGATIVE_PART: Real = 0.01;
 /// Looks for an instability that grows between two visits of the monitor.
 ///
 /// A mode above its limit turns round in every step, so that its kinetic energy 1/2 m v(n-1/2) v(n+1/2) is negative and
-/// grows, which nothing else does in two steps running. The ledger still holds the last step's; `layer_kinetic` is that of
+/// grows, which nothing else does in two steps running. The balance still holds the last step's; `layer_kinetic` is that of
 /// this one, J.
 ///
 /// # Errors
@@ -121,15 +121,15 @@ pub(crate) fn guard(model: &Model, state: &State, layer_kinetic: Real) -> Result
     Ok(())
 }
 
-/// Whether the kinetic energies of this step and of the last, which `ledger` holds, are below zero by more than those of single
+/// Whether the kinetic energies of this step and of the last, which `balance` holds, are below zero by more than those of single
 /// nodes.
 #[inline(always)]
-fn is_unstable(ledger: &EnergyBalance, layer_kinetic: Real) -> bool {
-    let before = ledger.at_forces.kinetic;
+fn is_unstable(balance: &EnergyBalance, layer_kinetic: Real) -> bool {
+    let before = balance.at_forces.kinetic;
     if layer_kinetic >= 0.0 || before >= 0.0 {
         return false;
     }
-    let at_hand = math::abs(ledger.external) + math::abs(ledger.elastic) + math::abs(ledger.viscous);
+    let at_hand = math::abs(balance.external) + math::abs(balance.elastic) + math::abs(balance.viscous);
     let least = -math::max(layer_kinetic, before);
     least > NEGATIVE_PART * at_hand && least > Real::EPSILON
 }
@@ -140,19 +140,19 @@ mod tests {
 
     #[test]
     fn only_kinetic_energies_below_zero_in_two_steps_running_are_an_instability() {
-        let ledger = |layer_kinetic, external| {
-            let mut ledger = EnergyBalance::ZERO;
-            (ledger.at_forces.kinetic, ledger.external) = (layer_kinetic, external);
-            ledger
+        let balance = |layer_kinetic, external| {
+            let mut balance = EnergyBalance::ZERO;
+            (balance.at_forces.kinetic, balance.external) = (layer_kinetic, external);
+            balance
         };
         // A mode that doubles in every step; a node that was caught; round-off.
         for (before, now, expected) in
             [(-0.2, -0.4, true), (0.3, -0.4, false), (-0.4, 0.1, false), (-0.11, -0.4, false), (-1e-17, -1e-17, false)]
         {
-            assert_eq!(is_unstable(&ledger(before, 12.0), now), expected, "{before} J, then {now} J");
+            assert_eq!(is_unstable(&balance(before, 12.0), now), expected, "{before} J, then {now} J");
         }
         // Nothing but round-off is at hand.
-        assert!(!is_unstable(&ledger(-1e-20, 0.0), -1e-20));
+        assert!(!is_unstable(&balance(-1e-20, 0.0), -1e-20));
     }
 
     #[test]
