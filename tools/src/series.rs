@@ -109,7 +109,7 @@ impl Series {
         // A length within a millionth of a sample of a whole number is that number.
         let count = ((last.0 - first.0) / SAMPLING_INTERVAL + 1e-6).floor() + 1.0;
         if !(2.0..=MAX_SAMPLES).contains(&count) {
-            return refuse(points.len() + 1, format!("the trace lasts {} s; legal is 50 us to 50 s", last.0 - first.0));
+            return refuse(points.len() + 1, format!("the trace lasts {} s; expected 50 us to 50 s", last.0 - first.0));
         }
         let mut segment = 0;
         let force = (0..count as usize).map(|i| {
@@ -218,7 +218,7 @@ mod tests {
             ("t,f\n0,1\n0,2\n", "line 3: time 0 s is not after"),
             ("t,f\n0,1\n1,x\n", "line 3: two numbers"),
             ("t,f\n", "line 1: no line"),
-            ("t,f\n0,1\n1e-5,1\n", "legal is 50 us to 50 s"),
+            ("t,f\n0,1\n1e-5,1\n", "expected 50 us to 50 s"),
         ] {
             let error = Series::parse(text).unwrap_err().to_string();
             assert!(error.contains(message), "{error}");

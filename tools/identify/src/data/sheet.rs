@@ -100,7 +100,7 @@ pub fn parse(bytes: &[u8], decimal: Option<Decimal>) -> Result<Sheet, ReadError>
 }
 
 fn no_table(text: &str) -> ReadError {
-    let legal = "legal is a table of numbers separated by tab ; , | or blanks, with units in its titles";
+    let legal = "expected a table of numbers separated by tab ; , | or blanks, with units in its titles";
     match text.lines().enumerate().find(|(_, line)| starts_with_digit(line.trim_start_matches(['"', ' ']))) {
         Some((index, line)) => {
             let shown: String = line.trim().chars().take(60).collect();
@@ -151,7 +151,7 @@ fn assemble(text: &str, comments: &[(usize, String)], rows: Vec<Row>, decimal: D
             }
         } else if !is_missing(&row, decimal) {
             let found = lines.get(row.line - 1).copied().unwrap_or_default().trim();
-            let legal = "legal is a row of numbers, a comment (#), or the titles again before the next specimen";
+            let legal = "expected a row of numbers, a comment (#), or the titles again before the next specimen";
             return Err(ReadError::line(row.line, format!("\"{found}\" is refused: {legal}")));
         }
     }

@@ -106,7 +106,7 @@ impl Unit {
 /// What would be legal.
 pub fn parse_quantity(text: &str, dimension: Dimension) -> Result<f64, String> {
     let example = if dimension == Dimension::Area { "660mm2" } else { "12.5mm" };
-    let refuse = || format!("legal is a positive number with its unit, such as {example}");
+    let refuse = || format!("expected a positive number with its unit, such as {example}");
     let trimmed = text.trim();
     // The longest beginning that is a number; an exponent is one, the e of another word is not.
     let (number, unit) = (1..=trimmed.len())

@@ -70,7 +70,7 @@ impl Card {
             let worst = (0..stretches.len()).max_by(|a, b| error(*a).total_cmp(&error(*b)));
             if let Some(k) = worst.filter(|k| error(*k) > LEGAL || error(*k).is_nan()) {
                 return Err(format!(
-                    "its digits give the {} stress at the stretch {:.3} as {:.5e} Pa instead of {:.5e} Pa (legal is a \
+                    "its digits give the {} stress at the stretch {:.3} as {:.5e} Pa instead of {:.5e} Pa (expected a \
                      difference of {} %)",
                     mode.name(),
                     stretches[k],
@@ -99,7 +99,7 @@ impl Card {
         let wrong = numbers.iter().find(|number| !alike(number));
         wrong.map_or(Ok(()), |(name, read, meant)| {
             Err(format!(
-                "its {name} is {read:.5e} instead of {meant:.5e} (legal is a difference of {} %)",
+                "its {name} is {read:.5e} instead of {meant:.5e} (expected a difference of {} %)",
                 100.0 * LEGAL
             ))
         })
