@@ -5,7 +5,8 @@ use std::fmt::Write;
 use comfy_table::Table;
 use serde_json::{Map, Value, json};
 
-use crate::curve_score::CurveScore;
+use crate::contact::{CLEAR_OF_NOISE, LEVEL};
+use crate::curve_score::{self, CurveScore};
 use crate::ending::Ending;
 use crate::failure::Failure;
 use crate::quantity::{COUNT, QUANTITIES};
@@ -13,7 +14,7 @@ use crate::reading::{Reading, Record, Threshold};
 use crate::run::Run;
 use crate::series::{Sensor, Series};
 use crate::subject::Subject;
-use crate::table::{align_right, new_plain_table, text as table_text};
+use crate::table::{align_right, filled, new_plain_table, text as table_text};
 use crate::validation::error_percent;
 
 /// Channel frequency classes of the standards, Hz.
@@ -25,6 +26,8 @@ pub struct Comparison {
     pub measured: Series,
     /// Force from which on the measured impact lasts, N.
     pub threshold: f64,
+    /// The threshold that was asked for, N, if the noise left no use of it.
+    pub asked: Option<f64>,
     /// Peak force, N; none of deformation; duration, s; impulse, N s.
     pub values: [Option<f64>; COUNT],
     /// How alike the two are.
@@ -43,15 +46,19 @@ impl Comparison {
         scenario_threshold: f64,
     ) -> Result<Self, Failure> {
         let peak = measured.peak();
-        let threshold = reading.threshold.unwrap_or(Threshold::Force(scenario_threshold)).force(peak);
-        let score = CurveScore::new(measured, &record.series, threshold).ok_or_else(|| {
+        let asked = reading.threshold.unwrap_or(Threshold::Force(scenario_threshold)).force(peak);
+        // The simulated force has the noise that was asked for.
+        let own = CLEAR_OF_NOISE * reading.noise.force;
+        let threshold = curve_score::clear_threshold(measured, asked.max(own));
+        let score = CurveScore::new(measured, &record.series, asked).ok_or_else(|| {
             let ours = record.series.peak();
             let text = "N: nothing to compare at or above the threshold of";
             Failure::Input(format!("the peaks are {peak:.1} N measured and {ours:.1} {text} {threshold:.1} N"))
         })?;
         let (duration, impulse) = (measured.duration(threshold), measured.impulse(threshold));
         let values = [Some(peak), None, Some(duration), Some(impulse)];
-        Ok(Self { measured: measured.clone(), threshold, values, score })
+        let asked = (threshold > asked).then_some(asked);
+        Ok(Self { measured: measured.clone(), threshold, asked, values, score })
     }
 
     /// The numbers side by side, and the ratings.
@@ -70,10 +77,18 @@ impl Comparison {
         }
         align_right(&mut table, 1..4);
         let score = &self.score;
+        let noise = self.asked.map_or(String::new(), |asked| {
+            format!(
+                "! Noise reaches above {asked:.1} N: both impacts last from {:.1} N on, and a peak may be \
+                 one of the noise. A filter (--cfc) takes some of it off both.\n",
+                self.threshold
+            )
+        });
         format!(
-            "{}\nR2 {:.4}, root mean square of the difference {:.1} % of the peak\n\
-             CORA {:.3}: phase {:.3}, size {:.3}, progression {:.3}; both from {:.1} N on, aligned there\n",
+            "{}\n{}R2 {:.4}, root mean square of the difference {:.1} % of the peak\n\
+             CORA {:.3}: phase {:.3}, size {:.3}, progression {:.3}; both from {:.1} N on\n{}",
             table_text(&mut table),
+            filled(&noise),
             score.r_squared,
             100.0 * score.difference,
             score.rating(),
@@ -81,13 +96,21 @@ impl Comparison {
             score.size,
             score.progression,
             self.threshold,
+            filled(&format!(
+                "Aligned by the largest cross-correlation, {:+.3} ms from where the rising flanks have {LEVEL} of their peaks.",
+                1e3 * score.alignment.beyond_flanks
+            )),
         )
     }
 
-    /// Our four numbers, the impulse over the same part of the trace as the measured one.
+    /// Our four numbers, duration and impulse over the same part of the trace as the measured ones.
     fn simulated(&self, record: &Record) -> [f64; COUNT] {
-        let [peak, deformation, duration, _] = record.values;
-        [peak, deformation, duration, record.series.impulse(record.threshold)]
+        let [peak, deformation, mut duration, _] = record.values;
+        let threshold = if self.asked.is_some() { self.threshold } else { record.threshold };
+        if self.asked.is_some() {
+            duration = record.series.duration(threshold);
+        }
+        [peak, deformation, duration, record.series.impulse(threshold)]
     }
 
     fn json(&self, record: &Record) -> Value {
@@ -103,6 +126,12 @@ impl Comparison {
         let score = &self.score;
         json!({
             "threshold": self.threshold,
+            "threshold_asked_for": self.asked,
+            "alignment": {
+                "by": "cross_correlation",
+                "lag": score.alignment.lag,
+                "beyond_flanks": score.alignment.beyond_flanks,
+            },
             "numbers": numbers,
             "r_squared": score.r_squared,
             "root_mean_square_difference": score.difference,

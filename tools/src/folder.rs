@@ -91,6 +91,22 @@ impl Folder {
         staging::write_files(&placed).map_err(|(path, error)| Failure::writing(&path, error))
     }
 
+    /// Removes the files called `names`, those that are there; to be called after [`Folder::check`] and before
+    /// [`Folder::write`], which writes the list anew.
+    ///
+    /// # Errors
+    /// The path that cannot be removed.
+    pub fn remove<'a>(&mut self, names: impl IntoIterator<Item = &'a str>) -> Result<(), Failure> {
+        for name in names {
+            let path = self.path.join(name);
+            if std::fs::symlink_metadata(&path).is_ok() {
+                std::fs::remove_file(&path).map_err(|error| Failure::writing(&path, error))?;
+            }
+            self.listed.remove(name);
+        }
+        Ok(())
+    }
+
     fn make(&self) -> Result<(), Failure> {
         std::fs::create_dir_all(&self.path).map_err(|error| Failure::writing(&self.path, error))
     }

@@ -149,7 +149,11 @@ impl Series {
 
     /// The force over time since it reached `threshold`, N: points of ms and N.
     pub fn since_onset(&self, threshold: f64) -> Vec<(f64, f64)> {
-        let zero = self.onset(threshold).unwrap_or(self.start);
+        self.since(self.onset(threshold).unwrap_or(self.start), threshold)
+    }
+
+    /// The force over time since the time `zero`, s, up to where it has left `threshold`, N: points of ms and N.
+    pub fn since(&self, zero: f64, threshold: f64) -> Vec<(f64, f64)> {
         let last = self.contact(threshold).map_or(self.force.len(), |[_, last]| last + 2);
         let points = self.force.iter().take(last).enumerate();
         points.map(|(i, force)| (1e3 * (self.time(i) - zero), *force)).filter(|point| point.0 >= 0.0).collect()

@@ -21,7 +21,7 @@ pub fn csv(run: &Run) -> Result<Vec<u8>, TraceError> {
     Ok(text)
 }
 
-/// A force as it was read, and the measured one at the same times, the two aligned where they reach their thresholds.
+/// A force as it was read, and the measured one at the same times, the two aligned as for their comparison.
 ///
 /// # Errors
 /// What the CSV library refuses.
@@ -29,14 +29,11 @@ pub fn of_forces(record: &Record, comparison: Option<&Comparison>) -> Result<Vec
     let mut csv = csv::Writer::from_writer(Vec::new());
     csv.write_field("time [s]")?;
     csv.write_field("force [N]")?;
-    let aligned = comparison.and_then(|comparison| {
-        let shift = comparison.measured.onset(comparison.threshold)? - record.series.onset(record.threshold)?;
-        Some((&comparison.measured, shift))
-    });
+    let aligned = comparison.map(|comparison| (&comparison.measured, comparison.score.alignment.lag));
     csv.write_record(aligned.map(|_| "measured force [N]"))?;
     for (i, force) in record.series.force.iter().enumerate() {
         let time = record.series.time(i);
-        let measured = aligned.map(|(series, shift)| series.at(time + shift));
+        let measured = aligned.map(|(series, lag)| series.at(time - lag));
         csv.serialize([time, *force].into_iter().chain(measured).collect::<Vec<_>>())?;
     }
     Ok(csv.into_inner().map_err(|error| csv::Error::from(error.into_error()))?)

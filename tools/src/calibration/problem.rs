@@ -209,11 +209,12 @@ impl Problem {
         if let Some(path) = &file.impacts {
             impacts.extend(read_impacts(&folder.join(path))?);
         }
-        let targets = impacts.iter().map(|impact| Target::new(impact, folder)).collect::<Result<Vec<_>, _>>()?;
+        file.objective.check()?;
+        let target = |impact: &Impact| Target::new(impact, folder, file.objective.cfc);
+        let targets = impacts.iter().map(target).collect::<Result<Vec<_>, _>>()?;
         if !targets.iter().any(|target| !target.predict) {
             return Err("no [[impact]] counts: there is nothing to aim at".into());
         }
-        file.objective.check()?;
         if let Some(prior) = &file.prior {
             prior.check()?;
         }
@@ -302,6 +303,22 @@ mod tests {
                 .contains("expected \"bonded\" or \"frictional\" or \"sliding\"")
         );
         assert!(refused(&text.replace("= 1\n", "= -1\n")).contains("expected 0 to 10"));
+    }
+
+    /// Both sides go through the filter, unless the trace has been through it.
+    #[test]
+    fn a_trace_is_filtered_as_the_simulated_force_is() {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::write(folder.path().join("a.csv"), "t,f\n0,0\n0.01,0\n0.0101,900\n0.0102,0\n0.02,0\n").unwrap();
+        let peak = |objective: &str, filtered: &str| {
+            let text = GOOD.replace("table_1 = true", &format!("trace = \"a.csv\"\n{filtered}"));
+            let problem = Problem::parse(&format!("{text}[objective]\n{objective}"), folder.path());
+            problem.map(|problem| problem.targets[0].trace.as_ref().unwrap().peak())
+        };
+        let raw = peak("", "").unwrap();
+        assert!(peak("cfc = 180", "").unwrap() < 0.5 * raw);
+        assert_eq!(peak("cfc = 180", "filtered = true\n"), Ok(raw));
+        assert!(peak("", "filtered = true\n").unwrap_err().contains("filtered has no effect"));
     }
 
     #[test]

@@ -107,6 +107,9 @@ impl Found {
             if searched == 1 { "" } else { "s" },
             problem.objective.force.label(),
         ));
+        if problem.targets.iter().any(|target| target.trace.is_some()) {
+            text += "Traces are aligned with the simulated forces by the largest cross-correlation.\n";
+        }
         if self.evaluation.impacts.iter().any(|impact| matches!(impact.ending, Ending::InContact)) {
             let _ = writeln!(text, "! Numbers marked {MARK} are cut off in contact: the simulated time is too short.");
         }

@@ -29,6 +29,9 @@ pub struct Impact {
     pub impulse: Option<f64>,
     /// Force trace: a CSV file beside the problem file, time in s and force in N.
     pub trace: Option<String>,
+    /// Whether the trace has been filtered already: `objective.cfc` is for the simulated force alone then.
+    #[serde(default)]
+    pub filtered: bool,
     /// Keys of numbers that are reported but do not count.
     #[serde(default)]
     pub ignore: Vec<String>,
@@ -52,12 +55,13 @@ pub struct Target {
 }
 
 impl Target {
-    /// The target that `impact` describes; its files stand in `folder`.
+    /// The target that `impact` describes; its files stand in `folder`, and a trace goes through the filter of
+    /// `channel_class`, Hz, as the simulated force does, unless it has been filtered.
     ///
     /// # Errors
     /// An energy that the table does not have, a number that is no positive one, an unknown key, or a trace that cannot
     /// be read.
-    pub fn new(impact: &Impact, folder: &Path) -> Result<Self, String> {
+    pub fn new(impact: &Impact, folder: &Path, channel_class: Option<f64>) -> Result<Self, String> {
         let energy = impact.energy;
         let refuse = |what: String| Err(format!("impact of {energy} J: {what}"));
         if !(energy > 0.0 && energy.is_finite()) {
@@ -81,10 +85,15 @@ impl Target {
                 None => return refuse(format!("ignore: {key} is unknown; expected {}", keys())),
             }
         }
-        let trace = match &impact.trace {
-            Some(file) => Some(Series::read(&folder.join(file)).map_err(|error| error.to_string())?),
-            None => None,
+        let class = channel_class.filter(|_| !impact.filtered);
+        let read = |file: &String| {
+            let trace = Series::read(&folder.join(file))?;
+            class.map_or(Ok(trace.clone()), |class| trace.filtered(class))
         };
+        let trace = impact.trace.as_ref().map(read).transpose().map_err(|error| error.to_string())?;
+        if impact.filtered && (trace.is_none() || channel_class.is_none()) {
+            return refuse("filtered has no effect: it is for a trace beside objective.cfc".into());
+        }
         if measured.iter().all(Option::is_none) && trace.is_none() {
             return refuse(format!("nothing was measured: give some of {}, trace, or table_1 = true", keys()));
         }
@@ -166,16 +175,16 @@ mod tests {
     fn a_line_of_the_table_counts_but_for_what_is_ignored() {
         let ignore = vec!["max_deformation".to_string()];
         let impact = Impact { energy: 9.8, table_1: true, ignore, ..Impact::default() };
-        let target = Target::new(&impact, Path::new(".")).unwrap();
+        let target = Target::new(&impact, Path::new("."), None).unwrap();
         assert_eq!(target.measured, [Some(4071.0), Some(3.5e-3), Some(8.1e-3), Some(13.0)]);
         assert_eq!(target.counts, [true, false, true, true]);
-        let target = Target::new(&Impact { predict: true, ..impact }, Path::new(".")).unwrap();
+        let target = Target::new(&Impact { predict: true, ..impact }, Path::new("."), None).unwrap();
         assert_eq!(target.counts, [false; COUNT]);
     }
 
     #[test]
     fn an_impact_without_measurements_is_refused() {
-        let refused = |impact: Impact| Target::new(&impact, Path::new(".")).err().unwrap();
+        let refused = |impact: Impact| Target::new(&impact, Path::new("."), None).err().unwrap();
         assert!(refused(Impact { energy: 5.0, ..Impact::default() }).contains("nothing was measured"));
         assert!(refused(Impact { energy: 5.0, table_1: true, ..Impact::default() }).contains("14.7, 9.8 and 4.9"));
         assert!(refused(Impact { energy: 5.0, impulse: Some(-1.0), ..Impact::default() }).contains("above 0"));

@@ -22,10 +22,11 @@ use super::output_files::Overwrite;
 use crate::failure::Failure;
 use crate::folder::Folder;
 use crate::identification::files::{Curves, Reading, Source};
-use crate::identification::material::{Identified, given};
+use crate::identification::material::{Files, Identified, given};
 use crate::identification::trial::Trial;
 use crate::identification::{Identification, Request, json, table};
 use crate::picture_format::PictureFormat;
+use crate::table::filled;
 use crate::{json as text_json, plot, scenario_file};
 
 /// Fit hyperelastic laws and Prony series to material tests, and write the material
@@ -119,7 +120,7 @@ struct SpecimenOptions {
 }
 
 #[derive(Debug, Args)]
-#[command(next_help_heading = "MaterialModel")]
+#[command(next_help_heading = "Laws")]
 struct LawOptions {
     /// Law to choose instead of the stable one of lowest residual
     #[arg(long, value_name = "NAME", value_parser = law)]
@@ -164,7 +165,8 @@ struct MaterialOptions {
     /// Density in kg/m3 [default: that of the layer in the preset study]
     #[arg(long, value_name = "KG_PER_M3", allow_negative_numbers = true)]
     density: Option<f64>,
-    /// Poisson's ratio [default: that of the layer in the preset study]
+    /// Poisson's ratio; below 0.45 the laws are fitted to a specimen that changes its volume so [default: as lateral strains
+    /// in the files say, else that of the layer in the preset study beside laws fitted as to a constant volume]
     #[arg(long, value_name = "RATIO", allow_negative_numbers = true)]
     poissons_ratio: Option<f64>,
 }
@@ -215,23 +217,23 @@ pub fn carry_out(options: &Options) -> Result<String, Failure> {
     let identification = options.identify()?;
     let material = &options.material;
     let given = given(material.moduli.into(), material.density, material.poissons_ratio, layer);
-    let mut text = match options.json {
-        true => text_json::text(&json::of_identification(&identification)),
-        false => table::of_identification(&identification),
-    };
+    let mut report = json::of_identification(&identification);
+    let mut text = String::new();
     if options.out.is_some() {
         let identified = Identified::new(&identification, &given)?;
         let mut files = identified.files()?;
         for (name, svg) in plot::identification(&identification)? {
-            files.push((format!("{name}.{}", options.pictures.extension()), options.pictures.file(svg)?));
+            files.written.push((format!("{name}.{}", options.pictures.extension()), options.pictures.file(svg)?));
         }
-        files.push(("fit.json".into(), text_json::text(&json::of_identification(&identification)).into_bytes()));
-        let written = options.write(&identified, files)?;
-        if !options.json {
-            text += &written;
-        }
+        files.written.push(("fit.json".into(), text_json::text(&report).into_bytes()));
+        let refused = files.refused.clone();
+        text = options.write(&identified, files)?;
+        report["not_written"] = refused.into_iter().collect();
     }
-    Ok(text)
+    Ok(match options.json {
+        true => text_json::text(&report),
+        false => table::of_identification(&identification) + &text,
+    })
 }
 
 impl Options {
@@ -279,19 +281,23 @@ impl Options {
             },
             law: self.laws.law,
             n_term: self.prony.terms,
+            poissons_ratio: self.material.poissons_ratio,
         };
         Identification::new(curves, source.as_ref().map(|source| (source, &relaxation)), &request)
     }
 
     /// Puts `files` into the folder asked for, and the scenario of a drop on the study's anvil that goes through with the
-    /// material; says so, and what the drop needs.
-    fn write(&self, identified: &Identified, mut files: Vec<(String, Vec<u8>)>) -> Result<String, Failure> {
+    /// material; says so, what was left out, and what the drop needs.
+    fn write(&self, identified: &Identified, mut files: Files) -> Result<String, Failure> {
         let Some(path) = &self.out else { return Ok(String::new()) };
         let mut folder = Folder::new(path, self.overwrite.overwrite);
-        folder.check(files.iter().map(|(name, _)| name.as_str()).chain([SCENARIO]))?;
+        let names = files.written.iter().map(|(name, _)| name).chain(files.refused.iter().map(|(name, _)| name));
+        folder.check(names.map(String::as_str).chain([SCENARIO]))?;
         let tried = match Trial::new(&identified.scenario()) {
             Ok(trial) => {
-                files.push((SCENARIO.into(), scenario_file::to_toml(&trial.scenario).into_bytes()));
+                let text = scenario_file::to_toml(&trial.scenario);
+                let read = identified.read_toml(&text);
+                files.add(identified, SCENARIO, text, read);
                 trial.text(&path.join(SCENARIO).display().to_string())
             }
             Err(error) => format!(
@@ -299,10 +305,15 @@ impl Options {
                  law's stability (--stable, --law), or at the units of the data.\n"
             ),
         };
-        folder.write(&files)?;
+        // One of an earlier fit would be taken for one of this.
+        folder.remove(files.refused.iter().map(|(name, _)| name.as_str()))?;
+        folder.write(&files.written)?;
         let mut text = String::from("\n");
-        for (name, _) in &files {
+        for (name, _) in &files.written {
             let _ = writeln!(text, "written: {}", path.join(name).display());
+        }
+        for (name, reason) in &files.refused {
+            text += &filled(&format!("! not written: {}: {reason}\n", path.join(name).display()));
         }
         Ok(text + &tried)
     }

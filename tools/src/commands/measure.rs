@@ -104,10 +104,11 @@ impl Options {
             let cut = ending::suffix(run);
             // The axis has the name of the force.
             let filter = reading.channel_class.map_or("unfiltered".into(), |class| format!("CFC {class}"));
-            let mut curves =
-                vec![(format!("Softanvil, {load}, {filter}{cut}"), record.series.since_onset(record.threshold))];
+            let ours = &record.series;
+            let mut curves = vec![(format!("Softanvil, {load}, {filter}{cut}"), ours.since_onset(record.threshold))];
             if let Some(comparison) = comparison {
-                curves.push(("measured".into(), comparison.measured.since_onset(comparison.threshold)));
+                let zero = ours.onset(record.threshold).unwrap_or(ours.start) - comparison.score.alignment.lag;
+                curves.push(("measured".into(), comparison.measured.since(zero, comparison.threshold)));
             }
             let svg = plot::forces("Force over time", reading.sensor.axis(), curves)?;
             files.push((path.as_path(), output_files::picture(path, svg)?));

@@ -48,6 +48,10 @@ pub struct Curves {
     pub files: Vec<String>,
     /// Number of specimens.
     pub n_specimen: usize,
+    /// (stretch, volume over that at rest) of states in which the files tell the volume.
+    pub volumes: Vec<(f64, f64)>,
+    /// Names of the files, and what they say beside numbers.
+    pub words: String,
     /// How the files were understood where they left a choice.
     pub notes: Vec<String>,
 }
@@ -71,6 +75,7 @@ impl Curves {
         let mut notes: Vec<String> = Vec::new();
         let mut files = Vec::new();
         let mut specimens: Vec<Vec<Point>> = Vec::new();
+        let (mut volumes, mut words) = (Vec::new(), String::new());
         for path in paths {
             let source = Source::read(path)?;
             let name = source.name();
@@ -86,6 +91,8 @@ impl Curves {
                 own.iter().for_each(|note| say(&format!("{label}{note}")));
                 specimens.push(points);
             }
+            volumes.extend(curve.volumes);
+            words += &format!("{name}\n{}\n", curve.words);
             files.push(name);
         }
         let n_specimen = specimens.len();
@@ -95,7 +102,7 @@ impl Curves {
             Repeats::All => specimens.concat(),
         };
         let points = points.iter().map(|point| (point.stretch, point.stress)).collect();
-        Ok(Self { data: DataSet { mode, points }, files, n_specimen, notes })
+        Ok(Self { data: DataSet { mode, points }, files, n_specimen, volumes, words, notes })
     }
 }
 

@@ -3,6 +3,7 @@
 use serde_json::{Map, Value, json};
 use softanvil_identify::law::MODES;
 use softanvil_identify::law::fit::{Fit, Weighting};
+use softanvil_identify::law::volume::Volume;
 use softanvil_identify::relaxation::prony::Prony;
 use softanvil_identify::relaxation::read::Load;
 
@@ -23,6 +24,15 @@ pub fn of_identification(identification: &Identification) -> Value {
     let (low, high) = identification.settings.stability_range;
     json!({
         "data": data.collect::<Vec<_>>(),
+        "volume": {
+            "known_by": match identification.volume {
+                Volume::Assumed => "assumption",
+                Volume::Stated(_) => "statement",
+                Volume::Measured { .. } => "measurement",
+            },
+            "poissons_ratio": identification.volume.poissons_ratio(),
+            "fitted_as": if identification.volume.compressible().is_some() { "compressible" } else { "incompressible" },
+        },
         "weighting": match identification.settings.weighting {
             Weighting::Absolute => "absolute",
             Weighting::Relative => "relative",
@@ -58,6 +68,7 @@ fn of_fit(fit: &Fit) -> Value {
         "r_squared": statistics.r_squared,
         "aic": statistics.aic,
         "shear_modulus": fit.shear_modulus(),
+        "degenerate": fit.degeneracy.map(|degeneracy| degeneracy.to_string()),
         "stable": fit.is_stable,
         "stable_stretches": stable,
     })
@@ -75,11 +86,14 @@ fn of_relaxed(relaxed: &Relaxed) -> Value {
         "points": relaxed.test.relaxation.times.len(),
         "notes": relaxed.test.notes,
         "chosen_terms": relaxed.choice.prony().terms.len(),
-        "series": relaxed.choice.series.iter().map(of_prony).collect::<Vec<_>>(),
+        "loading_time": relaxed.test.relaxation.loaded,
+        "caveats": relaxed.choice.caveats,
+        "series": relaxed.choice.series.iter().map(|prony| of_prony(prony, relaxed)).collect::<Vec<_>>(),
     })
 }
 
-fn of_prony(prony: &Prony) -> Value {
+fn of_prony(prony: &Prony, relaxed: &Relaxed) -> Value {
+    let (ramp, hold) = prony.residuals(&relaxed.test.relaxation);
     let normalised = prony.normalised();
     json!({
         "terms": normalised.len(),
@@ -91,6 +105,8 @@ fn of_prony(prony: &Prony) -> Value {
         "standard_errors": prony.statistics.standard_errors,
         "residual_sum": prony.statistics.residual_sum,
         "residual_rms": prony.statistics.rms,
+        "residual_rms_hold": hold,
+        "residual_rms_ramp": ramp,
         "r_squared": prony.statistics.r_squared,
         "aic": prony.statistics.aic,
         "doubts": prony.doubts,

@@ -1,6 +1,9 @@
 //! The identified material, and the files that carry it to the simulation and to other programs.
 
-use softanvil_identify::export::{Layer, abaqus, c_source, ls_dyna, ssv};
+use softanvil_identify::export::card::{Card, States};
+use softanvil_identify::export::{Layer, ReadBackError, abaqus, c_source, ls_dyna, ssv};
+use softanvil_identify::law::Mode;
+use softanvil_identify::law::volume::Volume;
 use softanvil_kernel::material::{Material, Moduli, VolumetricBy};
 use softanvil_kernel::scenario::Layers;
 use softanvil_kernel::{Scenario, preset};
@@ -30,6 +33,32 @@ pub struct Identified {
     pub layer: Layer,
     /// Where it comes from and what it is, in lines of plain text.
     pub comment: String,
+    /// The states of the data, over which the files have to give the stresses of the material.
+    pub states: Vec<States>,
+}
+
+/// What is written of a material, and what is not.
+pub struct Files {
+    /// Names and contents.
+    pub written: Vec<(String, Vec<u8>)>,
+    /// Names of files that would not give the material back, and why.
+    pub refused: Vec<(String, String)>,
+}
+
+impl Files {
+    /// Takes the file `name` with `text`, if what `read` makes of it is the material of `identified`.
+    pub fn add(&mut self, identified: &Identified, name: &str, text: String, read: Result<Card, ReadBackError>) {
+        let checked = read.map_err(|error| error.to_string());
+        match checked.and_then(|card| card.check(&identified.material, &identified.states)) {
+            Ok(()) => self.written.push((name.into(), text.into())),
+            Err(reason) => self.refused.push((name.into(), reason)),
+        }
+    }
+}
+
+/// States for a material that no curve was fitted for: uniaxial, half to twice the length.
+fn states_without_data() -> Vec<States> {
+    vec![(Mode::Uniaxial, (0..=30).map(|k| 0.5 + 0.05 * f64::from(k)).collect())]
 }
 
 /// A part of the modulus that stays, at least: the kernel needs an equilibrium.
@@ -61,16 +90,27 @@ impl Identified {
         });
         material.density = given.density;
         material.volumetric_by = VolumetricBy::PoissonsRatio;
-        material.poissons_ratio = given.poissons_ratio;
-        lines.push(format!(
-            "Not identified: density {} kg/m3, Poisson's ratio {}, no damping spring, no tear.",
-            given.density, given.poissons_ratio
-        ));
+        let measured = match identification.volume {
+            Volume::Measured { poissons_ratio, .. } => Some(poissons_ratio),
+            Volume::Assumed | Volume::Stated(_) => None,
+        };
+        material.poissons_ratio = measured.unwrap_or(given.poissons_ratio);
+        let (density, ratio) = (given.density, given.poissons_ratio);
+        lines.push(match measured {
+            Some(ratio) => {
+                format!("Poisson's ratio {ratio:.4} as in the files. Not identified: density {density} kg/m3,")
+            }
+            None => format!("Not identified: density {density} kg/m3, Poisson's ratio {ratio},"),
+        });
+        lines.push("no damping spring, no tear.".into());
         if let Some(relaxed) = &identification.relaxed {
             lines.extend(add_prony(&mut material, relaxed.choice.prony().normalised()));
         }
         lines.extend(identification.caveats.iter().map(|caveat| format!("Caveat: {caveat}.")));
-        Self::checked(material, given.layer, lines.join("\n"))
+        let states = identification.data.iter().map(|set| (set.mode, set.points.iter().map(|point| point.0).collect()));
+        let states: Vec<States> = states.collect();
+        let states = if states.is_empty() { states_without_data() } else { states };
+        Self::checked(material, given.layer, lines.join("\n"), states)
     }
 
     /// The start from the study's scalars.
@@ -81,11 +121,11 @@ impl Identified {
         let mut lines =
             vec!["A start from the scalars that the study prints, no fit. They contradict each other:".to_string()];
         lines.extend(softanvil_identify::study::contradictions().iter().map(|line| format!("- {line}.")));
-        Self::checked(softanvil_identify::study::material(), layer, lines.join("\n"))
+        Self::checked(softanvil_identify::study::material(), layer, lines.join("\n"), states_without_data())
     }
 
-    fn checked(material: Material, layer: Layer, comment: String) -> Result<Self, Failure> {
-        let identified = Self { material, layer, comment };
+    fn checked(material: Material, layer: Layer, comment: String, states: Vec<States>) -> Result<Self, Failure> {
+        let identified = Self { material, layer, comment, states };
         match identified.scenario().validate() {
             Ok(()) => Ok(identified),
             Err(error) => Err(Failure::Failed(format!("the fitted material cannot be simulated: {error}"))),
@@ -106,21 +146,40 @@ impl Identified {
         scenario
     }
 
-    /// Names and contents of the files.
+    /// The files, each of them read back.
     ///
     /// # Errors
     /// Never, as they are made in memory.
-    pub fn files(&self) -> Result<Vec<(String, Vec<u8>)>, Failure> {
+    pub fn files(&self) -> Result<Files, Failure> {
         let (material, layer) = (&self.material, self.layer);
-        let ssv = ssv::text("material", material, layer).map_err(|error| Failure::Failed(error.to_string()))?;
+        let mut files = Files { written: Vec::new(), refused: Vec::new() };
         let toml = scenario_file::material_to_toml(&self.scenario(), layer.group(), &self.comment);
-        Ok(vec![
-            ("material.toml".into(), toml.into()),
-            ("material.ssv".into(), ssv.into()),
-            ("material.h".into(), c_source::text(&self.comment, material, layer).into()),
-            ("material-lsdyna.k".into(), ls_dyna::text("Softanvil", &self.comment, material).into()),
-            ("material-abaqus.inp".into(), abaqus::text("SOFTANVIL", &self.comment, material).into()),
-        ])
+        let read = self.read_toml(&toml);
+        files.add(self, "material.toml", toml, read);
+        let text = ssv::text("material", material, layer).map_err(|error| Failure::Failed(error.to_string()))?;
+        let read = ssv::read(&text, layer);
+        files.add(self, "material.ssv", text, read);
+        let text = c_source::text(&self.comment, material, layer);
+        let read = c_source::read(&text, layer);
+        files.add(self, "material.h", text, read);
+        let text = ls_dyna::text("Softanvil", &self.comment, material);
+        let read = ls_dyna::read(&text);
+        files.add(self, "material-lsdyna.k", text, read);
+        let text = abaqus::text("SOFTANVIL", &self.comment, material);
+        let read = abaqus::read(&text);
+        files.add(self, "material-abaqus.inp", text, read);
+        Ok(files)
+    }
+
+    /// The material that a scenario or material file makes of the preset's.
+    ///
+    /// # Errors
+    /// A file that is refused.
+    pub fn read_toml(&self, text: &str) -> Result<Card, ReadBackError> {
+        let (mut base, study) = (self.scenario(), preset::study());
+        (base.silicone, base.skin) = (study.silicone, study.skin);
+        let scenario = scenario_file::parse(text, &base).map_err(|error| ReadBackError::new(error.to_string()))?;
+        Ok(Card::of(if self.layer == Layer::Skin { &scenario.skin } else { &scenario.silicone }))
     }
 }
 

@@ -1,6 +1,6 @@
 //! From files of test data to a material: what `softanvil fit` works with.
 //!
-//! [`files`] reads the curves, [`Identification`] fits and chooses, [`table`] and [`json`] say what came out, and
+//! [`files`] reads the curves, [`volume`] says what is known of the specimens' volume, [`Identification`] fits and chooses, [`table`] and [`json`] say what came out, and
 //! [`material`] holds the files that carry it on.
 
 pub mod files;
@@ -8,9 +8,11 @@ pub mod json;
 pub mod material;
 pub mod table;
 pub mod trial;
+pub mod volume;
 
 use softanvil_identify::law::fit::{Fit, Settings};
-use softanvil_identify::law::{LAWS, Law, Mode, ranking, stability, stress};
+use softanvil_identify::law::volume::Volume;
+use softanvil_identify::law::{DataSet, LAWS, Law, Mode, ranking, stability, stress};
 use softanvil_identify::relaxation::choice::Choice;
 use softanvil_identify::relaxation::read::{self as relaxation, Test};
 
@@ -29,9 +31,13 @@ pub struct Relaxed {
 pub struct Identification {
     /// The curves, in the order of the options.
     pub curves: Vec<Curves>,
+    /// How the specimens' volume behaves.
+    pub volume: Volume,
+    /// What the laws were fitted to: the isochoric part of the curves.
+    pub data: Vec<DataSet>,
     /// The laws in the order of the ranking; empty without curves.
     pub fits: Vec<Fit>,
-    /// MaterialModel that could not be fitted, and why.
+    /// Laws that could not be fitted, and why.
     pub failed: Vec<String>,
     /// Index of the chosen law.
     pub chosen: usize,
@@ -46,6 +52,13 @@ pub struct Identification {
 /// Stretches over which stability is asked for, unless the data go further: those of the softest layers in a drop.
 const STABILITY_RANGE: (f64, f64) = (0.5, 2.0);
 
+/// What is told if no law can be fitted.
+const HINT: &str =
+    "Are the columns read as they are meant: strain or stretch (--columns), tension or compression (--direction)?";
+
+/// What is told if only unstable laws can be.
+const UNSTABLE: &str = "An unstable law is chosen by --law alone.";
+
 /// What to do with the data.
 pub struct Request {
     /// Stretches over which stability is asked for; none for those of the data and of a drop.
@@ -56,42 +69,63 @@ pub struct Request {
     pub law: Option<&'static Law>,
     /// Number of Prony terms instead of the chosen one.
     pub n_term: Option<usize>,
+    /// Poisson's ratio, if the user states it.
+    pub poissons_ratio: Option<f64>,
 }
 
 impl Identification {
     /// Fits every law to `curves` and every series to the relaxation in `relaxation`.
     ///
     /// # Errors
-    /// A relaxation that is refused, or no law that can be fitted.
+    /// A relaxation that is refused, a planar test of a compressible specimen, or no law that can be fitted.
     pub fn new(
         curves: Vec<Curves>,
         relaxation: Option<(&Source, &relaxation::Options)>,
         request: &Request,
     ) -> Result<Self, Failure> {
-        let data: Vec<_> = curves.iter().map(|curves| curves.data.clone()).collect();
+        let volume = volume::of(&curves, request.poissons_ratio)?;
+        let isochoric = |set: &DataSet| DataSet {
+            mode: set.mode,
+            points: set.points.iter().map(|point| volume.isochoric(set.mode, *point)).collect(),
+        };
+        let data: Vec<DataSet> = curves.iter().map(|curves| isochoric(&curves.data)).collect();
         let mut settings = request.settings;
-        settings.stability_range = request.stability_range.unwrap_or_else(|| stability_range(&curves));
-        let (mut fits, mut failed) = (Vec::new(), Vec::new());
+        settings.stability_range = request.stability_range.unwrap_or_else(|| stability_range(&data));
+        let (mut fits, mut failed, mut worse) = (Vec::new(), Vec::new(), 0);
         for law in LAWS.iter().filter(|_| !data.is_empty()) {
             match Fit::new(law, &data, &settings) {
+                // Worse than a constant: it says nothing about these data.
+                Some(fit) if fit.statistics.r_squared < 0.0 => {
+                    let r_squared = fit.statistics.r_squared;
+                    failed
+                        .push(format!("{} is farther from the data than their mean (R2 = {r_squared:.3})", law.label));
+                    worse += 1;
+                }
                 Some(fit) => fits.push(fit),
                 None => failed.push(reason(law, &data, &settings)),
             }
         }
         let fits = ranking::rank(fits);
         if fits.is_empty() && !data.is_empty() {
-            return Err(Failure::Failed(format!("no law can be fitted: {}", failed.join("; "))));
+            return Err(Failure::Failed(format!("no law can be fitted: {}. {HINT}", failed.join("; "))));
+        }
+        // What remains follows the data only by being unstable, which is no choice to make unasked.
+        let any_stable = fits.iter().any(|fit| fit.is_stable && fit.is_usable());
+        if request.law.is_none() && worse > 0 && !any_stable {
+            let reasons = failed.join("; ");
+            return Err(Failure::Failed(format!("no stable law describes the data: {reasons}. {HINT} {UNSTABLE}")));
         }
         let chosen = match request.law {
             Some(law) => position(&fits, law, &failed)?,
             None => ranking::choose(&fits),
         };
-        let caveats = fits.get(chosen).map_or_else(Vec::new, |fit| ranking::caveats(fit, &fits, &data, &settings));
+        let mut caveats = volume::caveats(&curves, volume);
+        caveats.extend(fits.get(chosen).into_iter().flat_map(|fit| ranking::caveats(fit, &fits, &data, &settings)));
         let relaxed = match relaxation {
-            Some((source, options)) => Some(Relaxed::new(source, options, fits.get(chosen), request.n_term)?),
+            Some((source, options)) => Some(Relaxed::new(source, options, fits.get(chosen), volume, request.n_term)?),
             None => None,
         };
-        Ok(Self { curves, fits, failed, chosen, settings, caveats, relaxed })
+        Ok(Self { curves, volume, data, fits, failed, chosen, settings, caveats, relaxed })
     }
 
     /// The chosen law, if there are curves.
@@ -105,27 +139,30 @@ impl Relaxed {
         source: &Source,
         options: &relaxation::Options,
         law: Option<&Fit>,
+        volume: Volume,
         n_term: Option<usize>,
     ) -> Result<Self, Failure> {
         let elastic = law.map(Fit::elastic);
         let stress = |stretch: f64| {
-            elastic.as_ref().map_or(stretch - 1.0, |law| stress::nominal(law, Mode::Uniaxial, &[stretch])[0])
+            let (isochoric, scale) = volume.isochoric(Mode::Uniaxial, (stretch, 1.0));
+            elastic.as_ref().map_or(stretch - 1.0, |law| stress::nominal(law, Mode::Uniaxial, &[isochoric])[0] / scale)
         };
         let known: Option<&dyn Fn(f64) -> f64> = if elastic.is_some() { Some(&stress) } else { None };
         let test = relaxation::read(&source.bytes, options, known).map_err(|error| source.refused(&error))?;
-        let choice = Choice::new(&test.relaxation, n_term);
+        let choice = Choice::new(&test.relaxation, n_term)
+            .map_err(|error| Failure::Failed(format!("{}: {error}", source.path.display())))?;
         Ok(Self { test, choice })
     }
 }
 
 /// The stretches of the data and of a drop.
-fn stability_range(curves: &[Curves]) -> (f64, f64) {
-    let stretches = curves.iter().flat_map(|curves| curves.data.points.iter().map(|point| point.0));
+fn stability_range(data: &[DataSet]) -> (f64, f64) {
+    let stretches = data.iter().flat_map(|set| set.points.iter().map(|point| point.0));
     let (low, high) = stretches.fold(STABILITY_RANGE, |(low, high), stretch| (low.min(stretch), high.max(stretch)));
     (low.max(stability::SCAN.0), high.min(stability::SCAN.1))
 }
 
-fn reason(law: &Law, data: &[softanvil_identify::law::DataSet], settings: &Settings) -> String {
+fn reason(law: &Law, data: &[DataSet], settings: &Settings) -> String {
     let n_point: usize = data.iter().map(|set| set.points.len()).sum();
     if n_point < law.parameters.len() {
         format!("{} needs {} points or more", law.label, law.parameters.len())

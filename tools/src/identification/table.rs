@@ -6,7 +6,7 @@ use softanvil_identify::law::fit::{Fit, Weighting};
 use softanvil_identify::relaxation::prony::Prony;
 use softanvil_identify::relaxation::read::Load;
 
-use super::{Identification, Relaxed};
+use super::{Identification, Relaxed, volume};
 use crate::table::{FIXED_BLANK, align_right, new_plain_table, text as text_of};
 
 /// The whole report.
@@ -20,6 +20,7 @@ pub fn of_identification(identification: &Identification) -> String {
         curves.notes.iter().for_each(|note| push(&mut text, "  ", note));
     }
     if let Some(fit) = identification.law() {
+        push(&mut text, "", &volume::text(identification.volume));
         text += "\n";
         text += &ranking(identification);
         text += "\n";
@@ -62,7 +63,7 @@ fn ranking(identification: &Identification) -> String {
             format!("{:.1}", statistics.aic),
             format!("{} kPa", digits(fit.shear_modulus() * 1e-3)),
             format!("{:.1e}", statistics.condition),
-            stable(fit),
+            fit.degeneracy.map_or_else(|| stable(fit), |_| "degenerate".into()),
         ]);
     }
     align_right(&mut table, 1..6);
@@ -111,23 +112,30 @@ fn relaxation(relaxed: &Relaxed) -> String {
         Load::Normalised => "",
         Load::Stress | Load::Modulus => " Pa",
     };
-    let mut table =
-        new_plain_table(&["terms", "residual rms", "R2", "AIC", "g and tau (s) of each term", "equilibrium"]);
+    let header = ["terms", "hold rms", "ramp rms", "R2", "AIC", "g at tau (s)", "g_inf"];
+    let mut table = new_plain_table(&header);
     for (index, prony) in relaxed.choice.series.iter().enumerate() {
         let mark = if index == relaxed.choice.chosen { "> " } else { "  " };
-        let terms = prony.normalised().iter().map(|(g, tau)| format!("{g:.4} at {tau:.3e}")).collect::<Vec<_>>();
+        let (ramp, hold) = prony.residuals(&relaxed.test.relaxation);
+        let terms = prony
+            .normalised()
+            .iter()
+            .map(|(g, tau)| format!("{g:.4} at {tau:.3e}").replace(' ', &FIXED_BLANK.to_string()))
+            .collect::<Vec<_>>();
         table.add_row([
             format!("{mark}{}", prony.terms.len()),
-            format!("{}{unit}", digits(prony.statistics.rms)),
+            format!("{}{unit}", digits(hold)),
+            ramp.map_or("-".into(), |ramp| format!("{}{unit}", digits(ramp))),
             format!("{:.5}", prony.statistics.r_squared),
             format!("{:.1}", prony.statistics.aic),
             terms.join("\n"),
             format!("{:.4}", 1.0 - prony.normalised().iter().map(|term| term.0).sum::<f64>()),
         ]);
     }
-    align_right(&mut table, 1..4);
+    align_right(&mut table, 1..5);
     let _ = writeln!(text, "{}", text_of(&mut table));
     text += &moduli(relaxed, relaxed.choice.prony());
+    relaxed.choice.caveats.iter().for_each(|caveat| push(&mut text, "! ", caveat));
     for prony in relaxed.choice.series.iter().filter(|prony| !prony.doubts.is_empty()) {
         push(&mut text, "! ", &format!("{} terms: {}", prony.terms.len(), prony.doubts.join("; ")));
     }

@@ -80,13 +80,16 @@ fn of_curves(identification: &Identification, curves: &Curves) -> Picture {
         families.push(fit.law.family);
         let chosen = index == identification.chosen;
         let suffix = if chosen { ", chosen" } else { "" };
-        let stresses = stress::nominal(&fit.elastic(), curves.data.mode, &stretches);
+        let (mode, volume) = (curves.data.mode, identification.volume);
+        let isochoric: Vec<f64> = stretches.iter().map(|l| volume.isochoric(mode, (*l, 0.0)).0).collect();
+        let stresses = stress::nominal(&fit.elastic(), mode, &isochoric);
+        let real = |state: (f64, f64)| volume.real(mode, state);
         fitted.push(Line {
             label: format!("{}{suffix}", fit.law.label),
             colour: shade(colour(fit.law.family as usize), behind),
             dashed: behind > 0 && !chosen,
             chosen,
-            points: stretches.iter().copied().zip(stresses).map(shown).collect(),
+            points: isochoric.into_iter().zip(stresses).map(real).map(shown).collect(),
         });
     }
     let measured: Vec<_> = points.iter().copied().map(shown).collect();

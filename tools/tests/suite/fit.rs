@@ -101,3 +101,85 @@ fn poissons_ratio_is_the_preset_s_unless_given() {
     let own = softanvil_kernel::preset::study().silicone.poissons_ratio;
     assert!(text.contains(&format!("\npoissons_ratio = {own} ")), "{text}");
 }
+
+/// A term of Ogden's law, and the derivative of another by its exponent, which two terms approach as they cancel.
+fn cancelling() -> String {
+    let stress = |l: f64| 40.0 * (l * l - l.powf(-2.5)) + 100.0 * (l + 0.5 * l.powi(-2)) * l.ln();
+    let rows = (1..40).map(|k| 1.0 + 0.05 * f64::from(k)).map(|l| format!("{l:.2},{:.8}\n", stress(l)));
+    format!("stretch,stress [kPa]\n{}", rows.collect::<String>())
+}
+
+#[test]
+fn a_card_that_would_not_give_the_stresses_back_is_not_written() {
+    let folder = folder();
+    std::fs::write(folder.path().join("cancelling.csv"), cancelling()).unwrap();
+    let fit = ["fit", "--uniaxial", "cancelling.csv", "--stable-range", "0.9:3", "--out", "out"];
+    let chosen = succeed(folder.path(), &fit).replace("\n  ", " ");
+    assert!(chosen.contains("Ogden 3 is not chosen: its terms cancel"), "{chosen}");
+    assert!(!chosen.contains("not written"), "{chosen}");
+    let there = |name: &str| entries(&folder.path().join("out")).iter().any(|file| file == name);
+    assert!(there("material-lsdyna.k"));
+    // The card of the fit before must not stand beside the new material.
+    let text =
+        succeed(folder.path(), &[&fit[..], &["--law", "ogden_3"]].concat()).replace("\n  ", " ").replace('\n', " ");
+    assert!(text.contains("the coefficients of Ogden 3 are not to be used: its terms cancel"), "{text}");
+    assert!(text.contains("! not written: out/material-lsdyna.k: its digits give the uniaxial stress"), "{text}");
+    assert!(!there("material-lsdyna.k") && there("material.ssv") && there("material.h"));
+    let json = json(folder.path(), &[&fit[..], &["--law", "ogden_3", "--json"]].concat());
+    assert!(json["not_written"]["material-lsdyna.k"].as_str().unwrap().contains("expected a difference of 0.1 %"));
+}
+
+/// A stretch of compression titled as a strain: the specimen would be softest where it is stretched most.
+#[test]
+fn a_fit_worse_than_the_mean_is_no_result() {
+    let folder = folder();
+    let rows: String = (0..21)
+        .map(|k| 1.0 - 0.01 * f64::from(k))
+        .map(|l| format!("{l:.2},{:.3}\n", 280.0 * (l.powi(-2) - l)))
+        .collect();
+    std::fs::write(folder.path().join("wrong.csv"), format!("strain,stress [kPa]\n{rows}")).unwrap();
+    let line = fail(folder.path(), &["fit", "--uniaxial", "wrong.csv"], 1);
+    assert!(line.contains("no stable law describes the data") && line.contains("(--columns)"), "{line}");
+    let line = fail(folder.path(), &["fit", "--uniaxial", "wrong.csv", "--law", "neo_hookean"], 1);
+    assert!(line.contains("neo-Hookean is farther from the data than their mean (R2 = -"), "{line}");
+    let fit = json(folder.path(), &["fit", "--uniaxial", "wrong.csv", "--law", "yeoh_3", "--json"]);
+    assert!(fit["laws"].as_array().unwrap().iter().all(|law| law["r_squared"].as_f64().unwrap() >= 0.0), "{fit}");
+}
+
+#[test]
+fn the_volume_of_a_specimen_is_known_or_said_to_be_assumed() {
+    let folder = folder();
+    let path = |name: &str| folder.path().join(name);
+    // A compressible neo-Hookean solid of C10 = 40 kPa and Poisson's ratio 0.2 of logarithmic strains.
+    let row = |k: u32| {
+        let l = 1.0 - 0.04 * f64::from(k);
+        let lateral = l.powf(-0.2);
+        let stress = 80.0 * (l * lateral * lateral).powf(-2.0 / 3.0) * (l * l - lateral * lateral) / l;
+        (l, lateral, stress)
+    };
+    let lines = |lateral: bool| -> String {
+        let head = if lateral { "stretch,lateral stretch,stress [kPa]\n" } else { "stretch,stress [kPa]\n" };
+        let line = |(l, t, s): (f64, f64, f64)| if lateral { format!("{l},{t},{s}\n") } else { format!("{l},{s}\n") };
+        head.to_string() + &(1..16).map(row).map(line).collect::<String>()
+    };
+    std::fs::write(path("solid.csv"), lines(true)).unwrap();
+    std::fs::write(path("foam.csv"), lines(false)).unwrap();
+    let c10 = |options: &[&str]| {
+        let fit = json(folder.path(), &[&["fit", "--law", "neo_hookean", "--json"], options].concat());
+        let law = fit["laws"].as_array().unwrap().iter().find(|law| law["law"] == "neo_hookean").unwrap();
+        (law["parameters"]["c10"].as_f64().unwrap(), fit["volume"]["known_by"].as_str().unwrap().to_string())
+    };
+    let measured = c10(&["--uniaxial", "solid.csv", "--out", "out"]);
+    assert!((measured.0 / 40e3 - 1.0).abs() < 1e-9 && measured.1 == "measurement", "{measured:?}");
+    let material = std::fs::read_to_string(path("out/material.toml")).unwrap();
+    assert!(material.contains("\npoissons_ratio = 0.2"), "{material}");
+    let stated = c10(&["--uniaxial", "foam.csv", "--poissons-ratio", "0.2"]);
+    assert!((stated.0 / 40e3 - 1.0).abs() < 1e-9 && stated.1 == "statement", "{stated:?}");
+    let text = succeed(folder.path(), &["fit", "--uniaxial", "foam.csv"]).replace("\n  ", " ");
+    assert!(text.contains("is taken as constant") && text.contains("\"foam\" stands in foam.csv"), "{text}");
+    assert_eq!(c10(&["--uniaxial", "foam.csv"]).1, "assumption");
+    let refused = fail(folder.path(), &["fit", "--planar", "foam.csv", "--poissons-ratio", "0.2"], 2);
+    assert!(refused.contains("legal with a Poisson's ratio below 0.45 is --uniaxial and --equibiaxial"), "{refused}");
+    let refused = fail(folder.path(), &["fit", "--uniaxial", "foam.csv", "--poissons-ratio", "0.7"], 2);
+    assert!(refused.starts_with("--poissons-ratio: ") && refused.contains("expected"), "{refused}");
+}

@@ -7,6 +7,7 @@ mod golden;
 mod measure;
 mod pictures;
 mod quasi_static;
+mod recovery;
 mod report;
 mod run;
 mod series;

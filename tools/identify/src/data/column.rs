@@ -15,6 +15,10 @@ pub enum Kind {
     Force,
     /// Change of length.
     Displacement,
+    /// Strain or stretch of a free direction.
+    Lateral,
+    /// Change of the volume over that at rest, or their ratio.
+    Volume,
     /// Time.
     Time,
     /// Stress over strain.
@@ -57,7 +61,7 @@ impl Kind {
     /// What it measures; none for names and counts.
     pub fn dimension(self) -> Option<Dimension> {
         match self {
-            Self::Strain | Self::Stretch | Self::Normalised => Some(Dimension::Ratio),
+            Self::Strain | Self::Stretch | Self::Normalised | Self::Lateral | Self::Volume => Some(Dimension::Ratio),
             Self::Stress | Self::Modulus => Some(Dimension::Stress),
             Self::Force => Some(Dimension::Force),
             Self::Displacement => Some(Dimension::Length),
@@ -74,6 +78,8 @@ impl Kind {
             Self::Stress => ("stress", "stress [kPa]"),
             Self::Force => ("force", "force [N]"),
             Self::Displacement => ("displacement", "displacement [mm]"),
+            Self::Lateral => ("lateral strain", "lateral strain [%]"),
+            Self::Volume => ("volume change", "volume change [%]"),
             Self::Time => ("time", "time [s]"),
             Self::Modulus => ("modulus", "modulus [kPa]"),
             Self::Normalised => ("normalised load", "normalised load [-]"),
@@ -155,6 +161,15 @@ fn kind_of(words: &[String], unit: Option<Unit>) -> Result<Option<Kind>, &'stati
     let joined = words.join(" ");
     let dimension = unit.map(|unit| unit.dimension);
     let of = |wanted: Dimension| dimension == Some(wanted);
+    let ratio = dimension.is_none() || of(Dimension::Ratio);
+    let free = has(&["lateral", "transverse", "querdehnung", "querstreckung", "transversal"]);
+    if ratio && free && has(&["strain", "stretch", "dehnung", "streckung", "déformation", "deformación", "ε", "λ"])
+    {
+        return Ok(Some(Kind::Lateral));
+    }
+    if ratio && has(&["volum"]) && has(&["change", "ratio", "strain", "änderung", "variation", "dilat"]) {
+        return Ok(Some(Kind::Volume));
+    }
     let rate = has(&["rate", "speed", "velocity", "energy", "work", "poisson", "lateral", "transverse", "temperature"])
         || is_dynamic(words);
     if rate || words.is_empty() {
@@ -298,6 +313,10 @@ mod tests {
             ("Cauchy stress [Pa]", Stress, Some(1.0), Some(Measure::True)),
             ("Sample", Specimen, None, None),
             ("cycle", Cycle, None, None),
+            ("Transverse strain (%)", Lateral, Some(0.01), None),
+            ("Querdehnung [%]", Lateral, Some(0.01), None),
+            ("Volume ratio [-]", Volume, Some(1.0), None),
+            ("Volumenänderung [%]", Volume, Some(0.01), None),
             ("E_relax [MPa]", Modulus, Some(1e6), None),
             ("Normalized modulus [-]", Normalised, Some(1.0), None),
             ("Extension ratio", Stretch, None, None),

@@ -6,6 +6,7 @@ use super::number::Decimal;
 use super::series::{Series, Table};
 use super::sheet;
 use super::specimen::{Specimen, at_rest};
+use super::volume;
 
 /// Which way the specimen was loaded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -86,6 +87,10 @@ pub struct Repeat {
 pub struct Curve {
     /// The specimens.
     pub repeats: Vec<Repeat>,
+    /// (stretch of the loaded direction, volume over that at rest), as far as the file has lateral strains or the volume.
+    pub volumes: Vec<(f64, f64)>,
+    /// What else the file says, with its titles.
+    pub words: String,
     /// How the file was understood where it left a choice.
     pub notes: Vec<String>,
 }
@@ -124,7 +129,8 @@ pub fn read(name: &str, bytes: &[u8], options: &Options) -> Result<Curve, ReadEr
     let words = if stretched { None } else { Some(format!("{name}\n{}", table.words)) };
     orient(words.as_deref(), options.direction, &mut repeats, &mut notes)?;
     to_stretch(&pairs, &mut repeats)?;
-    Ok(Curve { repeats, notes })
+    let volumes = volume::read(&table, &repeats, &mut notes)?;
+    Ok(Curve { repeats, volumes, words: table.words, notes })
 }
 
 /// The column of the deformation and that of the load, with their measures.

@@ -2,7 +2,7 @@
 //!
 //! [`text`] decodes a file, [`sheet`] finds its table of numbers, [`mod@column`] says what the columns are (with [`mod@unit`]
 //! and [`number`]), [`series`] tells specimens apart, [`curve`] makes stretches and nominal stresses of them (with
-//! [`specimen`]), [`cycles`] tells loading from unloading, [`repeats`] makes one curve of several specimens, and [`thinned`]
+//! [`specimen`]), [`volume`] reads how it changes beside them, [`cycles`] tells loading from unloading, [`repeats`] makes one curve of several specimens, and [`thinned`]
 //! fewer points of very many.
 
 pub mod column;
@@ -16,6 +16,7 @@ pub mod specimen;
 pub mod text;
 pub mod thinned;
 pub mod unit;
+pub mod volume;
 
 /// Why a file is refused.
 ///

@@ -4,10 +4,12 @@
 
 use std::fmt::Write;
 
-use softanvil_kernel::material::{ElasticLaw, Material, Moduli};
+use softanvil_kernel::material::{ElasticLaw, Material, Moduli, VolumetricBy};
 
+use super::card::Card;
 use super::ls_dyna::active;
-use super::prony_terms;
+use super::{ReadBackError, prony_terms};
+use crate::law::blank;
 
 /// The keywords; `comment` says where the numbers come from.
 pub fn text(name: &str, comment: &str, material: &Material) -> String {
@@ -52,6 +54,66 @@ pub fn text(name: &str, comment: &str, material: &Material) -> String {
     text
 }
 
+/// What the keywords in `text` mean to Abaqus, which has no damping spring.
+///
+/// # Errors
+/// A keyword that is missing, or a value that is no number.
+pub fn read(text: &str) -> Result<Card, ReadBackError> {
+    let mut material = blank();
+    material.density = *values(text, "*DENSITY")?.1.first().ok_or_else(|| ReadBackError::new("*DENSITY"))?;
+    let (options, values_of_law) = values(text, "*HYPERELASTIC")?;
+    let value = |index: usize| {
+        values_of_law.get(index).copied().ok_or_else(|| ReadBackError::new(format!("value {} of the law", index + 1)))
+    };
+    let d1 = if options.contains("NEO HOOKE") {
+        material.law = ElasticLaw::NeoHookean;
+        material.c10 = value(0)?;
+        value(1)?
+    } else if options.contains("MOONEY-RIVLIN") {
+        material.law = ElasticLaw::MooneyRivlin;
+        (material.c10, material.c01) = (value(0)?, value(1)?);
+        value(2)?
+    } else if options.contains("POLYNOMIAL") {
+        material.law = ElasticLaw::MooneyRivlin;
+        [material.c10, material.c01, material.c20, material.c11, material.c02] =
+            [value(0)?, value(1)?, value(2)?, value(3)?, value(4)?];
+        value(5)?
+    } else if options.contains("YEOH") {
+        material.law = ElasticLaw::Yeoh;
+        [material.c10, material.c20, material.c30] = [value(0)?, value(1)?, value(2)?];
+        value(3)?
+    } else {
+        material.law = ElasticLaw::Ogden;
+        // n pairs and n D.
+        let n = values_of_law.len() / 3;
+        for k in 0..n.min(material.ogden_mu.len()) {
+            let (mu, alpha) = (value(2 * k)?, value(2 * k + 1)?);
+            (material.ogden_mu[k], material.ogden_alpha[k]) = (2.0 * mu / alpha, alpha);
+        }
+        value(2 * n)?
+    };
+    if options.contains("INSTANTANEOUS") {
+        material.moduli = Moduli::Instantaneous;
+    }
+    material.volumetric_by = VolumetricBy::BulkModulus;
+    material.bulk_modulus = 2.0 / d1;
+    if text.contains("*VISCOELASTIC") {
+        for (k, term) in values(text, "*VISCOELASTIC")?.1.chunks_exact(3).enumerate().take(material.prony_g.len()) {
+            (material.prony_g[k], material.prony_tau[k]) = (term[0], term[2]);
+        }
+    }
+    Ok(Card { slider: None, ..Card::of(&material) })
+}
+
+/// The line of `keyword` and the values below it.
+fn values<'a>(text: &'a str, keyword: &str) -> Result<(&'a str, Vec<f64>), ReadBackError> {
+    let mut lines = text.lines().skip_while(|line| !line.starts_with(keyword));
+    let options = lines.next().ok_or_else(|| ReadBackError::new(keyword))?;
+    let values = lines.take_while(|line| !line.starts_with('*')).flat_map(|line| line.split(','));
+    let number = |value: &str| value.trim().parse().map_err(|_| ReadBackError::new(format!("\"{}\"", value.trim())));
+    Ok((options, values.map(number).collect::<Result<_, _>>()?))
+}
+
 fn number(value: f64) -> String {
     if value == 0.0 { "0.0".into() } else { format!("{value:.9e}") }
 }
@@ -61,12 +123,6 @@ mod tests {
     use super::*;
     use crate::law::Law;
 
-    fn values(text: &str, keyword: &str) -> Vec<f64> {
-        let lines = text.lines().skip_while(|line| !line.starts_with(keyword)).skip(1);
-        let data = lines.take_while(|line| !line.starts_with('*'));
-        data.flat_map(|line| line.split(", ").map(|value| value.parse::<f64>().unwrap())).collect()
-    }
-
     /// Source: Abaqus Keywords Reference, *HYPERELASTIC: N=2 polynomial C10, C01, C20, C11, C02, D1, D2.
     #[test]
     fn values_stand_in_the_order_of_the_keyword() {
@@ -74,8 +130,8 @@ mod tests {
         material.prony_g[1] = 0.25;
         material.prony_tau[1] = 8.0;
         let text = text("rubber", "", &material);
-        assert_eq!(values(&text, "*HYPERELASTIC")[..5], [1e5, 2e4, 4e2, 3e3, 5e1]);
-        assert_eq!(values(&text, "*VISCOELASTIC"), [0.25, 0.0, 8.0]);
+        assert_eq!(values(&text, "*HYPERELASTIC").unwrap().1[..5], [1e5, 2e4, 4e2, 3e3, 5e1]);
+        assert_eq!(values(&text, "*VISCOELASTIC").unwrap().1, [0.25, 0.0, 8.0]);
         assert!(text.contains("POLYNOMIAL, N=2, MODULI=LONG TERM"));
     }
 
@@ -83,7 +139,8 @@ mod tests {
     #[test]
     fn ogden_coefficients_are_converted() {
         let material = Law::find("ogden_3").unwrap().material(&[6.3e5, 1.3, 1.2e3, 5.0, -1e4, -2.0]);
-        let values = values(&text("rubber", "", &material), "*HYPERELASTIC");
+        let text = text("rubber", "", &material);
+        let (_, values) = values(&text, "*HYPERELASTIC").unwrap();
         let sum: f64 = values[..6].iter().step_by(2).sum();
         assert!((sum / material.shear_modulus_inf() - 1.0).abs() < 1e-9, "{values:?}");
         assert_eq!(values.len(), 9);

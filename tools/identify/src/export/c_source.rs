@@ -4,7 +4,8 @@ use std::fmt::Write;
 
 use softanvil_kernel::material::Material;
 
-use super::{Layer, label, rows};
+use super::card::Card;
+use super::{Layer, ReadBackError, label, read_rows, rows};
 
 /// The header; `comment` says where the numbers come from.
 pub fn text(comment: &str, material: &Material, layer: Layer) -> String {
@@ -40,4 +41,18 @@ pub fn text(comment: &str, material: &Material, layer: Layer) -> String {
         "        SoftanvilStatus status = softanvil_scenario_set(scenario, rows[i].parameter, rows[i].value, error);\n";
     text += "        if (status != SOFTANVIL_STATUS_OK) return status;\n    }\n    return SOFTANVIL_STATUS_OK;\n}\n\n#endif\n";
     text
+}
+
+/// What the rows of the header in `text` set.
+///
+/// # Errors
+/// A value that a scenario refuses.
+pub fn read(text: &str, layer: Layer) -> Result<Card, ReadBackError> {
+    let value = |name: &str| {
+        let id = name.replace('.', "_").to_uppercase();
+        let row = format!("{{ SOFTANVIL_PARAMETER_{id}, ");
+        let value = text.lines().find_map(|line| line.trim().strip_prefix(&row)?.strip_suffix(" },"))?;
+        Some(value.strip_prefix(&format!("SOFTANVIL_{id}_")).unwrap_or(value).to_string())
+    };
+    Ok(Card::of(&read_rows(value, layer)?))
 }

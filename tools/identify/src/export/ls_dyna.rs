@@ -6,9 +6,11 @@
 
 use std::fmt::Write;
 
-use softanvil_kernel::material::{ElasticLaw, Material};
+use softanvil_kernel::material::{ElasticLaw, Material, VolumetricBy};
 
-use super::prony_terms;
+use super::card::Card;
+use super::{ReadBackError, prony_terms};
+use crate::law::blank;
 
 /// The cards; `comment` says where the numbers come from.
 pub fn text(title: &str, comment: &str, material: &Material) -> String {
@@ -68,11 +70,65 @@ pub(super) fn active(material: &Material) -> [f64; 6] {
 }
 
 /// (G_i, beta_i) of the Prony terms and of the additive Maxwell terms.
-fn viscous(material: &Material) -> impl Iterator<Item = (f64, f64)> {
+pub(super) fn viscous(material: &Material) -> impl Iterator<Item = (f64, f64)> {
     let scale = material.shear_modulus_inf() / material.prony_g_inf();
     let maxwell = material.maxwell_g.into_iter().zip(material.maxwell_beta).filter(|(g, _)| *g > 0.0);
     prony_terms(material).map(move |(g, tau)| (scale * g, 1.0 / tau)).chain(maxwell)
 }
+
+/// What the cards in `text` mean to LS-DYNA: fields of ten columns, lines of comment begin with $.
+///
+/// # Errors
+/// A card that is missing or a field that is no number.
+pub fn read(text: &str) -> Result<Card, ReadBackError> {
+    let mut lines = text.lines().filter(|line| !line.starts_with('$'));
+    let keyword = lines.find(|line| line.starts_with("*MAT_077_")).ok_or_else(|| ReadBackError::new("*MAT_077"))?;
+    let cards: Vec<Vec<f64>> =
+        lines.skip(1).take_while(|line| !line.starts_with('*')).map(fields).collect::<Result<_, _>>()?;
+    let first = card(&cards, 0, 8)?;
+    let mut material = blank();
+    let (coefficients, terms) = match keyword {
+        "*MAT_077_O_TITLE" => {
+            let (mu, alpha) = (card(&cards, 1, 3)?, card(&cards, 2, 3)?);
+            material.law = ElasticLaw::Ogden;
+            material.ogden_mu = [mu[0], mu[1], mu[2]];
+            material.ogden_alpha = [alpha[0], alpha[1], alpha[2]];
+            (2, cards.get(3..))
+        }
+        _ => {
+            // C30 makes a law of Yeoh's of it; no other has it beside the mixed ones.
+            let c = card(&cards, 1, 6)?;
+            let yeoh = c[5] != 0.0 || [c[1], c[2], c[4]] == [0.0; 3];
+            material.law = if yeoh { ElasticLaw::Yeoh } else { ElasticLaw::MooneyRivlin };
+            [material.c10, material.c01, material.c11, material.c20, material.c02, material.c30] =
+                [c[0], c[1], c[2], c[3], c[4], c[5]];
+            (1, cards.get(2..))
+        }
+    };
+    let terms = terms.unwrap_or_default().iter().enumerate();
+    let viscous = terms.map(|(k, _)| card(&cards, coefficients + 1 + k, 2).map(|term| (term[0], 1.0 / term[1])));
+    material.density = first[1];
+    material.volumetric_by = VolumetricBy::PoissonsRatio;
+    material.poissons_ratio = first[2];
+    (material.slider_stiffness, material.slider_yield_stress) = (first[5], first[6]);
+    Ok(Card { viscous: viscous.collect::<Result<_, _>>()?, ..Card::of(&material) })
+}
+
+fn card(cards: &[Vec<f64>], index: usize, width: usize) -> Result<&[f64], ReadBackError> {
+    let card = cards.get(index).filter(|card| card.len() >= width);
+    card.map(Vec::as_slice).ok_or_else(|| ReadBackError::new(format!("card {} of {width} fields", index + 1)))
+}
+
+fn fields(line: &str) -> Result<Vec<f64>, ReadBackError> {
+    let field = |bytes: &[u8]| {
+        let text = std::str::from_utf8(bytes).unwrap_or_default().trim();
+        text.parse().map_err(|_| ReadBackError::new(format!("\"{text}\"")))
+    };
+    line.as_bytes().chunks(WIDTH).map(field).collect()
+}
+
+/// Columns of a field.
+const WIDTH: usize = 10;
 
 /// A number in ten columns with as many digits as fit.
 fn field(value: f64) -> String {
@@ -81,7 +137,11 @@ fn field(value: f64) -> String {
     }
     (0..=7)
         .rev()
-        .flat_map(|digits| [format!("{value:.digits$}"), format!("{value:.digits$e}")])
+        .flat_map(|digits| {
+            // A point without digits behind it still makes a real number.
+            let point = if digits == 0 { "." } else { "" };
+            [format!("{value:.digits$}{point}"), format!("{value:.digits$e}")]
+        })
         .filter(|text| text.len() <= 9 && text.contains('.'))
         .min_by(|a, b| error(a, value).total_cmp(&error(b, value)))
         .map_or_else(|| format!("{value:>10.2e}"), |text| format!("{text:>10}"))

@@ -1,7 +1,9 @@
-//! A material as other programs read it.
+//! A material as other programs read it, each file with a reader of its own that knows the other program's conventions and
+//! nothing of the writer: by [`card`] what is read is compared with the material.
 
 pub mod abaqus;
 pub mod c_source;
+pub mod card;
 pub mod ls_dyna;
 pub mod ssv;
 
@@ -52,6 +54,39 @@ fn rows(material: &Material, layer: Layer) -> Vec<(&'static Parameter, f64)> {
     let of_layer =
         |parameter: &&Parameter| parameter.name.split_once('.').is_some_and(|(group, _)| group == layer.group());
     PARAMETERS.iter().filter(of_layer).filter(acts).map(|parameter| (parameter, parameter.get(&scenario))).collect()
+}
+
+/// The material of `layer` that the values `of` parameters, by name, make: numbers or labels of choices, as text. Those that
+/// are not there keep the values of [`crate::law::blank`].
+fn read_rows(of: impl Fn(&str) -> Option<String>, layer: Layer) -> Result<Material, ReadBackError> {
+    let mut scenario = preset::study();
+    (scenario.silicone, scenario.skin) = (crate::law::blank(), crate::law::blank());
+    for parameter in
+        PARAMETERS.iter().filter(|p| p.name.split_once('.').is_some_and(|(group, _)| group == layer.group()))
+    {
+        let Some(text) = of(parameter.name) else { continue };
+        let number = match parameter.kind {
+            Kind::Real { .. } => text.parse().ok(),
+            Kind::Choice { labels, .. } => {
+                labels.iter().position(|label| label.eq_ignore_ascii_case(&text)).map(|index| index as f64)
+            }
+        };
+        let number = number.ok_or_else(|| ReadBackError(format!("{} = {text}", parameter.name)))?;
+        parameter.set(&mut scenario, number).map_err(|error| ReadBackError(error.to_string()))?;
+    }
+    Ok(if layer == Layer::Skin { scenario.skin } else { scenario.silicone })
+}
+
+/// What a reader of a file stumbles upon.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{0} cannot be read back")]
+pub struct ReadBackError(pub(crate) String);
+
+impl ReadBackError {
+    /// `what` is missing or no number.
+    pub fn new(what: impl Into<String>) -> Self {
+        Self(what.into())
+    }
 }
 
 /// The label of a choice; none for a number.

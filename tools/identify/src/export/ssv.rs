@@ -1,13 +1,15 @@
 //! An SSP parameter set (System Structure and Parameterization 1.0, `.ssv`) for the FMU, whose variables have the names
 //! of the scenario file.
 
+use std::collections::BTreeMap;
 use std::io;
 
-use quick_xml::Writer;
-use quick_xml::events::{BytesDecl, Event};
+use quick_xml::events::{BytesDecl, BytesStart, Event};
+use quick_xml::{Reader, Writer};
 use softanvil_kernel::material::Material;
 
-use super::{Layer, label, rows};
+use super::card::Card;
+use super::{Layer, ReadBackError, label, read_rows, rows};
 
 /// The parameter set of `material`, called `name`.
 ///
@@ -49,6 +51,36 @@ pub fn text(name: &str, material: &Material, layer: Layer) -> io::Result<String>
         Ok(())
     })?;
     Ok(String::from_utf8_lossy(&xml.into_inner()).into_owned() + "\n")
+}
+
+/// What the parameter set in `text` sets.
+///
+/// # Errors
+/// What is no XML, or a value that a scenario refuses.
+pub fn read(text: &str, layer: Layer) -> Result<Card, ReadBackError> {
+    let refuse = |error: &dyn std::fmt::Display| ReadBackError::new(error.to_string());
+    let mut reader = Reader::from_str(text);
+    let (mut name, mut values) = (String::new(), BTreeMap::new());
+    loop {
+        match reader.read_event().map_err(|error| refuse(&error))? {
+            Event::Eof => break,
+            Event::Start(element) | Event::Empty(element) => match element.name().as_ref() {
+                "ssv:Parameter" => name = attribute(&element, "name")?,
+                "ssv:Real" | "ssv:Enumeration" => {
+                    values.insert(name.clone(), attribute(&element, "value")?);
+                }
+                _ => {}
+            },
+            _ => {}
+        }
+    }
+    Ok(Card::of(&read_rows(|name| values.get(name).cloned(), layer)?))
+}
+
+fn attribute(element: &BytesStart, name: &str) -> Result<String, ReadBackError> {
+    let attribute = element.try_get_attribute(name).ok().flatten();
+    let text = attribute.map(|attribute| attribute.value.into_owned());
+    text.ok_or_else(|| ReadBackError::new(format!("an element without {name}")))
 }
 
 #[cfg(test)]

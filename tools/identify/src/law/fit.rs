@@ -3,6 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 use softanvil_kernel::material::Elastic;
 
+use super::degeneracy::Degeneracy;
 use super::stability::Stability;
 use super::statistics::Statistics;
 use super::{DataSet, Family, LAWS, Law, linear, ogden, stress};
@@ -59,6 +60,8 @@ pub struct Fit {
     pub stability: Stability,
     /// Whether it is stable over the stretches asked for.
     pub is_stable: bool,
+    /// Why its coefficients are not to be used, if they are not.
+    pub degeneracy: Option<Degeneracy>,
 }
 
 impl Fit {
@@ -81,7 +84,8 @@ impl Fit {
         if !statistics.residual_sum.is_finite() || settings.demand_stability && !is_stable {
             return None;
         }
-        Some(Self { law, values, statistics, stability, is_stable })
+        let degeneracy = Degeneracy::of(law.family, &values, &jacobian, statistics.condition);
+        Some(Self { law, values, statistics, stability, is_stable, degeneracy })
     }
 
     /// The fitted law in the kernel.
@@ -92,6 +96,11 @@ impl Fit {
     /// Shear modulus at rest, Pa.
     pub fn shear_modulus(&self) -> f64 {
         self.elastic().shear_modulus()
+    }
+
+    /// Whether a simulation can use it: the kernel takes its modulus at rest, and its coefficients mean something.
+    pub fn is_usable(&self) -> bool {
+        self.shear_modulus() > 0.0 && self.degeneracy.is_none()
     }
 }
 

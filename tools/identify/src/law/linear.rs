@@ -1,4 +1,4 @@
-//! MaterialModel that are linear in their coefficients, by linear least squares.
+//! Laws that are linear in their coefficients, by linear least squares.
 
 use nalgebra::{DMatrix, DVector};
 use ndarray::{Array1, Array2};

@@ -1,9 +1,11 @@
 //! The hyperelastic laws, and what they answer in the three tests.
 //!
 //! The stress of a law is the kernel's ([`stress`]), so a law stands once. [`linear`] and [`ogden`] fit them,
-//! [`statistics`] says how well, [`profile`] whether its errors can be believed, [`stability`] over which stretches they are stable; [`fit`] does all of it for every
-//! law, and [`ranking`] compares.
+//! [`statistics`] says how well, [`profile`] whether its errors can be believed, [`degeneracy`] whether the coefficients mean
+//! anything, [`stability`] over which stretches they are stable; [`fit`] does all of it for every law, and [`ranking`]
+//! compares. [`volume`] is what a specimen does that the laws are fitted without.
 
+pub mod degeneracy;
 pub mod fit;
 pub mod linear;
 pub mod ogden;
@@ -12,6 +14,7 @@ pub mod ranking;
 pub mod stability;
 pub mod statistics;
 pub mod stress;
+pub mod volume;
 
 use softanvil_kernel::material::{ElasticLaw, Material, Moduli, VolumetricBy};
 use softanvil_kernel::preset;
@@ -60,7 +63,7 @@ pub struct DataSet {
     pub points: Vec<(f64, f64)>,
 }
 
-/// MaterialModel of which one has the other's terms and more.
+/// Laws of which one has the other's terms and more.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Family {
     /// One coefficient.

@@ -5,10 +5,10 @@ use super::fit::{Fit, Settings};
 use super::ogden::LARGEST_ALPHA;
 use super::{DataSet, Family, Mode, profile};
 
-/// Fits in the order of the study: the best of each family by residual, then the others by residual. MaterialModel that the
-/// kernel refuses, because their shear modulus at rest is not positive, come last.
+/// Fits in the order of the study: the best of each family by residual, then the others by residual. Laws that no simulation
+/// can use, because their shear modulus at rest is not positive or their coefficients degenerate, come last.
 pub fn rank(mut fits: Vec<Fit>) -> Vec<Fit> {
-    let order = |fit: &Fit| (fit.shear_modulus() <= 0.0, fit.statistics.residual_sum);
+    let order = |fit: &Fit| (!fit.is_usable(), fit.statistics.residual_sum);
     fits.sort_by(|a, b| {
         let (a, b) = (order(a), order(b));
         a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
@@ -28,9 +28,9 @@ pub fn rank(mut fits: Vec<Fit>) -> Vec<Fit> {
 }
 
 /// Index of the law to use, unless the user says otherwise: of lowest residual among those that are stable over the stretches
-/// asked for, in whatever family, or the first of all if none is.
+/// asked for, in whatever family, or the first of all if none is. One that degenerates is not chosen.
 pub fn choose(ranked: &[Fit]) -> usize {
-    let stable = ranked.iter().enumerate().filter(|(_, fit)| fit.is_stable && fit.shear_modulus() > 0.0);
+    let stable = ranked.iter().enumerate().filter(|(_, fit)| fit.is_stable && fit.is_usable());
     let sum = |fit: &Fit| fit.statistics.residual_sum;
     stable.min_by(|a, b| sum(a.1).total_cmp(&sum(b.1))).map_or(0, |(index, _)| index)
 }
@@ -57,6 +57,9 @@ pub fn caveats(chosen: &Fit, all: &[Fit], data: &[DataSet], settings: &Settings)
             "{label} is unstable {}: --stable demands a stable law",
             unstable(chosen, settings.stability_range)
         ));
+    }
+    if let Some(degeneracy) = chosen.degeneracy {
+        caveats.push(format!("the coefficients of {label} are not to be used: {degeneracy}"));
     }
     caveats.extend(coverage(data));
     caveats.extend(determination(chosen));
@@ -151,9 +154,10 @@ fn intervals(fit: &Fit, data: &[DataSet], settings: &Settings) -> Option<String>
 }
 
 fn alternatives(chosen: &Fit, all: &[Fit]) -> Vec<String> {
-    let mut caveats = Vec::new();
-    let better =
-        all.iter().filter(|fit| fit.shear_modulus() > 0.0).min_by(|a, b| a.statistics.aic.total_cmp(&b.statistics.aic));
+    let others = all.iter().filter(|fit| fit.law != chosen.law);
+    let not_chosen = |fit: &Fit| Some(format!("{} is not chosen: {}", fit.law.label, fit.degeneracy?));
+    let mut caveats: Vec<String> = others.filter_map(not_chosen).collect();
+    let better = all.iter().filter(|fit| fit.is_usable()).min_by(|a, b| a.statistics.aic.total_cmp(&b.statistics.aic));
     if let Some(better) = better.filter(|better| better.statistics.aic < chosen.statistics.aic - 2.0) {
         caveats.push(format!(
             "{} has the lower AIC ({:.1} against {:.1}): the parameters that it saves are worth more than the residual",
@@ -169,7 +173,7 @@ fn alternatives(chosen: &Fit, all: &[Fit]) -> Vec<String> {
         ));
     }
     if !chosen.is_stable
-        && let Some(stable) = all.get(choose(all)).filter(|fit| fit.is_stable && fit.shear_modulus() > 0.0)
+        && let Some(stable) = all.get(choose(all)).filter(|fit| fit.is_stable && fit.is_usable())
     {
         let ratio = (stable.statistics.residual_sum / chosen.statistics.residual_sum).sqrt();
         caveats.push(format!("{} is stable, with {ratio:.2} times the root of the residual sum", stable.law.label));
@@ -196,5 +200,24 @@ mod tests {
         let nearer = |fit: &&Fit| fit.is_stable && fit.statistics.residual_sum < chosen.statistics.residual_sum;
         assert!(chosen.is_stable && !ranked.iter().any(|fit| nearer(&fit)), "{}", chosen.law.name);
         assert!(!ranked[0].is_stable, "{}", ranked[0].law.name);
+    }
+
+    /// The derivative of one term by its exponent is the limit of two terms that cancel, and of no others: two terms fit it the
+    /// better the nearer their exponents and the larger their moduli.
+    #[test]
+    fn a_law_whose_terms_cancel_is_not_chosen() {
+        let derivative = |l: f64| 2e4 * (l.powf(1.0) + 0.5 * l.powf(-2.0)) * l.ln();
+        let points = (1..40).map(|k| 1.0 + 0.05 * f64::from(k)).map(|l| (l, derivative(l))).collect();
+        let data = [DataSet { mode: Mode::Uniaxial, points }];
+        let settings =
+            Settings { weighting: Weighting::Absolute, stability_range: (0.9, 3.0), demand_stability: false };
+        let ranked = rank(LAWS.iter().filter_map(|law| Fit::new(law, &data, &settings)).collect());
+        let fit = |name: &str| ranked.iter().find(|fit| fit.law.name == name).unwrap();
+        let (two, chosen) = (fit("ogden_2"), &ranked[choose(&ranked)]);
+        assert!(two.values[0] * two.values[2] < -1e12 && two.degeneracy.is_some(), "{:?}", two.values);
+        assert!(two.statistics.residual_sum < chosen.statistics.residual_sum, "{:?}", chosen.law);
+        assert!(chosen.degeneracy.is_none() && fit("yeoh_3").degeneracy.is_none());
+        let caveats = caveats(chosen, &ranked, &data, &settings).join("\n");
+        assert!(caveats.contains("Ogden 2 is not chosen: "), "{caveats}");
     }
 }

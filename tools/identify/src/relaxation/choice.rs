@@ -1,4 +1,4 @@
-//! How many terms a Prony series has.
+//! How many terms a Prony series has, and which part of the test tells them.
 
 use super::prony::{Prony, Relaxation, fit};
 
@@ -19,18 +19,55 @@ pub const TERMS: std::ops::RangeInclusive<usize> = 1..=5;
 /// ```
 #[derive(Clone, Debug)]
 pub struct Choice {
-    /// The series, in order of their number of terms.
+    /// The series, in order of their number of terms; those that are worse than the mean of the loads are left out.
     pub series: Vec<Prony>,
     /// Index of the chosen one.
     pub chosen: usize,
+    /// What to think of before believing it.
+    pub caveats: Vec<String>,
 }
+
+/// No series describes the loads better than their mean does.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[error(
+    "no series describes this relaxation: the loads scatter less around their mean than around the best of them (R2 = {0:.3}); \
+     are time, load and strain read as they are meant (--relaxation-columns, --relaxation-start, --ramp-time)?"
+)]
+pub struct Undescribed(f64);
+
+/// Root mean square of a ramp over that of the hold, and that of the hold over what it would be without the ramp, beyond which
+/// ramp and hold are not of one linear material; and the parts of the largest load that are no misfit.
+const ONE_MATERIAL: [(f64, f64); 2] = [(2.0, 5e-3), (1.5, 1e-3)];
+/// Points of a hold that tell a series by themselves, at least.
+const FEWEST: usize = 4;
+/// The instantaneous load over the largest measured one from which on it is said to be an extrapolation.
+const EXTRAPOLATED: f64 = 1.5;
 
 impl Choice {
     /// Fits every number of terms and chooses `n_term`, or the lowest AIC among those whose terms are all identified
-    /// (among all, if none are).
+    /// (among all, if none are). The ramp counts as long as one series follows both it and the hold; a sample that softens
+    /// while it is loaded is none that does.
     ///
     /// The residual falls with every term, so the study's rule, the lowest residual, would choose the most terms.
-    pub fn new(data: &Relaxation, n_term: Option<usize>) -> Self {
+    ///
+    /// # Errors
+    /// Series that are all worse than the mean.
+    pub fn new(data: &Relaxation, n_term: Option<usize>) -> Result<Self, Undescribed> {
+        let mut choice = Self::of(data, n_term);
+        let hold = data.hold();
+        if data.n_ramp() > 0 && hold.times.len() >= FEWEST {
+            let of_hold = fit(choice.prony().terms.len(), &hold);
+            if !is_one_material(data, choice.prony(), &of_hold) {
+                choice = Self::of(&hold, n_term);
+                choice.caveats.push(left_out(data, choice.prony()));
+            }
+        }
+        choice.keep_described()?;
+        choice.caveats.extend(extrapolation(data, choice.prony()));
+        Ok(choice)
+    }
+
+    fn of(data: &Relaxation, n_term: Option<usize>) -> Self {
         let series: Vec<Prony> = TERMS.map(|count| fit(count, data)).collect();
         let lowest = |accept: fn(&Prony) -> bool| {
             let candidates = series.iter().enumerate().filter(|(_, prony)| accept(prony));
@@ -39,11 +76,123 @@ impl Choice {
         let given = n_term.map(|count| count - TERMS.start());
         let identified = || lowest(|prony| prony.doubts.is_empty());
         let chosen = given.or_else(identified).or_else(|| lowest(|_| true)).unwrap_or_default();
-        Self { series, chosen }
+        Self { series, chosen, caveats: Vec::new() }
+    }
+
+    /// Leaves out the series that are worse than the mean of the loads.
+    fn keep_described(&mut self) -> Result<(), Undescribed> {
+        let r_squared = self.prony().statistics.r_squared;
+        if r_squared < 0.0 {
+            return Err(Undescribed(r_squared));
+        }
+        let n_term = self.prony().terms.len();
+        self.series.retain(|prony| prony.statistics.r_squared >= 0.0);
+        self.chosen = self.series.iter().position(|prony| prony.terms.len() == n_term).unwrap_or_default();
+        Ok(())
     }
 
     /// The chosen series.
     pub fn prony(&self) -> &Prony {
         &self.series[self.chosen]
+    }
+}
+
+/// Whether a series follows both the ramp and the hold, which one of the hold alone does not follow much better.
+fn is_one_material(data: &Relaxation, of_all: &Prony, of_hold: &Prony) -> bool {
+    let largest = largest(data);
+    let ((ramp, hold), (_, best)) = (of_all.residuals(data), of_hold.residuals(data));
+    let [within, beside] = ONE_MATERIAL;
+    ramp.is_none_or(|ramp| ramp <= within.0 * hold + within.1 * largest) && hold <= beside.0 * best + beside.1 * largest
+}
+
+/// That the ramp does not count.
+fn left_out(data: &Relaxation, prony: &Prony) -> String {
+    format!(
+        "the ramp is not that of the material that relaxes in the hold (a sample that softens, a law that is not linear, or \
+         another ramp time): the series is of the hold alone, and misses the ramp by {:.1} % of the largest load",
+        100.0 * prony.residuals(data).0.unwrap_or_default() / largest(data)
+    )
+}
+
+/// That the instantaneous load was never measured, if it is far above all that were.
+fn extrapolation(data: &Relaxation, prony: &Prony) -> Option<String> {
+    let (whole, largest) = (prony.instantaneous(), largest(data));
+    let loading = match data.loaded > 0.0 {
+        true => format!("during the loading of {:.4} s", data.loaded),
+        false => "before the first point".into(),
+    };
+    (whole > EXTRAPOLATED * largest).then(|| {
+        format!(
+            "the instantaneous load is extrapolated, {:.2} times the largest that was measured: most of it relaxes {loading}",
+            whole / largest
+        )
+    })
+}
+
+fn largest(data: &Relaxation) -> f64 {
+    data.loads.iter().fold(0.0, |largest, load| f64::max(largest, load.abs()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::relaxation::history::History;
+
+    /// A ramp of 10 s and a hold of five minutes, whose material relaxes by 0.15 at 2 s and 0.2 at 40 s; `elastic` is its
+    /// response during the ramp, and the largest load is about 4.
+    fn slow_ramp(elastic: fn(f64) -> f64) -> Relaxation {
+        let hold = (0..100).map(|k| 20.0 + 2.8 * f64::from(k));
+        let times: Vec<f64> = (0..100).map(|k| 0.2 * f64::from(k)).chain(hold).collect();
+        let truth = History::ramp(0.0, 10.0, elastic);
+        let (fast, slow) = (truth.response(&times, 2.0), truth.response(&times, 40.0));
+        let whole = truth.elastic(&times);
+        // A little noise of two frequencies.
+        let error = |k: usize| 1.0 + 0.002 * ((7.3 * k as f64).sin() + (2.9 * k as f64).cos());
+        let loads = (0..times.len()).map(|k| 4.9 * (0.65 * whole[k] + 0.15 * fast[k] + 0.2 * slow[k]) * error(k));
+        let loads = loads.collect();
+        Relaxation::of_samples(times, loads, 10.0, History::ramp(0.0, 10.0, |part| part))
+    }
+
+    #[test]
+    fn a_linear_sample_is_fitted_to_ramp_and_hold() {
+        let data = slow_ramp(|part| part);
+        let choice = Choice::new(&data, Some(2)).unwrap();
+        assert!(choice.caveats.is_empty() && choice.prony().statistics.n_point == data.times.len());
+        assert!((choice.prony().instantaneous() / 4.9 - 1.0).abs() < 0.02, "{:?}", choice.prony());
+    }
+
+    /// A sample that softens while it is loaded rises at first much faster than it relaxes later.
+    #[test]
+    fn a_softening_ramp_is_not_taken_for_relaxation() {
+        let data = slow_ramp(|part| (1.0 - (-4.0 * part).exp()) / (1.0 - (-4.0_f64).exp()));
+        let largest = data.loads.iter().copied().fold(0.0, f64::max);
+        let choice = Choice::new(&data, None).unwrap();
+        assert!(choice.caveats[0].starts_with("the ramp is not that of the material"), "{:?}", choice.caveats);
+        let (ramp, hold) = choice.prony().residuals(&data);
+        assert!(ramp.unwrap() > 0.1 * largest && hold < 0.005 * largest, "{ramp:?} {hold}");
+        let instantaneous = choice.prony().instantaneous();
+        assert!(instantaneous > largest && instantaneous < 1.5 * largest, "{instantaneous} {largest}");
+    }
+
+    /// Terms of a tenth of the loading time are as fast as any that are looked for.
+    #[test]
+    fn what_was_never_measured_is_said() {
+        let times: Vec<f64> = (0..200).map(|k| 0.05 * f64::from(k)).collect();
+        let history = History::ramp(0.0, 2.0, |part| part);
+        let fast = history.response(&times, 0.3);
+        let loads = history.elastic(&times).iter().zip(fast).map(|(e, q)| e + 9.0 * q).collect();
+        let choice = Choice::new(&Relaxation::of_samples(times, loads, 2.0, history), None).unwrap();
+        assert!((choice.prony().instantaneous() / 10.0 - 1.0).abs() < 1e-3);
+        assert!(choice.caveats[0].contains("extrapolated, 4."), "{:?}", choice.caveats);
+    }
+
+    /// A load that grows under a strain that is said to have been taken off.
+    #[test]
+    fn a_series_worse_than_the_mean_is_none() {
+        let times: Vec<f64> = (0..50).map(f64::from).collect();
+        let loads = times.iter().map(|time| 1.0 + 0.1 * time).collect();
+        let history = History::measured(vec![(0.0, 1.0), (49.0, 0.01)]);
+        let error = Choice::new(&Relaxation::of_samples(times, loads, 0.0, history), None).unwrap_err();
+        assert!(error.0 < 0.0 && error.to_string().contains("--relaxation-columns"), "{error}");
     }
 }

@@ -30,8 +30,42 @@ pub struct Relaxation {
     pub times: Vec<f64>,
     /// Loads: stress, modulus or force.
     pub loads: Vec<f64>,
+    /// How many samples each load is the mean of: their variances go as its inverse.
+    pub counts: Vec<usize>,
+    /// When the strain was reached, s; earlier loads are those of the ramp.
+    pub loaded: f64,
     /// What they relax from.
     pub history: History,
+}
+
+impl Relaxation {
+    /// `loads` at `times`, one sample each, after `history`, whose loading ended at `loaded` s.
+    pub fn of_samples(times: Vec<f64>, loads: Vec<f64>, loaded: f64, history: History) -> Self {
+        let counts = vec![1; times.len()];
+        Self { times, loads, counts, loaded, history }
+    }
+
+    /// The part from the end of the loading on.
+    pub fn hold(&self) -> Self {
+        let from = self.n_ramp();
+        Self {
+            times: self.times[from..].to_vec(),
+            loads: self.loads[from..].to_vec(),
+            counts: self.counts[from..].to_vec(),
+            loaded: self.loaded,
+            history: self.history.clone(),
+        }
+    }
+
+    /// Points before the end of the loading.
+    pub fn n_ramp(&self) -> usize {
+        self.times.partition_point(|time| *time < self.loaded)
+    }
+
+    /// Weight of the residual of each point.
+    fn weights(&self) -> Vec<f64> {
+        self.counts.iter().map(|count| (*count as f64).sqrt()).collect()
+    }
 }
 
 /// A fitted series.
@@ -72,6 +106,15 @@ impl Prony {
         self.terms.iter().map(|(y, tau)| (y / whole, *tau)).collect()
     }
 
+    /// Root mean square of the residuals in the ramp, none without points there, and in the hold, in the unit of the load.
+    pub fn residuals(&self, data: &Relaxation) -> (Option<f64>, f64) {
+        let fitted = self.predict(&data.history, &data.times);
+        let squares: Vec<f64> = fitted.iter().zip(&data.loads).map(|(fit, load)| (fit - load).powi(2)).collect();
+        let rms = |squares: &[f64]| (squares.iter().sum::<f64>() / squares.len().max(1) as f64).sqrt();
+        let (ramp, hold) = squares.split_at(data.n_ramp());
+        ((!ramp.is_empty()).then(|| rms(ramp)), rms(hold))
+    }
+
     /// The load at `times` after `history`.
     pub fn predict(&self, history: &History, times: &[f64]) -> Vec<f64> {
         let mut loads: Vec<f64> = history.elastic(times).iter().map(|e| self.equilibrium * e).collect();
@@ -87,9 +130,14 @@ impl Prony {
 /// Times of the grid in a decade.
 const PER_DECADE: usize = 8;
 
+/// Part of the loading time below which no relaxation time is looked for. What relaxes so much faster than the strain rises
+/// is seen in the ramp alone, by tau / (loading time) of its modulus, where the curvature of the elastic law looks the same.
+pub const FASTEST: f64 = 0.1;
+
 /// The series of `n_term` terms nearest to `data`.
 pub fn fit(n_term: usize, data: &Relaxation) -> Prony {
-    let range = tau_range(&data.times);
+    let mut range = tau_range(&data.times);
+    range.0 = range.0.max(FASTEST * data.loaded).min(0.1 * range.1);
     let starts = [spectrum(n_term, data, range), spread(n_term, range)];
     let best = starts
         .iter()
@@ -142,9 +190,11 @@ fn spectrum(n_term: usize, data: &Relaxation, range: (f64, f64)) -> Vec<f64> {
 fn amplitudes(data: &Relaxation, taus: &[f64]) -> Vec<f64> {
     let mut columns = vec![data.history.elastic(&data.times)];
     columns.extend(taus.iter().map(|tau| data.history.response(&data.times, *tau)));
-    let matrix = Array2::from_shape_fn((data.times.len(), columns.len()), |(i, j)| columns[j][i]);
-    let (weights, _) = nnls::nnls(matrix.view(), Array1::from(data.loads.clone()).view());
-    weights.to_vec()
+    let weights = data.weights();
+    let matrix = Array2::from_shape_fn((data.times.len(), columns.len()), |(i, j)| weights[i] * columns[j][i]);
+    let loads: Array1<f64> = data.loads.iter().zip(&weights).map(|(load, weight)| weight * load).collect();
+    let (amplitudes, _) = nnls::nnls(matrix.view(), loads.view());
+    amplitudes.to_vec()
 }
 
 /// The parameters Y_inf, Y_1, tau_1, ... that Levenberg-Marquardt reaches from `taus`, and their sum of squares.
@@ -153,7 +203,8 @@ fn minimise(data: &Relaxation, taus: &[f64], range: (f64, f64)) -> (f64, Vec<f64
     let scale = data.loads.iter().fold(0.0, |largest, load| f64::max(largest, load.abs()));
     // A root of exactly zero would never move.
     let root = |y: f64| (y / scale).max(1e-4).sqrt();
-    let problem = Problem { data, scale, log_tau: log_tau(range) };
+    let weights = DVector::from_vec(data.weights()) / scale;
+    let problem = Problem { data, scale, weights, log_tau: log_tau(range) };
     let mut inner = vec![root(amplitudes[0])];
     for (y, tau) in amplitudes[1..].iter().zip(taus) {
         inner.extend([root(*y), problem.log_tau.parameter(tau.ln())]);
@@ -171,6 +222,8 @@ fn log_tau(range: (f64, f64)) -> Bounded {
 struct Problem<'a> {
     data: &'a Relaxation,
     scale: f64,
+    /// Weight of each residual over the scale.
+    weights: DVector<f64>,
     log_tau: Bounded,
 }
 
@@ -191,15 +244,17 @@ impl Problem<'_> {
 
 impl Model for Problem<'_> {
     fn residuals(&self, inner: &[f64]) -> DVector<f64> {
-        DVector::from_vec(residuals(&self.values(inner), self.data)) / self.scale
+        DVector::from_vec(residuals(&self.values(inner), self.data)).component_mul(&self.weights)
     }
 
     fn jacobian(&self, inner: &[f64]) -> DMatrix<f64> {
         let values = self.values(inner);
-        let mut jacobian = jacobian(&values, self.data) / self.scale;
+        let mut jacobian = jacobian(&values, self.data);
         for (j, x) in inner.iter().enumerate() {
             let slope = if is_time(j) { values[j] * self.log_tau.slope(*x) } else { 2.0 * x * self.scale };
-            jacobian.column_mut(j).scale_mut(slope);
+            let mut column = jacobian.column_mut(j);
+            column.component_mul_assign(&self.weights);
+            column.scale_mut(slope);
         }
         jacobian
     }
@@ -235,8 +290,8 @@ fn describe(values: Vec<f64>, data: &Relaxation, range: (f64, f64)) -> Prony {
     let mut terms: Vec<(f64, f64)> = values[1..].chunks(2).map(|term| (term[0], term[1])).collect();
     terms.sort_by(|a, b| a.1.total_cmp(&b.1));
     let sorted: Vec<f64> = [values[0]].into_iter().chain(terms.iter().flat_map(|term| [term.0, term.1])).collect();
-    let weights = vec![1.0; data.times.len()];
-    let statistics = Statistics::new(&data.loads, &residuals(&sorted, data), &weights, &jacobian(&sorted, data));
+    let jacobian = jacobian(&sorted, data);
+    let statistics = Statistics::new(&data.loads, &residuals(&sorted, data), &data.weights(), &jacobian);
     let mut prony = Prony { equilibrium: sorted[0], terms, statistics, doubts: Vec::new() };
     prony.doubts = doubts(&prony, range);
     prony
@@ -292,7 +347,7 @@ mod tests {
                 *load += y * q;
             }
         }
-        Relaxation { times, loads, history }
+        Relaxation::of_samples(times, loads, 0.0, history)
     }
 
     #[test]
@@ -313,11 +368,8 @@ mod tests {
     fn the_ramp_matters() {
         let truth = data(&[(2e5, 0.1)], 1e5, History::ramp(0.0, 0.5, |part| part));
         let after = truth.times.iter().position(|t| *t > 0.5).unwrap();
-        let step = Relaxation {
-            times: truth.times[after..].to_vec(),
-            loads: truth.loads[after..].to_vec(),
-            history: History::step(0.0),
-        };
+        let (times, loads) = (truth.times[after..].to_vec(), truth.loads[after..].to_vec());
+        let step = Relaxation::of_samples(times, loads, 0.0, History::step(0.0));
         let (right, wrong) = (fit(1, &truth), fit(1, &step));
         let g = |prony: &Prony| prony.normalised()[0].0;
         assert!((g(&right) - 2.0 / 3.0).abs() < 1e-6);

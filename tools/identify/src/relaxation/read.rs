@@ -2,6 +2,7 @@
 
 use super::history::History;
 use super::prony::Relaxation;
+use super::ramp;
 use crate::data::ReadError;
 use crate::data::column::{self, Column, Kind, Measure};
 use crate::data::curve::{Direction, hinted};
@@ -68,8 +69,8 @@ pub struct Test {
     pub notes: Vec<String>,
 }
 
-/// Above this number, points are averaged in bins that are even over the logarithm of time, so that the last decade does
-/// not outvote the others.
+/// Above this number, points are averaged in bins that are even over the logarithm of time, which costs nothing: a series
+/// hardly changes within a bin, and a mean counts as its number of points.
 const MOST_POINTS: usize = 1000;
 /// Bins in a decade.
 const PER_DECADE: f64 = 100.0;
@@ -97,10 +98,17 @@ pub fn read(bytes: &[u8], options: &Options, elastic: Option<&dyn Fn(f64) -> f64
     let sign = if rows.iter().map(|row| row.load).sum::<f64>() < 0.0 { -1.0 } else { 1.0 };
     rows.iter_mut().for_each(|row| row.load *= sign);
     let compressed = sign < 0.0 || hinted(&table.words) == Some(Direction::Compression);
-    let (history, stretch) = history(&mut rows, options, elastic, compressed, &mut notes)?;
+    let Loading { history, loaded, stretch } = history(&mut rows, options, elastic, compressed, &mut notes)?;
     let load = rows.first().map_or(Load::Stress, |row| row.kind);
-    let (times, loads) = thinned(&rows, &mut notes);
-    Ok(Test { relaxation: Relaxation { times, loads, history }, load, stretch, notes })
+    let means = thinned(&rows, loaded, &mut notes);
+    let relaxation = Relaxation {
+        times: means.iter().map(|mean| mean.time).collect(),
+        loads: means.iter().map(|mean| mean.value).collect(),
+        counts: means.iter().map(|mean| mean.count).collect(),
+        loaded,
+        history,
+    };
+    Ok(Test { relaxation, load, stretch, notes })
 }
 
 /// A row of the file in SI units.
@@ -220,17 +228,22 @@ fn risen_from(rows: &[Row], last: usize) -> usize {
     (0..last).rev().find(falls).map_or(0, |index| index + 1)
 }
 
-/// Part of the peak that the first row carries at least if the peak is noise of a load that was there at once.
-const AT_ONCE: f64 = 0.5;
+/// What the load relaxes from.
+struct Loading {
+    history: History,
+    /// When the strain was reached, s.
+    loaded: f64,
+    /// The held stretch, if it is known.
+    stretch: Option<f64>,
+}
 
-/// What the load relaxes from, and the held stretch.
 fn history(
     rows: &mut [Row],
     options: &Options,
     elastic: Option<&dyn Fn(f64) -> f64>,
     compressed: bool,
     notes: &mut Vec<String>,
-) -> Result<(History, Option<f64>), ReadError> {
+) -> Result<Loading, ReadError> {
     if options.ramp_time.is_none() && rows.iter().all(|row| row.strain.is_some()) {
         return measured(rows, options, elastic, compressed, notes);
     }
@@ -248,15 +261,13 @@ fn history(
         return Err(ReadError::line(rows[peak].line, reason));
     }
     let ramp = options.ramp_time.unwrap_or_else(|| {
-        // A ramp would have brought the first row only so far.
-        let early = rows[0].time <= AT_ONCE * rows[peak].time;
-        if peak == 0 || early && rows[0].load.abs() > AT_ONCE * rows[peak].load.abs() {
-            notes.push("no rise of the load in the data: an ideal step; --ramp-time says otherwise".into());
+        let points: Vec<(f64, f64)> = rows.iter().map(|row| (row.time, row.load.abs())).collect();
+        let Some(end) = ramp::end(&points) else {
+            notes.push("no rise of the load beyond its scatter: an ideal step; --ramp-time says otherwise".into());
             return 0.0;
-        }
-        notes
-            .push(format!("ramp time {:.6} s, from the peak of the load; --ramp-time says otherwise", rows[peak].time));
-        rows[peak].time.max(0.0)
+        };
+        notes.push(format!("ramp time {end:.6} s, from the rise of the load to its peak; --ramp-time says otherwise"));
+        end
     });
     let shape = elastic.zip(stretch);
     if ramp > 0.0 {
@@ -272,8 +283,11 @@ fn history(
     if rows.iter().all(|row| row.time < 0.0) {
         return Err(ReadError::file("all times are before --relaxation-start"));
     }
-    Ok((history, stretch))
+    Ok(Loading { history, loaded: ramp, stretch })
 }
+
+/// Part of the held strain that counts as reached.
+const REACHED: f64 = 0.99;
 
 /// The history from a column of strain; makes the loads nominal with it.
 fn measured(
@@ -282,7 +296,7 @@ fn measured(
     elastic: Option<&dyn Fn(f64) -> f64>,
     compressed: bool,
     notes: &mut Vec<String>,
-) -> Result<(History, Option<f64>), ReadError> {
+) -> Result<Loading, ReadError> {
     let strains = || rows.iter().filter_map(|row| row.strain);
     let largest = strains().fold(0.0, |a: f64, (b, _)| if b.abs() > a.abs() { b } else { a });
     if largest == 0.0 {
@@ -307,30 +321,44 @@ fn measured(
         None => (stretch - 1.0) / (held - 1.0),
     };
     let knots: Vec<(f64, f64)> = rows.iter().zip(&stretches).map(|(row, l)| (row.time, response(*l))).collect();
-    Ok((History::measured(means(&knots)), Some(held)))
+    let reached = |l: &f64| (l - 1.0).abs() >= REACHED * (held - 1.0).abs();
+    let loaded = rows.iter().zip(&stretches).find(|(_, l)| reached(l)).map_or(0.0, |(row, _)| row.time.max(0.0));
+    let knots = means(&knots, loaded).iter().map(|mean| (mean.time, mean.value)).collect();
+    Ok(Loading { history: History::measured(knots), loaded, stretch: Some(held) })
 }
 
 /// The points since loading began, or their means.
-fn thinned(rows: &[Row], notes: &mut Vec<String>) -> (Vec<f64>, Vec<f64>) {
+fn thinned(rows: &[Row], loaded: f64, notes: &mut Vec<String>) -> Vec<Mean> {
     let points: Vec<(f64, f64)> = rows.iter().filter(|row| row.time >= 0.0).map(|row| (row.time, row.load)).collect();
-    let means = means(&points);
+    let means = means(&points, loaded);
     if means.len() < points.len() {
-        notes.push(format!("{} points averaged to {}, {PER_DECADE} a decade", points.len(), means.len()));
+        let (all, left) = (points.len(), means.len());
+        notes.push(format!(
+            "{all} points averaged to {left}, {PER_DECADE} a decade, that count as their numbers of points"
+        ));
     }
-    means.into_iter().unzip()
+    means
 }
 
-/// The `points` (time, value), or their means in bins of the logarithm of time if there are more than [`MOST_POINTS`].
-fn means(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
-    if points.len() <= MOST_POINTS {
-        return points.to_vec();
-    }
+/// Points in one.
+struct Mean {
+    time: f64,
+    value: f64,
+    count: usize,
+}
+
+/// The `points` (time, value), or their means in bins of the logarithm of time if there are more than [`MOST_POINTS`]; none
+/// has points before and after `loaded`, s.
+fn means(points: &[(f64, f64)], loaded: f64) -> Vec<Mean> {
+    let few = points.len() <= MOST_POINTS;
     let bin = |time: f64| if time > 0.0 { (time.log10() * PER_DECADE).floor() as i64 } else { i64::MIN };
     let mean = |points: &[(f64, f64)]| {
+        let count = points.len();
         let sum = points.iter().fold((0.0, 0.0), |sum, point| (sum.0 + point.0, sum.1 + point.1));
-        (sum.0 / points.len() as f64, sum.1 / points.len() as f64)
+        Mean { time: sum.0 / count as f64, value: sum.1 / count as f64, count }
     };
-    points.chunk_by(|a, b| bin(a.0) == bin(b.0)).map(mean).collect()
+    let together = |a: &(f64, f64), b: &(f64, f64)| !few && bin(a.0) == bin(b.0) && (a.0 < loaded) == (b.0 < loaded);
+    points.chunk_by(together).map(mean).collect()
 }
 
 #[cfg(test)]

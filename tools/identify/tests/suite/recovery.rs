@@ -1,13 +1,16 @@
 //! Known coefficients with noise: the stated 95 % intervals hold the truth in 95 % of 200 seeds.
 
+use std::fmt::Write;
+
 use softanvil_identify::law::fit::{Fit, Settings, Weighting, predict};
 use softanvil_identify::law::profile;
 use softanvil_identify::law::statistics::confidence_factor;
 use softanvil_identify::law::{DataSet, Law, MODES, Mode};
 use softanvil_identify::relaxation::history::History;
 use softanvil_identify::relaxation::prony::{Prony, Relaxation, fit};
+use softanvil_identify::relaxation::read::{Options, read};
 
-use crate::tolerance::{COVERED, LINEARISED};
+use crate::tolerance::{COVERED, COVERED_OF_100, LINEARISED};
 
 const SEEDS: u64 = 200;
 
@@ -132,7 +135,7 @@ fn intervals_of_a_prony_series_after_a_ramp() {
     for seed in 0..SEEDS {
         let mut source = Noise(1000 + seed);
         let loads = exact.iter().map(|load| load + 2e3 * source.normal()).collect();
-        let found: Prony = fit(2, &Relaxation { times: times.clone(), loads, history: history.clone() });
+        let found: Prony = fit(2, &Relaxation::of_samples(times.clone(), loads, 0.05, history.clone()));
         let values = [found.equilibrium, found.terms[0].0, found.terms[0].1, found.terms[1].0, found.terms[1].1];
         let factor = confidence_factor(times.len(), 5);
         for (index, count) in covered.iter_mut().enumerate() {
@@ -141,4 +144,32 @@ fn intervals_of_a_prony_series_after_a_ramp() {
         }
     }
     check("prony", &covered, LINEARISED);
+}
+
+/// Samples at equal intervals, averaged in bins of the logarithm of time as a file of so many is: the last bins hold 25 times
+/// as many as the first.
+#[test]
+fn intervals_of_a_prony_series_from_averaged_samples() {
+    let truth @ [equilibrium, modulus, tau] = [0.33e6, 0.2e6, 2.0];
+    let (mut covered, mut averaged) = ([0; 3], 0);
+    for seed in 0..100 {
+        let mut source = Noise(5000 + seed);
+        let mut text = String::from("time [s],stress [Pa]\n");
+        for time in (0..1100).map(|k| 0.05 + 0.0275 * f64::from(k)) {
+            let load = equilibrium + modulus * (-time / tau).exp();
+            let _ = writeln!(text, "{time},{}", load + 3e3 * source.normal());
+        }
+        let options = Options { ramp_time: Some(0.0), ..Options::default() };
+        let data = read(text.as_bytes(), &options, None).unwrap().relaxation;
+        averaged = data.times.len();
+        let found = fit(1, &data);
+        let values = [found.equilibrium, found.terms[0].0, found.terms[0].1];
+        let factor = confidence_factor(averaged, 3);
+        for (index, count) in covered.iter_mut().enumerate() {
+            let error = (values[index] - truth[index]).abs();
+            *count += usize::from(error <= factor * found.statistics.standard_errors[index]);
+        }
+    }
+    assert!(averaged < 200, "{averaged}");
+    assert!(covered.iter().all(|count| COVERED_OF_100.contains(count)), "{covered:?} of 100 intervals hold the truth");
 }

@@ -4,6 +4,9 @@
 /// correct interval fails in one of 5000 parameters.
 pub const COVERED: std::ops::RangeInclusive<usize> = 177..=199;
 
+/// The same of 100 intervals; all of them may hold it.
+pub const COVERED_OF_100: std::ops::RangeInclusive<usize> = 86..=100;
+
 /// A nonlinear fit linearises its interval; so much less may be covered, of 200, where the errors are a percent.
 pub const LINEARISED: usize = 3;
 
