@@ -10,7 +10,7 @@ use cortex_m_rt::STACK_PAINT_VALUE;
 use semihosting::experimental::env;
 use semihosting::{println, process};
 
-/// Simd per tick of the counter under QEMU with `-icount shift=0`, where an instruction takes 1 ns and the
+/// Instructions per tick of the counter under QEMU with `-icount shift=0`, where an instruction takes 1 ns and the
 /// processor's clock is 25 MHz. On a board a tick is a cycle of the processor.
 pub const INSTRUCTIONS_PER_TICK: u32 = 40;
 
