@@ -7,7 +7,7 @@
 //!    pictures in a [`picture_format`], [`staging`] keeps half-written files away, [`folder`] and [`place`] those
 //!    of others.
 //! 3. [`validation`] compares runs with the [`paper`], by the four [`quantity`]s of its table, [`comparison`] with a
-//!    measured trace, [`calibration`] searches; a [`reading`] is what a laboratory's instruments see of a run.
+//!    [`measured`] trace, [`calibration`] searches; a [`reading`] is what a laboratory's instruments see of a run.
 //! 4. [`studies`] change one thing of a drop at a time, beside what the paper says of it.
 //! 5. [`golden`] compares this machine with the golden traces, [`identification`] fits a material to test data.
 //! 6. [`run`] simulates a drop, [`ending`] says whether its numbers are final; [`scenario_file`] and [`presets`] say which
@@ -26,6 +26,7 @@ pub mod identification;
 pub mod interrupt;
 pub mod json;
 pub mod material_summary;
+pub mod measured;
 pub mod paper;
 pub mod picture_format;
 pub mod place;

@@ -209,7 +209,8 @@ impl Problem {
         if let Some(path) = &file.impacts {
             impacts.extend(read_impacts(&folder.join(path))?);
         }
-        let targets = impacts.iter().map(|impact| Target::new(impact, folder)).collect::<Result<Vec<_>, _>>()?;
+        let targets =
+            impacts.iter().map(|impact| Target::new(impact, &scenario, folder)).collect::<Result<Vec<_>, _>>()?;
         if !targets.iter().any(|target| !target.predict) {
             return Err("no [[impact]] counts: there is nothing to aim at".into());
         }

@@ -86,6 +86,9 @@ impl Identification {
             Some(law) => position(&fits, law, &failed)?,
             None => ranking::choose(&fits),
         };
+        if let Some(fit) = fits.get(chosen).filter(|fit| fit.statistics.r_squared < 0.0) {
+            return Err(worse_than_the_mean(fit.law.label, fit.statistics.r_squared));
+        }
         let caveats = fits.get(chosen).map_or_else(Vec::new, |fit| ranking::caveats(fit, &fits, &data, &settings));
         let relaxed = match relaxation {
             Some((source, options)) => Some(Relaxed::new(source, options, fits.get(chosen), request.n_term)?),
@@ -114,8 +117,20 @@ impl Relaxed {
         let known: Option<&dyn Fn(f64) -> f64> = if elastic.is_some() { Some(&stress) } else { None };
         let test = relaxation::read(&source.bytes, options, known).map_err(|error| source.refused(&error))?;
         let choice = Choice::new(&test.relaxation, n_term);
+        let (terms, r_squared) = (choice.prony().terms.len(), choice.prony().statistics.r_squared);
+        if r_squared < 0.0 {
+            return Err(worse_than_the_mean(&format!("a series of {terms} terms"), r_squared));
+        }
         Ok(Self { test, choice })
     }
+}
+
+/// What is said instead of a result that explains less than the mean of the data.
+fn worse_than_the_mean(what: &str, r_squared: f64) -> Failure {
+    Failure::Failed(format!(
+        "{what} fits worse than the mean of the data does (R2 {r_squared:.3}): that is no result; look at columns, units, \
+         measures and signs (--columns, --direction, --strain-measure, --stress-measure)"
+    ))
 }
 
 /// The stretches of the data and of a drop.
