@@ -2,6 +2,7 @@
 
 use super::number::{self, Cell, Decimal};
 use super::sheet::Separator;
+use super::text::Lines;
 use super::unit::{Dimension, Unit, number_and_rest};
 
 /// A quantity that a file states.
@@ -162,6 +163,29 @@ impl Facts {
 /// Whether `cells` are the second line of Rigol's, which says that the first column counts.
 pub fn is_sequence(cells: &[String]) -> bool {
     cells.first().is_some_and(|cell| cell.eq_ignore_ascii_case("sequence"))
+}
+
+/// Separator and decimal sign that the head of a LabVIEW measurement file states.
+pub fn notation_of_labview(lines: &Lines) -> Option<(Separator, Decimal)> {
+    if !lines.get(1).trim_start().starts_with("LabVIEW Measurement") {
+        return None;
+    }
+    let stated = |key: &str| {
+        let value = |line: &str| Some(line.strip_prefix(key)?.get(1..)?.trim_end_matches('\t').to_string());
+        (1..=lines.len().min(40)).find_map(|number| value(lines.get(number)))
+    };
+    let separator = match stated("Separator").as_deref() {
+        Some("Comma" | "comma") => b',',
+        Some("Semicolon" | "semicolon") => b';',
+        _ => b'\t',
+    };
+    let comma = stated("Decimal_Separator").is_some_and(|sign| sign.starts_with(','));
+    Some((Separator::Sign(separator), if comma { Decimal::Comma } else { Decimal::Point }))
+}
+
+/// Whether the first line is one of Tektronix's, with metadata on the left of the numbers.
+pub fn is_tektronix(line: &str) -> bool {
+    line.starts_with("Record Length,") && Separator::Sign(b',').cells(line).count() >= 5
 }
 
 fn is_key_of_tektronix(cell: &str) -> bool {

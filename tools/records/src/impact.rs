@@ -20,8 +20,10 @@ pub struct Contact {
     pub sign: f64,
     /// Reading without contact, in the unit of the record.
     pub offset: f64,
-    /// Samples before contact that the offset is the median of; 0 if it was given or there are too few.
+    /// Samples before contact.
     pub before: usize,
+    /// Median of those samples.
+    pub reading: f64,
     /// Standard deviation of those samples, from their median deviation.
     pub noise: f64,
     /// Largest value against the push, over the peak.
@@ -78,15 +80,13 @@ impl Contact {
         }
         let before = quiet(values, |value| sign * (value - start) / peak);
         let quiet = &values[..before];
-        let (offset, before, noise) = match given.offset {
-            Some(offset) => (offset, 0, if before >= LEAST_BEFORE { scatter(quiet) } else { 0.0 }),
-            None if before >= LEAST_BEFORE => (median(quiet), before, scatter(quiet)),
-            None => (0.0, 0, 0.0),
-        };
+        let (reading, enough) = (median(quiet), before >= LEAST_BEFORE);
+        let offset = given.offset.unwrap_or(if enough { reading } else { 0.0 });
+        let noise = if enough { scatter(quiet) } else { 0.0 };
         let push = |index: usize| sign * (values[index] - offset);
         let peak = (0..values.len()).map(push).fold(0.0, f64::max);
         let impacts = impacts(times, push, (IN_CONTACT * peak).max(ABOVE_NOISE * noise));
-        Ok(Self { sign, offset, before, noise, opposite: opposite / peak, impacts })
+        Ok(Self { sign, offset, before, reading, noise, opposite: opposite / peak, impacts })
     }
 
     /// The samples of impact `index`, with the flight before and after it up to the middle between two impacts.
@@ -101,9 +101,10 @@ impl Contact {
 /// Number of samples before the first rise above half of the peak begins; `part` is a value over the peak.
 fn quiet(values: &[f64], part: impl Fn(f64) -> f64) -> usize {
     let half = values.iter().position(|value| part(*value) >= 0.5).unwrap_or_default();
-    let begun = values[..half].iter().rposition(|value| part(*value) < 0.1).map_or(0, |index| index + 1);
-    // As long again as it takes from a tenth to a half.
-    begun.saturating_sub((half - begun).max(1))
+    let low = values[..half].iter().rposition(|value| part(*value) < 0.01).map_or(0, |index| index + 1);
+    // What rises to there without a break is contact already; noise breaks it.
+    let breaks = |index: &usize| part(values[index - 1]) >= part(values[*index]);
+    (1..low).rev().find(breaks).unwrap_or_default()
 }
 
 fn impacts(times: &[f64], push: impl Fn(usize) -> f64, threshold: f64) -> Vec<Impact> {
@@ -199,7 +200,7 @@ mod tests {
     fn a_record_that_begins_in_contact_has_no_offset() {
         let (times, values) = record(&[(0.0, 1e3)], 0.0);
         let contact = Contact::find(&times[1..], &values[1..], Given::default()).unwrap();
-        assert_eq!((contact.before, contact.offset, contact.impacts.len()), (0, 0.0, 1));
+        assert_eq!((contact.before, contact.offset, contact.impacts.len()), (0, 0.0, 1), "{contact:?}");
     }
 
     #[test]

@@ -193,43 +193,57 @@ pub fn parse(bytes: &[u8], layout: &Layout) -> Result<Sheet, ReadError> {
 /// # Errors
 /// As [`parse`].
 pub fn of_lines(lines: Lines, decimal: Option<Decimal>, cells: Option<Separator>) -> Result<Sheet, ReadError> {
-    let (separator, decimal) = notation(&lines, decimal, cells).ok_or_else(|| no_table(&lines))?;
-    Assembly::new(lines, separator, decimal).finish()
+    let notation = Notation::find(&lines, decimal, cells).ok_or_else(|| no_table(&lines))?;
+    Assembly::new(lines, notation).finish()
 }
 
 /// Lines at the beginning that tell how numbers are written, and as many throughout a longer file.
 const SAMPLE: usize = 2000;
 
-/// Separator and decimal sign by which most lines of a sample are rows of numbers.
-fn notation(lines: &Lines, decimal: Option<Decimal>, cells: Option<Separator>) -> Option<(Separator, Decimal)> {
-    let step = (lines.len() / SAMPLE).max(1);
-    let sample = || (1..=lines.len().min(SAMPLE)).chain((SAMPLE + 1..=lines.len()).step_by(step));
-    let texts: Vec<&str> =
-        sample().map(|number| lines.get(number)).filter(|line| text::comment(line).is_none()).collect();
-    let decimals = decimal.map_or(vec![Decimal::Point, Decimal::Comma], |decimal| vec![decimal]);
-    let separators = cells.map_or(SEPARATORS.to_vec(), |separator| vec![separator]);
-    let count = |separator: Separator, decimal: Decimal| {
-        let row = |line: &&&str| is_numeric(separator.cells(line), decimal) && !separator.leaves_two(line);
-        texts.iter().filter(row).count()
-    };
-    let (mut best, mut most) = (None, 0);
-    for &separator in &separators {
-        for &decimal in &decimals {
-            let count = count(separator, decimal);
-            if count > most {
-                (best, most) = (Some((separator, decimal)), count);
+/// How rows of numbers are written.
+#[derive(Clone, Copy, Debug)]
+struct Notation {
+    separator: Separator,
+    decimal: Decimal,
+    /// Numbers in a row, at least.
+    least: usize,
+    /// Columns of metadata on the left of the numbers, as Tektronix writes them.
+    beside: usize,
+}
+
+impl Notation {
+    /// The notation that the file states, or else by which most lines of a sample are rows of numbers.
+    fn find(lines: &Lines, decimal: Option<Decimal>, cells: Option<Separator>) -> Option<Self> {
+        if let Some((separator, stated)) = facts::notation_of_labview(lines) {
+            return Some(Self { separator, decimal: decimal.unwrap_or(stated), least: 1, beside: 0 });
+        }
+        let step = (lines.len() / SAMPLE).max(1);
+        let sample = (1..=lines.len().min(SAMPLE)).chain((SAMPLE + 1..=lines.len()).step_by(step));
+        let sample = sample.map(|number| lines.get(number)).filter(|line| text::comment(line).is_none());
+        let texts: Vec<&str> = sample.collect();
+        let decimals = decimal.map_or(vec![Decimal::Point, Decimal::Comma], |decimal| vec![decimal]);
+        let separators = cells.map_or(SEPARATORS.to_vec(), |separator| vec![separator]);
+        let (mut best, mut most) = (None, 0);
+        for &separator in &separators {
+            for &decimal in &decimals {
+                let row = |line: &&&str| is_numeric(separator.cells(line), decimal, 2) && !separator.leaves_two(line);
+                let count = texts.iter().filter(row).count();
+                if count > most {
+                    (best, most) = (Some(Self { separator, decimal, least: 2, beside: 0 }), count);
+                }
             }
         }
-    }
-    // One number in a line, as channels with a rate are written.
-    for decimal in decimals.into_iter().filter(|_| cells.is_none()) {
-        let alone = |line: &&&str| matches!(number::read(line, decimal), Cell::Number(_));
-        let count = texts.iter().filter(alone).count();
-        if count > most.max(2) {
-            (best, most) = (Some((Separator::Alone, decimal)), count);
+        // One number in a line, as channels with a rate are written.
+        for decimal in decimals.into_iter().filter(|_| cells.is_none()) {
+            let alone = |line: &&&str| matches!(number::read(line, decimal), Cell::Number(_));
+            let count = texts.iter().filter(alone).count();
+            if count > most.max(2) {
+                (best, most) = (Some(Self { separator: Separator::Alone, decimal, least: 1, beside: 0 }), count);
+            }
         }
+        let beside = if facts::is_tektronix(lines.get(1)) { 3 } else { 0 };
+        best.map(|best| Self { beside, ..best })
     }
-    best
 }
 
 fn no_table(lines: &Lines) -> ReadError {
@@ -247,9 +261,8 @@ fn no_table(lines: &Lines) -> ReadError {
     }
 }
 
-/// Whether cells are a row of numbers: at least two, beside them only names, dates and times of day.
-fn is_numeric(cells: Cells, decimal: Decimal) -> bool {
-    let least = if cells.separator == Separator::Alone { 1 } else { 2 };
+/// Whether cells are a row of numbers: `least` or more, beside them only names, dates and times of day.
+fn is_numeric<'a>(cells: impl Iterator<Item = &'a str>, decimal: Decimal, least: usize) -> bool {
     let mut numbers = 0;
     for cell in cells {
         match number::read(cell, decimal) {
@@ -296,6 +309,7 @@ struct Assembly {
     lines: Lines,
     separator: Separator,
     decimal: Decimal,
+    notation: Notation,
     tables: Vec<Body>,
     /// Rows of the table that is being read.
     rows: Vec<Row>,
@@ -309,11 +323,12 @@ struct Assembly {
 }
 
 impl Assembly {
-    fn new(lines: Lines, separator: Separator, decimal: Decimal) -> Self {
+    fn new(lines: Lines, notation: Notation) -> Self {
         Self {
             lines,
-            separator,
-            decimal,
+            separator: notation.separator,
+            decimal: notation.decimal,
+            notation,
             tables: Vec::new(),
             rows: Vec::new(),
             numeric: Vec::new(),
@@ -384,8 +399,8 @@ impl Assembly {
     /// and another does not, which whoever needs that one refuses.
     fn is_row(&mut self, number: usize) -> bool {
         let cells = self.separator.cells(self.lines.get(number));
-        let numeric = is_numeric(cells, self.decimal);
-        if self.rows.len() < FIRST {
+        let numeric = is_numeric(cells.skip(self.notation.beside), self.decimal, self.notation.least);
+        if self.numeric.is_empty() || self.rows.len() < FIRST {
             self.numeric = self.columns_of_numbers(&self.rows[..self.rows.len().min(FIRST)]);
         }
         let cells = self.separator.cells(self.lines.get(number));
@@ -393,7 +408,7 @@ impl Assembly {
         let begins = first.and_then(|first| cells.clone().nth(first)).is_some_and(|cell| {
             matches!(number::read(cell, self.decimal), Cell::Number(_)) && self.separator != Separator::Alone
         });
-        numeric && fits(&self.numeric, cells, self.decimal) || begins
+        numeric && fits(&self.numeric, cells, self.decimal) || begins && self.notation.beside == 0
     }
 
     /// Which columns of `rows` hold numbers alone.
@@ -411,7 +426,8 @@ impl Assembly {
                 }
             }
         }
-        columns.into_iter().map(|(number, text)| number && !text).collect()
+        let beside = self.notation.beside;
+        columns.into_iter().enumerate().map(|(index, (number, text))| number && !text && index >= beside).collect()
     }
 
     /// Makes a table, or another block of the last one, of the rows since the last line of text.
@@ -557,9 +573,15 @@ impl Head {
         let (separator, decimal) = notation;
         let words = |number: &usize| -> Option<Vec<String>> {
             let cells = cells_of(lines.get(*number), width, separator)?;
-            // A line of numbers alone is no title.
-            let text = |cell: &String| number::read(cell, decimal) == Cell::Text;
-            (cells.iter().any(text) || is_row_of_units(&cells)).then_some(cells)
+            // A line with numbers in it is no row of titles, but for the counts of specimens.
+            let count = |test: &dyn Fn(&str) -> bool| cells.iter().filter(|cell| test(cell)).count();
+            let texts = count(&|cell| number::read(cell, decimal) == Cell::Text);
+            let numbers = count(&|cell| matches!(number::read(cell, decimal), Cell::Number(_)));
+            let sized = count(&|cell| {
+                matches!(number::read(cell, decimal), Cell::Number(_)) && cell.contains(['.', ',', 'e', 'E'])
+            });
+            let titled = texts > numbers && sized == 0 || facts::is_sequence(&cells);
+            (titled || is_row_of_units(&cells)).then_some(cells)
         };
         let mut candidates = above.iter().rev().take(4).filter_map(|number| Some((*number, words(number)?)));
         match candidates.next() {

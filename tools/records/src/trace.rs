@@ -504,7 +504,9 @@ impl Record<'_> {
         let offset = contact.offset * factor;
         let text = match (self.options.offset, contact.before) {
             (Some(_), _) => format!("{offset} N taken off, as --offset says"),
-            (None, 0) => format!("none taken off: fewer than {LEAST_BEFORE} samples before contact"),
+            (None, count) if count < LEAST_BEFORE => {
+                format!("none taken off: {count} samples before contact, fewer than {LEAST_BEFORE}")
+            }
             (None, count) => format!(
                 "{offset:.4} N taken off, the median of {count} samples before contact (noise {:.3} N)",
                 contact.noise * factor
@@ -515,6 +517,16 @@ impl Record<'_> {
             text,
             json!({ "force": offset, "samples": contact.before, "noise": contact.noise * factor }),
         );
+        let (left, peak) =
+            ((contact.reading - contact.offset).abs(), contact.impacts.first().map_or(0.0, |impact| impact.peak));
+        if self.options.offset.is_none() && contact.before > 0 && left > SMALL_OFFSET * peak {
+            let reading = contact.reading * factor;
+            let warning = format!(
+                "the record shows {reading:.3} N before contact, in {} samples, too few to take it off: --offset {reading:.3} does",
+                contact.before
+            );
+            understood.warnings.push(warning);
+        }
         if contact.opposite > 0.3 {
             let warning = format!(
                 "the force goes to {:.0} % of the peak on the other side: is it of a filter, or is the sign wrong? --sign decides",
@@ -595,6 +607,9 @@ impl Record<'_> {
 const LIKELY_DURATION: std::ops::RangeInclusive<f64> = 0.5e-3..=0.2;
 /// Impulses over the momentum at the touch: from no rebound to one without loss, with some error of both.
 const LIKELY_IMPULSE: std::ops::RangeInclusive<f64> = 0.8..=2.2;
+
+/// Part of the peak above which an offset that is left matters.
+const SMALL_OFFSET: f64 = 5e-3;
 
 /// The median time between two samples.
 fn step(times: &[f64]) -> f64 {
