@@ -399,7 +399,8 @@ impl Assembly {
     /// and another does not, which whoever needs that one refuses.
     fn is_row(&mut self, number: usize) -> bool {
         let cells = self.separator.cells(self.lines.get(number));
-        let numeric = is_numeric(cells.skip(self.notation.beside), self.decimal, self.notation.least);
+        let numeric = is_numeric(cells.clone().skip(self.notation.beside), self.decimal, self.notation.least)
+            && (self.notation.least > 1 || self.begins_with_number(cells));
         if self.numeric.is_empty() || self.rows.len() < FIRST {
             self.numeric = self.columns_of_numbers(&self.rows[..self.rows.len().min(FIRST)]);
         }
@@ -409,6 +410,13 @@ impl Assembly {
             matches!(number::read(cell, self.decimal), Cell::Number(_)) && self.separator != Separator::Alone
         });
         numeric && fits(&self.numeric, cells, self.decimal) || begins && self.notation.beside == 0
+    }
+
+    /// Whether the first cell that is not empty is a number: where one number makes a row, a key before it makes a remark.
+    fn begins_with_number(&self, mut cells: Cells) -> bool {
+        cells
+            .find(|cell| !cell.is_empty())
+            .is_some_and(|cell| matches!(number::read(cell, self.decimal), Cell::Number(_)))
     }
 
     /// Which columns of `rows` hold numbers alone.
