@@ -179,7 +179,7 @@ fn starts_with_digit(cell: &str) -> bool {
 /// # Errors
 /// No table, or a line in it that is no row of numbers.
 pub fn parse(bytes: &[u8], layout: &Layout) -> Result<Sheet, ReadError> {
-    if workbook::is_workbook(bytes) {
+    if softanvil_workbooks::is_workbook(bytes) {
         return workbook::parse(bytes, layout);
     }
     if let Some(sheet) = &layout.sheet {
@@ -412,6 +412,15 @@ impl Assembly {
         numeric && fits(&self.numeric, cells, self.decimal) || begins && self.notation.beside == 0
     }
 
+    /// Whether `row` has more than `columns` cells, not all of them empty.
+    fn is_wider(&self, row: Row, columns: usize) -> bool {
+        let line = self.lines.get(row.line);
+        // A sign that separates stands between all cells.
+        let fits =
+            matches!(self.separator, Separator::Sign(sign) if line.bytes().filter(|c| *c == sign).count() < columns);
+        !fits && self.separator.cells(line).skip(columns).any(|cell| !cell.is_empty())
+    }
+
     /// Whether the first cell that is not empty is a number: where one number makes a row, a key before it makes a remark.
     fn begins_with_number(&self, mut cells: Cells) -> bool {
         cells
@@ -447,10 +456,7 @@ impl Assembly {
         // Numbers of another layout above the table are remarks.
         let start = rows.iter().position(|row| count(row) == columns).unwrap_or_default();
         self.above.extend(rows.drain(..start).map(|row| row.line));
-        if let Some(row) = rows.iter().find(|row| {
-            let cells = self.separator.cells(self.lines.get(row.line));
-            cells.skip(columns).any(|cell| !cell.is_empty())
-        }) {
+        if let Some(row) = rows.iter().find(|row| self.is_wider(**row, columns)) {
             let reason = format!("{} cells in a table of {columns} columns: legal is as many as above", count(row));
             return Err(ReadError::line(row.line, reason));
         }
