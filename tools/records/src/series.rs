@@ -231,10 +231,11 @@ fn list(titles: &[String]) -> String {
 fn split(sheet: &Sheet, body: &Body, columns: &[Column]) -> Vec<Series> {
     let name_column = columns.iter().find(|column| column.kind == Kind::Specimen);
     let number = |block: usize| if body.blocks.len() > 1 { (block + 1).to_string() } else { String::new() };
-    let Some(column) = name_column else {
-        let blocks = body.blocks.iter().enumerate();
-        return blocks.map(|(block, rows)| Series { name: number(block), rows: rows.clone() }).collect();
-    };
+    let Some(column) = name_column else { return blocks_of(body) };
+    // What counts the rows names no specimens.
+    if is_count(sheet, body, column.index) {
+        return blocks_of(body);
+    }
     let mut series: Vec<Series> = Vec::new();
     for (block, rows) in body.blocks.iter().enumerate() {
         for row in rows {
@@ -246,4 +247,18 @@ fn split(sheet: &Sheet, body: &Body, columns: &[Column]) -> Vec<Series> {
         }
     }
     series
+}
+
+/// A series for each block of rows.
+fn blocks_of(body: &Body) -> Vec<Series> {
+    let name = |block: usize| if body.blocks.len() > 1 { (block + 1).to_string() } else { String::new() };
+    let blocks = body.blocks.iter().enumerate();
+    blocks.map(|(block, rows)| Series { name: name(block), rows: rows.clone() }).collect()
+}
+
+/// Whether column `index` has another value in every row, of the first ones.
+fn is_count(sheet: &Sheet, body: &Body, index: usize) -> bool {
+    let first: Vec<&str> = body.blocks.iter().flatten().take(200).map(|row| sheet.cell(*row, index)).collect();
+    let distinct: std::collections::BTreeSet<&str> = first.iter().copied().collect();
+    first.len() > 5 && distinct.len() == first.len()
 }

@@ -1,6 +1,7 @@
 //! The tables of numbers in a file: separator and decimal sign, titles, and rows with their lines.
 
 use super::ReadError;
+use super::column::Column;
 use super::facts::{self, Facts};
 use super::number::{self, Cell, Decimal};
 use super::text::{self, Lines};
@@ -468,21 +469,39 @@ impl Assembly {
         let kept = |number: &usize| (*number, self.lines.get(*number).trim().to_string());
         let is_title = |number: &&usize| head.lines.contains(number);
         self.remarks.extend(above.iter().filter(|number| !is_title(number)).map(kept));
-        match self.tables.last_mut() {
-            Some(last) if last.columns == columns && !head.titles.is_empty() && same(&last.titles, &head.titles) => {
-                last.blocks.push(rows);
-            }
-            Some(last) if head.titles.is_empty() && (rows.len() > 1 || last.columns == columns) => {
-                let line = above.first().copied().unwrap_or(rows[0].line);
-                let legal = "legal is a row of numbers, a comment (#), or the titles again before the next specimen";
-                return Err(ReadError::line(line, format!("\"{}\" is refused: {legal}", self.lines.get(line).trim())));
-            }
+        let Some(last) = self.tables.last_mut() else {
+            self.tables.push(Body { titles: head.titles, columns, blocks: vec![rows] });
+            return Ok(());
+        };
+        if last.columns == columns && !head.titles.is_empty() && same(&last.titles, &head.titles) {
+            last.blocks.push(rows);
+            return Ok(());
+        }
+        // A line of text within a table does not end it in silence.
+        let untitled = head.titles.is_empty() && (rows.len() > 1 || last.columns == columns);
+        let continued =
+            last.columns == columns && rows.len() > FEW && !head.titles.iter().any(|title| is_understood(title));
+        if untitled || continued {
+            let line = above.first().copied().unwrap_or(rows[0].line);
+            let legal = "legal is a row of numbers, a comment (#), or the titles again before the next specimen";
+            return Err(ReadError::line(line, format!("\"{}\" is refused: {legal}", self.lines.get(line).trim())));
+        }
+        if head.titles.is_empty() {
             // A number or two among the words.
-            Some(_) if head.titles.is_empty() => self.remarks.extend(rows.iter().map(|row| kept(&row.line))),
-            _ => self.tables.push(Body { titles: head.titles, columns, blocks: vec![rows] }),
+            self.remarks.extend(rows.iter().map(|row| kept(&row.line)));
+        } else {
+            self.tables.push(Body { titles: head.titles, columns, blocks: vec![rows] });
         }
         Ok(())
     }
+}
+
+/// Rows of statistics below a table, at most: under titles that say nothing else, more are rows of the table.
+const FEW: usize = 3;
+
+/// Whether a title is one of a column that may be needed.
+fn is_understood(title: &str) -> bool {
+    !matches!(Column::recognise(0, title), Ok(None))
 }
 
 /// How many cells a row has.
@@ -812,6 +831,9 @@ mod tests {
     fn a_line_that_is_no_row_is_refused_by_its_number() {
         let error = parse(b"a,b\n1,2\n3,4\npause\n5,6\n7,8\n", &Layout::default()).unwrap_err();
         assert!(error.to_string().starts_with("line 4: \"pause\" is refused"), "{error}");
+        let text = b"a,b\n1,2\n3,4\ntrigger,start\n5,6\n7,8\n9,1\n2,3\n";
+        let error = parse(text, &Layout::default()).unwrap_err();
+        assert!(error.to_string().starts_with("line 4: \"trigger,start\" is refused"), "{error}");
         let error = parse(b"a,b\n1,2\n3,4\n5,6,7\n", &Layout::default()).unwrap_err();
         assert!(error.to_string().starts_with("line 4: 3 cells in a table of 2 columns"), "{error}");
         for empty in ["", "strain,stress\n", "hello\nworld\n", "# only a comment"] {

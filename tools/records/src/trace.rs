@@ -545,6 +545,10 @@ impl Record<'_> {
             let last = trace.forces.iter().rposition(|force| *force >= part * peak).unwrap_or_default();
             (first.saturating_sub(1), (last + 1).min(trace.forces.len() - 1))
         };
+        if let Some(count) = clipped(&trace.forces) {
+            warnings
+                .push(format!("{count} samples in a row show the largest force: it may be cut off by the amplifier"));
+        }
         let (first, last) = lasting(0.05);
         let duration = trace.times[last] - trace.times[first];
         let pairs =
@@ -607,6 +611,14 @@ impl Record<'_> {
 const LIKELY_DURATION: std::ops::RangeInclusive<f64> = 0.5e-3..=0.2;
 /// Impulses over the momentum at the touch: from no rebound to one without loss, with some error of both.
 const LIKELY_IMPULSE: std::ops::RangeInclusive<f64> = 0.8..=2.2;
+
+/// The number of samples in a row with the largest force, if they are more than a smooth peak has.
+fn clipped(forces: &[f64]) -> Option<usize> {
+    let peak = forces.iter().copied().fold(0.0, f64::max);
+    let longest = forces.chunk_by(|a, b| a == b).filter(|run| run[0] == peak).map(<[f64]>::len).max()?;
+    let above = forces.iter().filter(|force| **force > 0.5 * peak).count();
+    (longest >= 5 && longest * 10 >= above).then_some(longest)
+}
 
 /// Part of the peak above which an offset that is left matters.
 const SMALL_OFFSET: f64 = 5e-3;

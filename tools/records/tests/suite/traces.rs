@@ -81,6 +81,15 @@ fn the_same_impact_in_many_layouts() {
             "time [s],force CFC600 [N],force unfiltered [N]\n".to_string()
                 + &rows(|_, t, f| format!("{t:.5},{:.3},{f:.3}", 0.9 * f)),
         ),
+        (
+            "a count of samples and a rate",
+            "Rate: 20000 Hz\nSample,Force [N]\n".to_string() + &rows(|i, _, f| format!("{i},{f:.3}")),
+        ),
+        ("statistics below", format!("{}\nStatistics\nMax,Min\n4000,0\n", ok())),
+        (
+            "a description between titles and units",
+            "Time,Force\nrelative,anvil\ns,N\n".to_string() + &rows(|_, t, f| format!("{t:.5},{f:.3}")),
+        ),
         ("a table of results above", format!("Drop,Peak\n1,4000\n2,3900\n\n{}", ok())),
     ];
     for (name, text) in layouts {
@@ -142,6 +151,8 @@ fn what_the_file_leaves_open_is_refused_with_the_option_that_decides() {
             "4.000 ms without a sample before this one, within the impact",
         ),
         ("time [s],force [N]\n".to_string() + &rows(|_, t, _| format!("{t:.5},1.0")), "nothing hits"),
+        (ok().replace("0.00700,", "TRIGGER,start\n0.00700,"), "line 142: \"TRIGGER,start\" is refused"),
+        (ok().replace("0.00700,", "pause\n0.00700,"), "line 142: \"pause\" is refused"),
         (format!("Sample rate,2000,kHz\n{}", ok()), "states 0.500 us"),
     ] {
         let found = refusal(&text, &Options::default());
@@ -225,6 +236,13 @@ fn an_offset_is_taken_off_or_warned_of() {
     }
     let few = read(&text(55), &Options::default()).unwrap();
     assert!(few.understood.warnings[0].contains("--offset -60.000 does"), "{}", few.understood);
+}
+
+#[test]
+fn a_force_that_is_cut_off_is_warned_of() {
+    let text = "time [s],force [N]\n".to_string() + &rows(|_, t, f| format!("{t:.5},{:.3}", f.min(3e3)));
+    let trace = read(&text, &Options::default()).unwrap();
+    assert!(trace.understood.warnings[0].contains("may be cut off by the amplifier"), "{}", trace.understood);
 }
 
 #[test]

@@ -2,7 +2,9 @@
 
 use std::io::{Cursor, Write};
 
-use softanvil_records::sheet::Layout;
+use softanvil_records::column::Kind;
+use softanvil_records::series::Table;
+use softanvil_records::sheet::{self, Layout};
 use softanvil_records::trace::{self, Options};
 use zip::write::{SimpleFileOptions, ZipWriter};
 
@@ -132,6 +134,17 @@ fn workbooks_are_read_like_text() {
         assert_impact(&trace, 1e-6, name);
         assert_eq!(trace.understood.get("file").unwrap()["sheet"], "Drop");
     }
+}
+
+#[test]
+fn columns_of_a_workbook_are_those_of_text() {
+    let rows = vec![vec!["Dehnung", "Spannung"], vec!["%", "MPa"], vec!["10", "0.5"], vec!["20", "1.25e-3"]];
+    let sheet = sheet::parse(&xlsx(&[("Probe", &rows)]), &Layout::default()).unwrap();
+    let table = Table::new(sheet, None).unwrap();
+    let stress = table.of(Kind::Stress).next().unwrap();
+    assert_eq!((stress.si, stress.title.as_str()), (Some(1e6), "Spannung [MPa]"));
+    let values: Vec<_> = table.series[0].rows.iter().map(|row| table.value(stress, row).unwrap()).collect();
+    assert_eq!(values, [Some(0.5), Some(1.25e-3)]);
 }
 
 #[test]
