@@ -104,29 +104,29 @@ impl fmt::Display for Failure {
         match self {
             Self::Null { argument } => write!(f, "{argument} is a null pointer"),
             Self::Misaligned { argument, alignment } => {
-                write!(f, "{argument} is misaligned: legal is a multiple of {alignment} bytes")
+                write!(f, "{argument} is misaligned: expected a multiple of {alignment} bytes")
             }
             Self::Short { argument, given, needed } => {
-                write!(f, "{argument} has {given} bytes: legal is at least {needed} bytes")
+                write!(f, "{argument} has {given} bytes: expected at least {needed} bytes")
             }
             Self::Long { argument, given } => {
-                write!(f, "{argument} has {given} bytes: legal is at most {} bytes", isize::MAX)
+                write!(f, "{argument} has {given} bytes: expected at most {} bytes", isize::MAX)
             }
             Self::Uninitialised { argument } => {
                 write!(f, "{argument} was not initialised by this library, was closed, or was overwritten")
             }
             Self::UnknownId { argument, id, count } => {
-                write!(f, "{argument} {id} is unknown: legal is 0 to {}", count.saturating_sub(1))
+                write!(f, "{argument} {id} is unknown: expected 0 to {}", count.saturating_sub(1))
             }
-            Self::RetiredId { argument, id } => write!(f, "{argument} {id} is retired: legal is any other number"),
+            Self::RetiredId { argument, id } => write!(f, "{argument} {id} is retired: expected any other number"),
             Self::UnknownName { argument } => write!(f, "{argument} is not in the table"),
             Self::ReservedSlot { array, slot, value } => {
                 let value = Decimal(*value);
-                write!(f, "{array}[{slot}] = {value} is refused: it has no meaning in this version, legal is 0")
+                write!(f, "{array}[{slot}] = {value} is refused: it has no meaning in this version, expected 0")
             }
             Self::Time { time, min, max } => {
                 let [time, min, max] = [*time, *min, *max].map(Decimal);
-                write!(f, "time {time} s is refused: legal is {min} s, half a step before the present, to {max} s")
+                write!(f, "time {time} s is refused: expected {min} s, half a step before the present, to {max} s")
             }
             Self::Scenario(error) => error.fmt(f),
             Self::Model(error) => error.fmt(f),

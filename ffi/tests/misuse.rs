@@ -138,7 +138,7 @@ fn an_error_is_written_whole_and_a_success_leaves_it_alone() {
     };
     // SAFETY: the library ends it with a NUL.
     let text = unsafe { CStr::from_ptr(error.text.as_ptr()) }.to_str().unwrap();
-    assert_eq!(text, "impactor.mass = NaN kg is refused: legal is 0.001 to 10000 kg");
+    assert_eq!(text, "impactor.mass = NaN kg is refused: expected 0.001 to 10000 kg");
     assert_eq!((error.status, error.parameter, error.min, error.max), (200, 8, 1e-3, 1e4));
     assert!(error.value.is_nan() && error.time.is_nan());
 }

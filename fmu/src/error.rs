@@ -15,13 +15,13 @@ pub enum Error {
         source: io::Error,
     },
     /// A file is no library of a platform that FMUs are made for.
-    #[error("{} is refused: legal is a shared library for Linux on x86-64 or aarch64, or Windows on x86-64", path.display())]
+    #[error("{} is refused: expected a shared library for Linux on x86-64 or aarch64, or Windows on x86-64", path.display())]
     NotALibrary {
         /// The file.
         path: PathBuf,
     },
     /// Two libraries are for the same folder.
-    #[error("{} is refused: legal is one library per platform, and there is one for {platform} already", path.display())]
+    #[error("{} is refused: expected one library per platform, and there is one for {platform} already", path.display())]
     Twice {
         /// The second library.
         path: PathBuf,

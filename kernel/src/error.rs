@@ -39,7 +39,7 @@ impl fmt::Display for ParameterError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let legal = Quantity(self.max, self.unit);
         let (value, min) = (Quantity(self.value, self.unit), Decimal(self.min));
-        write!(f, "{} = {value} is refused: legal is {min} to {legal}", self.name)
+        write!(f, "{} = {value} is refused: expected {min} to {legal}", self.name)
     }
 }
 
@@ -146,7 +146,7 @@ impl fmt::Display for ScenarioError {
             Self::Parameter(error) => error.fmt(f),
             Self::NoEffect(no_effect) => no_effect.fmt(f),
             Self::Contradiction { names: [one, other] } => {
-                write!(f, "{one} and {other} state the same thing: legal is one of them")
+                write!(f, "{one} and {other} state the same thing: expected one of them")
             }
             Self::LayerThickness { two, thickness } => {
                 let (layers, of) = if *two { ("two", "the whole layer") } else { ("one", "the silicone alone") };
@@ -158,7 +158,7 @@ impl fmt::Display for ScenarioError {
             }
             Self::PronySum { layer, sum } => {
                 let sum = Decimal(*sum);
-                write!(f, "{layer}.prony_g_1 to _5 sum to {sum}: legal is a sum of at least 0 and below 1")
+                write!(f, "{layer}.prony_g_1 to _5 sum to {sum}: expected a sum of at least 0 and below 1")
             }
             Self::ShearModulus { layer, law, modulus } => {
                 let modulus = Decimal(*modulus);
@@ -167,17 +167,17 @@ impl fmt::Display for ScenarioError {
                     ElasticLaw::MooneyRivlin => "c10 and c01 give",
                     ElasticLaw::Ogden => "ogden_mu_1 to _3 and ogden_alpha_1 to _3 give",
                 };
-                write!(f, "{layer}.{coefficients} a shear modulus of {modulus} Pa: legal is above 0 Pa")
+                write!(f, "{layer}.{coefficients} a shear modulus of {modulus} Pa: expected above 0 Pa")
             }
             Self::TearStretch { layer, stretch } => {
                 let stretch = Decimal(*stretch);
-                write!(f, "{layer}.tear_stretch = {stretch} is refused: legal is 0 (off) or at least 1")
+                write!(f, "{layer}.tear_stretch = {stretch} is refused: expected 0 (off) or at least 1")
             }
             Self::SkinTooThin { thickness, minimum } => {
                 let (thickness, minimum) = (Decimal(*thickness), Decimal(*minimum));
                 write!(
                     f,
-                    "geometry.skin_thickness = {thickness} m is refused: with two layers legal is at least {minimum} m"
+                    "geometry.skin_thickness = {thickness} m is refused: with two layers expected at least {minimum} m"
                 )
             }
             Self::FullAxisymmetric => {
@@ -191,7 +191,7 @@ impl fmt::Display for ScenarioError {
                 let (diameter, minimum) = (Decimal(*diameter), Decimal(*minimum));
                 write!(
                     f,
-                    "impactor.face_diameter = {diameter} m is refused: over this anvil legal is at least {minimum} m"
+                    "impactor.face_diameter = {diameter} m is refused: over this anvil expected at least {minimum} m"
                 )
             }
         }
@@ -247,7 +247,7 @@ pub struct MemoryError {
 impl fmt::Display for MemoryError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { what, given, needed } = self;
-        write!(f, "memory for {what} holds {given} items: legal is at least {needed}")
+        write!(f, "memory for {what} holds {given} items: expected at least {needed}")
     }
 }
 
@@ -271,20 +271,20 @@ impl fmt::Display for ModelError {
             Self::Scenario(error) => error.fmt(f),
             Self::TooManyCells { cells } => write!(
                 f,
-                "mesh.element_size asks for {} cells: legal is 1 to {} (choose a larger size, in m)",
+                "mesh.element_size asks for {} cells: expected 1 to {} (choose a larger size, in m)",
                 Decimal(*cells),
                 crate::mesh::MAX_CELLS
             ),
             Self::StepTooSmall { step, smallest } => {
                 let (step, smallest) = (Decimal(*step), Decimal(*smallest));
-                write!(f, "the stable time step is {step} s: legal is at least {smallest} s (softer or coarser)")
+                write!(f, "the stable time step is {step} s: expected at least {smallest} s (softer or coarser)")
             }
             Self::StepTooLarge { step, limit } => {
                 let (step, limit) = (Decimal(*step), Decimal(*limit));
-                write!(f, "time.step = {step} s is refused: legal is above 0 s and up to {limit} s at rest")
+                write!(f, "time.step = {step} s is refused: expected above 0 s and up to {limit} s at rest")
             }
             Self::NoArea { element } => {
-                write!(f, "element {element} has no area: legal are corners in counter-clockwise order")
+                write!(f, "element {element} has no area: expected corners in counter-clockwise order")
             }
             Self::Memory(error) => error.fmt(f),
         }
@@ -393,7 +393,7 @@ impl fmt::Display for SnapshotError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Length { given, needed } => {
-                write!(f, "the snapshot buffer has {given} bytes: legal is exactly {needed}")
+                write!(f, "the snapshot buffer has {given} bytes: expected exactly {needed}")
             }
             Self::Format => f.write_str("the bytes are not a snapshot of this version"),
             Self::Foreign => f.write_str("the snapshot belongs to a different model"),

@@ -411,6 +411,6 @@ mod tests {
     fn a_refused_value_names_itself_its_unit_and_its_range() {
         let error = Parameter::find("impactor.mass").unwrap().set(&mut preset::study(), -1.0).unwrap_err();
         extern crate std;
-        assert_eq!(std::format!("{error}"), "impactor.mass = -1 kg is refused: legal is 0.001 to 10000 kg");
+        assert_eq!(std::format!("{error}"), "impactor.mass = -1 kg is refused: expected 0.001 to 10000 kg");
     }
 }

@@ -134,7 +134,7 @@ pub struct Point {
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum Error {
     /// A number of the test is not legal.
-    #[error("{name} = {value} is refused: legal is {legal}")]
+    #[error("{name} = {value} is refused: expected {legal}")]
     Test {
         /// The number.
         name: &'static str,

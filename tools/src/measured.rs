@@ -35,7 +35,7 @@ impl Measured {
         let size =
             std::fs::metadata(path).map_err(|error| format!("{} cannot be read: {error}", path.display()))?.len();
         if size > MOST_BYTES {
-            return Err(refuse(format!("a file of {size} bytes is refused: legal is {MOST_BYTES} at most")));
+            return Err(refuse(format!("a file of {size} bytes is refused: expected {MOST_BYTES} at most")));
         }
         let bytes = std::fs::read(path).map_err(|error| format!("{} cannot be read: {error}", path.display()))?;
         let name = path.file_name().unwrap_or_default().to_string_lossy();

@@ -39,7 +39,7 @@ impl FromStr for Threshold {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let refused = "legal is a force of 0 N or more, as in 20, or a part of the peak below 100 %, as in 5%";
+        let refused = "expected a force of 0 N or more, as in 20, or a part of the peak below 100 %, as in 5%";
         let number = |text: &str| text.trim().parse::<f64>().ok().filter(|value| *value >= 0.0 && value.is_finite());
         match text.strip_suffix('%') {
             Some(percent) => {
@@ -173,7 +173,7 @@ mod tests {
         assert_eq!("0.5 %".parse(), Ok(Threshold::PartOfPeak(0.005)));
         assert_eq!(Threshold::PartOfPeak(0.05).force(2e3), 100.0);
         for text in ["", "-1", "100%", "nan", "inf", "x%"] {
-            assert!(text.parse::<Threshold>().unwrap_err().contains("legal is a force"), "{text}");
+            assert!(text.parse::<Threshold>().unwrap_err().contains("expected a force"), "{text}");
         }
     }
 

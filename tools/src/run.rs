@@ -47,7 +47,7 @@ pub enum RunError {
     Step(#[from] StepError),
     /// Nothing here moves a driven impactor.
     #[error(
-        "impactor.motion = driven is refused: a run has nothing that drives the impactor; legal is drop or prescribed"
+        "impactor.motion = driven is refused: a run has nothing that drives the impactor; expected drop or prescribed"
     )]
     Driven,
 }

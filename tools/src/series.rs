@@ -85,7 +85,7 @@ impl Series {
         // A length within a millionth of a sample of a whole number is that number.
         let count = ((last - first) / SAMPLING_INTERVAL + 1e-6).floor() + 1.0;
         if !(2.0..=MAX_SAMPLES).contains(&count) {
-            return Err(SeriesError(format!("the trace lasts {} s; legal is 50 us to 50 s", last - first)));
+            return Err(SeriesError(format!("the trace lasts {} s; expected 50 us to 50 s", last - first)));
         }
         let mut segment = 0;
         let force = (0..count as usize).map(|i| {
@@ -188,6 +188,6 @@ mod tests {
     #[test]
     fn a_trace_of_no_length_is_refused() {
         let error = Series::resampled(&[0.0, 1e-5], &[1.0, 1.0]).unwrap_err().to_string();
-        assert!(error.contains("legal is 50 us to 50 s"), "{error}");
+        assert!(error.contains("expected 50 us to 50 s"), "{error}");
     }
 }

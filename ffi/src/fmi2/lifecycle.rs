@@ -56,7 +56,7 @@ pub extern "C" fn fmi2Instantiate(
         let refusal = if name.is_empty() {
             "the instance name is missing"
         } else if fmu_type != CO_SIMULATION {
-            "fmuType is refused: legal is fmi2CoSimulation (1)"
+            "fmuType is refused: expected fmi2CoSimulation (1)"
         } else if guid.get().map(CStr::to_bytes) != Some(token().as_bytes()) {
             "the GUID is not that of this library: model description and binary do not belong together"
         } else {

@@ -246,7 +246,7 @@ fn a_step_is_positive_and_not_too_long() {
     for step in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -SAMPLE, 0.0, -0.0, 100.1, 1e300] {
         let error = instance.do_step(0.0, step).unwrap_err();
         assert!(matches!(error, Error::StepSize { .. }), "{step}: {error}");
-        assert!(error.to_string().ends_with("legal is above 0 s up to 100 s"), "{error}");
+        assert!(error.to_string().ends_with("expected above 0 s up to 100 s"), "{error}");
     }
     for step in [f64::MIN_POSITIVE, 5e-324, 1e-20, 1e-12] {
         instance.do_step(instance.time(), step).unwrap();

@@ -158,7 +158,7 @@ mod tests {
         for (given, message) in [
             (
                 &[("impactor.drop_height", "0.1"), ("impactor.drop_energy", "9.8")][..],
-                "impactor.drop_height and impactor.drop_energy state the same thing: legal is one of them",
+                "impactor.drop_height and impactor.drop_energy state the same thing: expected one of them",
             ),
             (
                 &[("impactor.drop_by", "energy"), ("impactor.drop_height", "0.1")],

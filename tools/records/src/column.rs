@@ -116,7 +116,7 @@ impl Column {
             let known = unit::is_unit(bracket) || bracket.contains(['/', '%']);
             if known {
                 let (name, example) = kind.example();
-                return Err(format!("column \"{title}\" has no unit of {name}: legal is such as \"{example}\""));
+                return Err(format!("column \"{title}\" has no unit of {name}: expected such as \"{example}\""));
             }
         }
         Ok(Some(Self {
@@ -141,7 +141,7 @@ impl Column {
         let found = stated.as_deref().and_then(of);
         if let (Some(unit), None) = (unit, found) {
             let (name, example) = kind.example();
-            return Err(format!("[{unit}] is no unit of {name}: legal is such as \"{example}\""));
+            return Err(format!("[{unit}] is no unit of {name}: expected such as \"{example}\""));
         }
         Ok(Self {
             index,
@@ -373,7 +373,7 @@ fn kind_of(words: &[String], unit: Option<Unit>, spelled: Option<&str>) -> Resul
             Some(Dimension::Ratio) => Ok(Some(Kind::Strain)),
             _ if strained => Ok(Some(Kind::Strain)),
             _ if moved => Ok(Some(Kind::Displacement)),
-            _ => Err("may be a strain or a displacement: legal is a unit in its title, % or mm"),
+            _ => Err("may be a strain or a displacement: expected a unit in its title, % or mm"),
         };
     }
     if has(&["force", "kraft", "load", "fuerza", "carga", "forza"])
@@ -421,7 +421,7 @@ fn measure_of(words: &[String]) -> Result<Option<Measure>, &'static str> {
     let has = |names: &[&str]| words.iter().any(|word| names.iter().any(|name| word.starts_with(name)));
     if has(&["almansi", "biot"]) {
         return Err(
-            "is of a measure that is not read: legal is engineering (nominal), true (logarithmic, Cauchy), Green or \
+            "is of a measure that is not read: expected engineering (nominal), true (logarithmic, Cauchy), Green or \
                     second Piola-Kirchhoff",
         );
     }
@@ -439,7 +439,7 @@ fn measure_of(words: &[String]) -> Result<Option<Measure>, &'static str> {
     match measures.as_slice() {
         [] => Ok(None),
         [measure] => Ok(Some(*measure)),
-        _ => Err("names two measures: legal is one of engineering, true and Green or second Piola-Kirchhoff"),
+        _ => Err("names two measures: expected one of engineering, true and Green or second Piola-Kirchhoff"),
     }
 }
 

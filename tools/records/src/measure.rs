@@ -21,7 +21,7 @@ impl Measure {
             return Ok(stretch);
         }
         let reason = format!(
-            "strain {strain} is refused: legal is a stretch of {} to {}, an engineering strain above -1 (is it in percent, or \
+            "strain {strain} is refused: expected a stretch of {} to {}, an engineering strain above -1 (is it in percent, or \
              a stretch?)",
             LEGAL.start(),
             LEGAL.end()

@@ -18,7 +18,7 @@ impl FromStr for Decimal {
         match text {
             "point" => Ok(Self::Point),
             "comma" => Ok(Self::Comma),
-            _ => Err("legal is point or comma".into()),
+            _ => Err("expected point or comma".into()),
         }
     }
 }

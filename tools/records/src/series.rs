@@ -113,7 +113,7 @@ impl Table {
             Cell::Text => {
                 let sign = if self.sheet.decimal == Decimal::Point { "point" } else { "comma" };
                 let reason =
-                    format!("{} = \"{cell}\" is refused: legal is a number with a decimal {sign}", column.title);
+                    format!("{} = \"{cell}\" is refused: expected a number with a decimal {sign}", column.title);
                 Err(ReadError::line(row.line, reason))
             }
         }
@@ -218,7 +218,7 @@ fn described(sheet: &Sheet, body: &Body) -> String {
 }
 
 /// What is said of storage and loss moduli.
-pub const DYNAMIC: &str = "a test with oscillations (storage and loss moduli over frequency) is not read: legal is a relaxation, \
+pub const DYNAMIC: &str = "a test with oscillations (storage and loss moduli over frequency) is not read: expected a relaxation, \
                            a modulus, stress or force over time";
 
 const EXAMPLE: &str = "strain [%], stress [kPa]";

@@ -248,7 +248,7 @@ impl Notation {
 }
 
 fn no_table(lines: &Lines) -> ReadError {
-    let legal = "legal is a table of numbers separated by tab ; , | or blanks, with units in its titles";
+    let legal = "expected a table of numbers separated by tab ; , | or blanks, with units in its titles";
     let first = (1..=lines.len())
         .map(|number| (number, lines.get(number)))
         .filter(|(_, line)| text::comment(line).is_none())
@@ -458,7 +458,7 @@ impl Assembly {
         let start = rows.iter().position(|row| count(row) == columns).unwrap_or_default();
         self.above.extend(rows.drain(..start).map(|row| row.line));
         if let Some(row) = rows.iter().find(|row| self.is_wider(**row, columns)) {
-            let reason = format!("{} cells in a table of {columns} columns: legal is as many as above", count(row));
+            let reason = format!("{} cells in a table of {columns} columns: expected as many as above", count(row));
             return Err(ReadError::line(row.line, reason));
         }
         let above = std::mem::take(&mut self.above);
@@ -483,7 +483,7 @@ impl Assembly {
             last.columns == columns && rows.len() > FEW && !head.titles.iter().any(|title| is_understood(title));
         if untitled || continued {
             let line = above.first().copied().unwrap_or(rows[0].line);
-            let legal = "legal is a row of numbers, a comment (#), or the titles again before the next specimen";
+            let legal = "expected a row of numbers, a comment (#), or the titles again before the next specimen";
             return Err(ReadError::line(line, format!("\"{}\" is refused: {legal}", self.lines.get(line).trim())));
         }
         if head.titles.is_empty() {

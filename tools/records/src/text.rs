@@ -67,7 +67,7 @@ fn decode(bytes: &[u8]) -> Result<(Cow<'_, str>, &'static str), ReadError> {
     };
     // Text has no zeros, and no file of a table has control characters.
     if wrong || text.chars().take(4096).any(|c| matches!(c, '\0'..='\x08' | '\x0e'..='\x1a')) {
-        let legal = "legal is text in UTF-8, UTF-16 or Latin-1, or a workbook (XLSX, XLS, ODS)";
+        let legal = "expected text in UTF-8, UTF-16 or Latin-1, or a workbook (XLSX, XLS, ODS)";
         return Err(ReadError::file(format!("this is no text: {legal}")));
     }
     let name = if encoding == WINDOWS_1252 { "Latin-1 (Windows-1252)" } else { encoding.name() };

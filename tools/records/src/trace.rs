@@ -25,7 +25,7 @@ impl FromStr for Choice {
     fn from_str(text: &str) -> Result<Self, String> {
         match text.trim() {
             "" => {
-                Err("legal is the title of a column or its number, and its unit in brackets, such as \"Fz [kN]\""
+                Err("expected the title of a column or its number, and its unit in brackets, such as \"Fz [kN]\""
                     .into())
             }
             text => Ok(Self(text.into())),
@@ -82,7 +82,7 @@ pub fn sign(text: &str) -> Result<f64, String> {
     match text {
         "+" => Ok(1.0),
         "-" => Ok(-1.0),
-        _ => Err("legal is + or -".into()),
+        _ => Err("expected + or -".into()),
     }
 }
 
@@ -306,9 +306,9 @@ fn index_of(table: &Table, name: &str) -> Result<usize, String> {
         ([], Ok(number)) if (1..=table.titles.len()).contains(&number) => Ok(number - 1),
         ([], _) => {
             let listed = table.titles.iter().map(|title| format!("\"{title}\"")).collect::<Vec<_>>().join(", ");
-            Err(format!("legal is one of {listed}, or a number from 1 to {}", table.titles.len()))
+            Err(format!("expected one of {listed}, or a number from 1 to {}", table.titles.len()))
         }
-        _ => Err(format!("{} columns have this title: legal is the number of one, from 1", found.len())),
+        _ => Err(format!("{} columns have this title: expected the number of one, from 1", found.len())),
     }
 }
 
@@ -376,7 +376,7 @@ impl Record<'_> {
         });
         let Some((samples, contact, index)) = found else {
             return Err(ReadError::file(format!(
-                "--impact {wanted} is refused: legal is 1 to {count}, of those in the record"
+                "--impact {wanted} is refused: expected 1 to {count}, of those in the record"
             )));
         };
         self.say_columns(&mut understood, samples);
@@ -428,7 +428,7 @@ impl Record<'_> {
             };
             if let Some(last) = samples.times.last().filter(|last| **last >= time) {
                 let reason = format!(
-                    "time {time} s is not after that of the line before, {last} s: legal is time that rises; --rate \"20 kHz\" \
+                    "time {time} s is not after that of the line before, {last} s: expected time that rises; --rate \"20 kHz\" \
                      counts the samples instead"
                 );
                 return Err(ReadError::line(row.line, reason));
@@ -443,7 +443,7 @@ impl Record<'_> {
         let missing = self.channels.table.sheet().missing;
         if matches!(time, Clock::Rate(..)) && missing > 0 {
             let reason =
-                format!("{missing} rows without values in a record without times: legal is a row for every sample");
+                format!("{missing} rows without values in a record without times: expected a row for every sample");
             return Err(ReadError::file(reason));
         }
         if samples.times.len() < 2 {
@@ -706,7 +706,7 @@ impl Cut<'_> {
         match around.into_iter().find(is_gap) {
             Some(index) => {
                 let reason = format!(
-                    "{} without a sample before this one, within the impact, where samples are {} apart: legal is an impact \
+                    "{} without a sample before this one, within the impact, where samples are {} apart: expected an impact \
                      without gaps",
                     seconds(times[index] - times[index - 1]),
                     seconds(usual)

@@ -215,7 +215,7 @@ pub fn parse_quantity(text: &str, dimension: Dimension) -> Result<f64, String> {
         Dimension::Time => "8ms",
         _ => "12.5mm",
     };
-    let refuse = || format!("legal is a positive number with its unit, such as {example}");
+    let refuse = || format!("expected a positive number with its unit, such as {example}");
     let (number, unit) = number_and_rest(text).ok_or_else(refuse)?;
     match Unit::of(dimension, unit) {
         Some(unit) if number.is_finite() && number > 0.0 => Ok(number * unit.si),

@@ -16,7 +16,7 @@ pub fn parse(bytes: &[u8], layout: &Layout) -> Result<Sheet, ReadError> {
     let names = workbook.names();
     if let Some(name) = &layout.sheet {
         let Some(name) = names.iter().find(|known| *known == name) else {
-            return Err(ReadError::file(format!("--sheet {name} is refused: legal is {}", quoted(&names))));
+            return Err(ReadError::file(format!("--sheet {name} is refused: expected {}", quoted(&names))));
         };
         return table(&mut workbook, name);
     }

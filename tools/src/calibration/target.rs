@@ -82,7 +82,7 @@ impl OpenTrace {
         }
         let column = |key: &str, text: &Option<String>| parsed(key, text, |text| text.parse::<trace::Choice>());
         if self.impact == Some(0) {
-            return Err("trace.impact = 0 is refused: legal is 1 or more".into());
+            return Err("trace.impact = 0 is refused: expected 1 or more".into());
         }
         Ok(trace::Options {
             layout: Layout { decimal: parsed("decimal", &self.decimal, str::parse)?, sheet: self.sheet.clone() },
@@ -135,7 +135,7 @@ impl Target {
         let energy = impact.energy;
         let refuse = |what: String| Err(format!("impact of {energy} J: {what}"));
         if !(energy > 0.0 && energy.is_finite()) {
-            return refuse("legal is an energy above 0".into());
+            return refuse("expected an energy above 0".into());
         }
         let given = [impact.peak_force, impact.max_deformation, impact.impact_duration, impact.impulse];
         for (quantity, value) in QUANTITIES.iter().zip(given) {
@@ -152,7 +152,7 @@ impl Target {
         for key in &impact.ignore {
             match QUANTITIES.iter().position(|quantity| quantity.key == key) {
                 Some(index) => counts[index] = false,
-                None => return refuse(format!("ignore: {key} is unknown; legal is {}", keys())),
+                None => return refuse(format!("ignore: {key} is unknown; expected {}", keys())),
             }
         }
         let given = match &impact.trace {

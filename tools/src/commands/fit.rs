@@ -261,7 +261,7 @@ impl Options {
         let curves = tests.into_iter().filter(|(_, paths)| !paths.is_empty());
         let curves = curves.map(|(mode, paths)| Curves::read(mode, paths, &reading)).collect::<Result<Vec<_>, _>>()?;
         if curves.is_empty() && self.relaxation.is_none() {
-            let legal = "legal is --uniaxial, --planar, --equibiaxial or --relaxation with a file, or --study";
+            let legal = "expected --uniaxial, --planar, --equibiaxial or --relaxation with a file, or --study";
             return Err(Failure::Input(format!("there is nothing to fit: {legal}")));
         }
         let relaxation = relaxation::Options {
@@ -336,7 +336,7 @@ fn length(text: &str) -> Result<f64, String> {
 
 fn law(name: &str) -> Result<&'static Law, String> {
     let names = || LAWS.iter().map(|law| law.name).collect::<Vec<_>>().join(", ");
-    Law::find(name).ok_or_else(|| format!("legal is {}", names()))
+    Law::find(name).ok_or_else(|| format!("expected {}", names()))
 }
 
 fn range(text: &str) -> Result<(f64, f64), String> {
@@ -344,24 +344,24 @@ fn range(text: &str) -> Result<(f64, f64), String> {
     let numbers = text.split_once(':').and_then(|(a, b)| Some((a.parse().ok()?, b.parse().ok()?)));
     match numbers {
         Some((from, to)) if low <= from && from < 1.0 && 1.0 < to && to <= high => Ok((from, to)),
-        _ => Err(format!("legal is two stretches around 1, {low} to {high}, such as 0.5:2")),
+        _ => Err(format!("expected two stretches around 1, {low} to {high}, such as 0.5:2")),
     }
 }
 
 fn n_term(text: &str) -> Result<usize, String> {
     let (low, high) = (TERMS.start(), TERMS.end());
-    text.parse().ok().filter(|n| TERMS.contains(n)).ok_or_else(|| format!("legal is {low} to {high}"))
+    text.parse().ok().filter(|n| TERMS.contains(n)).ok_or_else(|| format!("expected {low} to {high}"))
 }
 
 fn finite(text: &str) -> Result<f64, String> {
-    text.parse().ok().filter(|number: &f64| number.is_finite()).ok_or_else(|| "legal is a number".into())
+    text.parse().ok().filter(|number: &f64| number.is_finite()).ok_or_else(|| "expected a number".into())
 }
 
 fn time(text: &str) -> Result<f64, String> {
-    finite(text).ok().filter(|time| *time >= 0.0).ok_or_else(|| "legal is 0 or more, in s".into())
+    finite(text).ok().filter(|time| *time >= 0.0).ok_or_else(|| "expected 0 or more, in s".into())
 }
 
 fn strain(text: &str) -> Result<f64, String> {
-    let legal = || "legal is a ratio above -1 and not 0".to_string();
+    let legal = || "expected a ratio above -1 and not 0".to_string();
     finite(text).ok().filter(|strain| *strain > -1.0 && *strain != 0.0 && *strain <= 10.0).ok_or_else(legal)
 }

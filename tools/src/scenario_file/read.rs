@@ -32,7 +32,7 @@ pub enum ScenarioFileError {
         suggestion: String,
     },
     /// The value is of the wrong type.
-    #[error("line {line}: {name} = {found} is refused: legal is {legal}")]
+    #[error("line {line}: {name} = {found} is refused: expected {legal}")]
     Type {
         /// Line of the key, from 1.
         line: usize,

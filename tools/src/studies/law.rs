@@ -58,7 +58,7 @@ fn plan(scenario: &Scenario, values: &[String]) -> Result<Vec<Case>, Failure> {
     let laws = values.iter().map(|name| {
         Law::find(name.trim()).ok_or_else(|| {
             let names: Vec<_> = LAWS.iter().map(|law| law.name).collect();
-            Failure::Input(format!("study law: {name} is refused: legal is {}", names.join(", ")))
+            Failure::Input(format!("study law: {name} is refused: expected {}", names.join(", ")))
         })
     });
     let laws = laws.collect::<Result<Vec<_>, _>>()?;

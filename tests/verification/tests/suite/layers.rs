@@ -150,14 +150,14 @@ fn refusals_name_the_layer() {
         change(&mut scenario);
         scenario.validate().err().map(|error| error.to_string()).unwrap_or_default()
     };
-    assert_eq!(refusal(|s| s.skin.c10 = -1.0), "skin.c10 gives a shear modulus of -2 Pa: legal is above 0 Pa");
+    assert_eq!(refusal(|s| s.skin.c10 = -1.0), "skin.c10 gives a shear modulus of -2 Pa: expected above 0 Pa");
     assert_eq!(
         refusal(|s| s.skin.prony_g = [0.25; 5]),
-        "skin.prony_g_1 to _5 sum to 1.25: legal is a sum of at least 0 and below 1"
+        "skin.prony_g_1 to _5 sum to 1.25: expected a sum of at least 0 and below 1"
     );
     assert_eq!(
         refusal(|s| s.geometry.skin_thickness = 0.0),
-        "geometry.skin_thickness = 0 m is refused: with two layers legal is at least 0.00001 m"
+        "geometry.skin_thickness = 0 m is refused: with two layers expected at least 0.00001 m"
     );
     // A material that is not in the anvil is no reason to refuse it.
     assert_eq!(

@@ -91,7 +91,7 @@ pub fn read(name: &str, bytes: &[u8], options: &Options) -> Result<Curve, ReadEr
     let unloaded = |value: fn(&Point) -> f64| repeats.iter().flat_map(|repeat| &repeat.points).all(|p| value(p) == 0.0);
     for (what, value) in [("strain", (|p| p.stretch) as fn(&Point) -> f64), ("stress", |p| p.stress)] {
         if unloaded(value) {
-            return Err(ReadError::file(format!("every {what} is zero: legal are points of a specimen under load")));
+            return Err(ReadError::file(format!("every {what} is zero: expected points of a specimen under load")));
         }
     }
     let stretched = pairs.iter().any(|pair| pair.deformation.kind == Kind::Stretch);
@@ -248,12 +248,12 @@ fn orient(
     let direction = match (given, strain < 0.0, words.and_then(hinted)) {
         (Some(Direction::Tension), true, _) => {
             return Err(ReadError::file(
-                "the strains are negative, which is no tension: legal is --direction compression",
+                "the strains are negative, which is no tension: expected --direction compression",
             ));
         }
         (Some(Direction::Compression), false, _) if words.is_none() && strain > 0.0 => {
             return Err(ReadError::file(
-                "the stretches are above 1, which is no compression: legal is --direction tension",
+                "the stretches are above 1, which is no compression: expected --direction tension",
             ));
         }
         (Some(direction), ..) => direction,
@@ -278,7 +278,7 @@ fn orient(
     let work = || points().map(|point| point.stretch * point.stress).sum::<f64>();
     if strain == 0.0 && given.is_none() && work() < 0.0 {
         return Err(ReadError::file(
-            "tension and compression with stresses against the strains: legal is one sign for tension in both columns",
+            "tension and compression with stresses against the strains: expected one sign for tension in both columns",
         ));
     }
     let negative = direction == Direction::Compression;
@@ -286,7 +286,7 @@ fn orient(
     let (strain_flip, mut stress_flip) = (flip(strain), flip(stress));
     if !negative && strain > 0.0 && stress < 0.0 {
         return Err(ReadError::file(
-            "positive strains with negative stresses are no tension: legal is --direction compression",
+            "positive strains with negative stresses are no tension: expected --direction compression",
         ));
     }
     if negative && stress == 0.0 {

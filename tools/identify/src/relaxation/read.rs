@@ -72,7 +72,7 @@ pub fn read(bytes: &[u8], options: &Options, elastic: Option<&dyn Fn(f64) -> f64
     let table = Table::new(sheet::parse(bytes, &options.layout)?, options.columns.as_deref())?;
     let [series] = table.series.as_slice() else {
         return Err(ReadError::file(format!(
-            "{} specimens in one file: legal is one relaxation test",
+            "{} specimens in one file: expected one relaxation test",
             table.series.len()
         )));
     };
@@ -81,7 +81,7 @@ pub fn read(bytes: &[u8], options: &Options, elastic: Option<&dyn Fn(f64) -> f64
     let start = options.start.unwrap_or_else(|| beginning(&rows, &mut notes));
     rows.iter_mut().for_each(|row| row.time -= start);
     if rows.iter().all(|row| row.load == 0.0) {
-        return Err(ReadError::file("every load is zero: legal are points of a specimen under load"));
+        return Err(ReadError::file("every load is zero: expected points of a specimen under load"));
     }
     let sign = if rows.iter().map(|row| row.load).sum::<f64>() < 0.0 { -1.0 } else { 1.0 };
     rows.iter_mut().for_each(|row| row.load *= sign);
@@ -179,7 +179,7 @@ fn rows(table: &Table, series: &Series, options: &Options, notes: &mut Vec<Strin
         rows.push(Row { line: row.line, time, load: value * unit, kind, stress, strain });
     }
     if let Some(pair) = rows.windows(2).find(|pair| pair[1].time < pair[0].time) {
-        let reason = format!("time {} s is before that of the line above: legal is time that rises", pair[1].time);
+        let reason = format!("time {} s is before that of the line above: expected time that rises", pair[1].time);
         return Err(ReadError::line(pair[1].line, reason));
     }
     rows.dedup_by(|a, b| a.time == b.time);
@@ -241,7 +241,7 @@ fn history(
     let peak = peak(rows);
     if options.ramp_time.is_none() && peak + AFTER_PEAK > rows.len() {
         let reason = format!(
-            "the load is largest here, at {} s, with fewer than {AFTER_PEAK} points from it on: legal is a load that relaxes, or \
+            "the load is largest here, at {} s, with fewer than {AFTER_PEAK} points from it on: expected a load that relaxes, or \
              --ramp-time",
             rows[peak].time
         );
@@ -286,7 +286,7 @@ fn measured(
     let strains = || rows.iter().filter_map(|row| row.strain);
     let largest = strains().fold(0.0, |a: f64, (b, _)| if b.abs() > a.abs() { b } else { a });
     if largest == 0.0 {
-        return Err(ReadError::file("every strain is zero: legal is a column of the strain that was held"));
+        return Err(ReadError::file("every strain is zero: expected a column of the strain that was held"));
     }
     // A positive strain may be one of compression; the option tells, or the load's sign, or words.
     let sign = match options.strain {

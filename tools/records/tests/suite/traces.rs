@@ -133,7 +133,7 @@ fn what_the_file_leaves_open_is_refused_with_the_option_that_decides() {
             "--time \"time [ms]\"",
         ),
         (data("time [s],force [kN]"), "a rebound gives 1 to 2. State the units that are true"),
-        (data("time [s],force [N]").replace("0.00500,", "0.00500,x"), "= \"x2828.427\" is refused: legal is a number"),
+        (data("time [s],force [N]").replace("0.00500,", "0.00500,x"), "= \"x2828.427\" is refused: expected a number"),
         (
             "time [s],force [N]\n".to_string() + &rows(|_, t, f| format!("{t:.4},{f:.3}")),
             "is not after that of the line before",
@@ -189,7 +189,7 @@ fn options_settle_what_is_open() {
     let three = "time [s],Fx [N],Fz [N]\n".to_string() + &rows(|_, t, f| format!("{t:.5},1.0,{f:.3}"));
     assert_impact(&read(&three, &Options { force: choice("fz"), ..Options::default() }).unwrap(), 1e-3, "a name");
     for (text, message) in [
-        ("none [N]", "legal is one of \"time [s]\", \"Fx [N]\", \"Fz [N]\", or a number from 1 to 3"),
+        ("none [N]", "expected one of \"time [s]\", \"Fx [N]\", \"Fz [N]\", or a number from 1 to 3"),
         ("Fz [mm]", "[mm] is no unit of force"),
         ("4 [N]", "or a number from 1 to 3"),
     ] {
@@ -217,7 +217,7 @@ fn the_first_of_several_impacts_is_read_and_another_on_request() {
     assert_eq!((&impacts["chosen"], impacts["impacts"].as_array().unwrap().len()), (&json!(1), 2));
     let second = read(&text, &Options { impact: Some(2), ..Options::default() }).unwrap();
     assert!((peak(&second) - 1800.0).abs() < 1e-3);
-    assert!(refusal(&text, &Options { impact: Some(3), ..Options::default() }).contains("legal is 1 to 2"));
+    assert!(refusal(&text, &Options { impact: Some(3), ..Options::default() }).contains("expected 1 to 2"));
     // Two drops, one below the other.
     let two = ok() + &ok().replace("4000.000", "3999.000");
     assert!((peak(&read(&two, &Options { impact: Some(2), ..Options::default() }).unwrap()) - 4e3).abs() < 5.0);

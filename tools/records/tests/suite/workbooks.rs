@@ -159,7 +159,7 @@ fn one_of_several_sheets_has_to_be_named() {
     let error = read(None).unwrap_err().to_string();
     assert!(error.contains("tables in the sheets \"Probe 1\", \"Probe 2\": name one with --sheet"), "{error}");
     assert_impact(&read(Some("Probe 2")).unwrap(), 1e-6, "named");
-    assert!(read(Some("Probe 3")).unwrap_err().to_string().contains("legal is \"Probe 1\", \"Probe 2\""));
+    assert!(read(Some("Probe 3")).unwrap_err().to_string().contains("expected \"Probe 1\", \"Probe 2\""));
     let layout = Layout { sheet: Some("x".into()), ..Layout::default() };
     let text = trace::read("x", b"t [s],F [N]\n0,1\n1,2\n", &Options { layout, ..Options::default() }, None);
     assert!(text.unwrap_err().to_string().contains("this is text, not a workbook"));

@@ -27,7 +27,7 @@ impl<'a> Workbook<'a> {
     /// No workbook, or too large a one.
     pub fn open(bytes: &'a [u8]) -> Result<Self, String> {
         if bytes.len() > MOST_BYTES {
-            return Err(format!("a workbook of {} bytes: legal is {MOST_BYTES} at most", bytes.len()));
+            return Err(format!("a workbook of {} bytes: expected {MOST_BYTES} at most", bytes.len()));
         }
         let refuse = |error: calamine::Error| format!("this is no workbook that can be read: {error}");
         open_workbook_auto_from_rs(Cursor::new(bytes)).map(Self).map_err(refuse)
@@ -96,7 +96,7 @@ impl Text {
         let tabs = if lines > 0 { column } else { column.saturating_sub(self.column) };
         self.cells += u64::from(lines) + u64::from(tabs);
         if self.cells > MOST_CELLS {
-            return Err(format!("more than {MOST_CELLS} cells: legal is a table of measured data"));
+            return Err(format!("more than {MOST_CELLS} cells: expected a table of measured data"));
         }
         self.text.extend(std::iter::repeat_n('\n', lines as usize));
         self.text.extend(std::iter::repeat_n('\t', tabs as usize));
