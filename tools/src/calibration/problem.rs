@@ -210,7 +210,7 @@ impl Problem {
             impacts.extend(read_impacts(&folder.join(path))?);
         }
         file.objective.check()?;
-        let target = |impact: &Impact| Target::new(impact, folder, file.objective.cfc);
+        let target = |impact: &Impact| Target::new(impact, &scenario, folder, file.objective.cfc);
         let targets = impacts.iter().map(target).collect::<Result<Vec<_>, _>>()?;
         if !targets.iter().any(|target| !target.predict) {
             return Err("no [[impact]] counts: there is nothing to aim at".into());

@@ -4,19 +4,20 @@ use std::fmt::Write;
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use softanvil_identify::data::column::Measure;
 use softanvil_identify::data::curve::{self, Direction};
 use softanvil_identify::data::cycles::Selection;
-use softanvil_identify::data::number::Decimal;
 use softanvil_identify::data::repeats::Repeats;
 use softanvil_identify::data::specimen::Specimen;
-use softanvil_identify::data::unit::{Dimension, parse_quantity};
 use softanvil_identify::export::Layer;
 use softanvil_identify::law::fit::{Settings, Weighting};
 use softanvil_identify::law::{LAWS, Law, Mode};
 use softanvil_identify::relaxation::choice::TERMS;
 use softanvil_identify::relaxation::read as relaxation;
 use softanvil_kernel::material::Moduli;
+use softanvil_records::column::Measure;
+use softanvil_records::number::Decimal;
+use softanvil_records::sheet::Layout;
+use softanvil_records::unit::{Dimension, parse_quantity};
 
 use super::output_files::Overwrite;
 use crate::failure::Failure;
@@ -31,7 +32,7 @@ use crate::{json as text_json, plot, scenario_file};
 
 /// Fit hyperelastic laws and Prony series to material tests, and write the material
 ///
-/// Files are tables of text; titles tell what the columns are, with their units: strain, stretch, stress, force,
+/// Files are tables of text or workbooks; titles tell what the columns are, with their units: strain, stretch, stress, force,
 /// displacement, time, modulus. Stresses are nominal unless a title says true.
 #[derive(Debug, Args)]
 pub struct Options {
@@ -77,11 +78,14 @@ pub struct Options {
 #[command(next_help_heading = "What the files leave open")]
 struct TableOptions {
     /// Titles of the curves' columns instead of the file's, such as "strain [%], stress [kPa]"; - passes a column over
-    #[arg(long, value_name = "TITLES")]
+    #[arg(long, value_name = "TITLES", allow_hyphen_values = true)]
     columns: Option<String>,
     /// The same for the relaxation
-    #[arg(long, value_name = "TITLES")]
+    #[arg(long, value_name = "TITLES", allow_hyphen_values = true)]
     relaxation_columns: Option<String>,
+    /// Sheet of a workbook (XLSX, XLS, ODS) that holds more than one table
+    #[arg(long, value_name = "NAME")]
+    sheet: Option<String>,
     /// Decimal sign
     #[arg(long, value_enum)]
     decimal: Option<DecimalOption>,
@@ -241,10 +245,11 @@ impl Options {
         let (table, specimen) = (&self.table, &self.specimen);
         let area = specimen.area.or(specimen.diameter.map(|d| 0.25 * std::f64::consts::PI * d * d));
         let size = Specimen { area, height: specimen.height };
+        let layout = Layout { decimal: table.decimal.map(Into::into), sheet: table.sheet.clone() };
         let reading = Reading {
             curve: curve::Options {
                 columns: table.columns.as_deref().map(titles),
-                decimal: table.decimal.map(Into::into),
+                layout: layout.clone(),
                 specimen: size,
                 strain_measure: table.strain_measure.map(Into::into),
                 stress_measure: table.stress_measure.map(Into::into),
@@ -263,7 +268,7 @@ impl Options {
         }
         let relaxation = relaxation::Options {
             columns: table.relaxation_columns.as_deref().map(titles),
-            decimal: table.decimal.map(Into::into),
+            layout,
             specimen: size,
             strain_measure: table.strain_measure.map(Into::into),
             stress_measure: table.stress_measure.map(Into::into),

@@ -94,9 +94,9 @@ fn refused_readings_say_what_is_legal() {
         let error = fail(folder.path(), &[&["measure"], options].concat(), 2);
         assert!(error.contains(message), "{error}");
     }
-    std::fs::write(folder.path().join("flat.csv"), "t,f\n0,1\n0.01,1\n").unwrap();
+    std::fs::write(folder.path().join("flat.csv"), "time [s],force [N]\n0,1\n0.01,1\n").unwrap();
     let error = fail(folder.path(), &["measure", "--trace", "flat.csv"], 2);
-    assert!(error.contains("the peaks are 1.0 N measured"), "{error}");
+    assert!(error.contains("flat.csv: nothing hits"), "{error}");
 }
 
 #[test]

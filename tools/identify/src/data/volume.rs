@@ -1,9 +1,10 @@
 //! The volume of a specimen from its lateral strains, or as a file has it.
 
-use super::ReadError;
-use super::column::{Column, Kind, Measure};
+use softanvil_records::ReadError;
+use softanvil_records::column::{Column, Kind, Measure};
+use softanvil_records::series::{Series, Table};
+
 use super::curve::Repeat;
-use super::series::{Series, Table};
 
 /// Title words of ratios, which are 1 at rest, unlike strains and changes.
 const RATIOS: [&str; 5] = ["stretch", "streckung", "lambda", "λ", "ratio"];

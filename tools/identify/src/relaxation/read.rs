@@ -1,23 +1,23 @@
 //! Time and load of a relaxation test from a file.
 
+use softanvil_records::ReadError;
+use softanvil_records::column::{self, Column, Kind, Measure};
+use softanvil_records::series::{DYNAMIC, Series, Table};
+use softanvil_records::sheet::{self, Layout};
+
 use super::history::History;
 use super::prony::Relaxation;
 use super::ramp;
-use crate::data::ReadError;
-use crate::data::column::{self, Column, Kind, Measure};
 use crate::data::curve::{Direction, hinted};
-use crate::data::number::Decimal;
-use crate::data::series::{DYNAMIC, Series, Table};
-use crate::data::sheet;
-use crate::data::specimen::{Specimen, at_rest};
+use crate::data::specimen::{Specimen, at_rest, displacement_at_rest};
 
 /// What the file leaves open.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
     /// Titles instead of the file's.
     pub columns: Option<Vec<String>>,
-    /// Decimal sign of the numbers.
-    pub decimal: Option<Decimal>,
+    /// Layout of the file.
+    pub layout: Layout,
     /// Size of the specimen.
     pub specimen: Specimen,
     /// Measure of strains whose title names none.
@@ -81,7 +81,7 @@ const PER_DECADE: f64 = 100.0;
 /// # Errors
 /// What cannot be understood, or in two ways.
 pub fn read(bytes: &[u8], options: &Options, elastic: Option<&dyn Fn(f64) -> f64>) -> Result<Test, ReadError> {
-    let table = Table::new(sheet::parse(bytes, options.decimal)?, options.columns.as_deref())?;
+    let table = Table::new(sheet::parse(bytes, &options.layout)?, options.columns.as_deref())?;
     let [series] = table.series.as_slice() else {
         return Err(ReadError::file(format!(
             "{} specimens in one file: expected one relaxation test",
@@ -108,6 +108,7 @@ pub fn read(bytes: &[u8], options: &Options, elastic: Option<&dyn Fn(f64) -> f64
         loaded,
         history,
     };
+    notes.extend(table.notes);
     Ok(Test { relaxation, load, stretch, notes })
 }
 
@@ -173,13 +174,23 @@ fn rows(table: &Table, series: &Series, options: &Options, notes: &mut Vec<Strin
         Some(column) => Some((column, options.specimen.strain_per_unit(table, series, column, notes)?)),
         None => None,
     };
+    let origin = match deformation {
+        Some(column) => displacement_at_rest(table, series, (column, load), notes)?,
+        None => 0.0,
+    };
+    if let (None, Some(column)) = (deformation, one(table, Kind::Displacement)?) {
+        notes.push(format!(
+            "{} is passed over: with --height, the specimen's length, it gives the strain",
+            column.title
+        ));
+    }
     let mut rows = Vec::new();
     for row in &series.rows {
         let (Some(seconds), Some(value)) = (table.value(time, row)?, table.value(load, row)?) else { continue };
         let strain = match strained {
             Some((column, factor)) => table.value(column, row)?.map(|strain| {
                 let own = if column.kind == Kind::Strain { column.measure } else { Some(Measure::Engineering) };
-                (strain * factor - at_rest(column.kind), measure(own, options.strain_measure))
+                ((strain - origin) * factor - at_rest(column.kind), measure(own, options.strain_measure))
             }),
             None => None,
         };

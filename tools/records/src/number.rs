@@ -1,5 +1,7 @@
 //! Numbers as test machines write them.
 
+use std::str::FromStr;
+
 /// Which sign stands before the fraction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Decimal {
@@ -7,6 +9,18 @@ pub enum Decimal {
     Point,
     /// 0,5
     Comma,
+}
+
+impl FromStr for Decimal {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        match text {
+            "point" => Ok(Self::Point),
+            "comma" => Ok(Self::Comma),
+            _ => Err("expected point or comma".into()),
+        }
+    }
 }
 
 /// What a cell of a table holds.
@@ -25,12 +39,15 @@ pub enum Cell {
 /// Groups of thousands by the other decimal sign are understood only where the number has its decimal sign as well:
 /// alone, 1,234 has two meanings. A blank or an apostrophe between groups has one.
 pub fn read(cell: &str, decimal: Decimal) -> Cell {
+    if let Some(number) = simple(cell, decimal) {
+        return Cell::Number(number);
+    }
     let text = cell.trim().trim_matches('\u{a0}');
     if text.chars().all(|c| matches!(c, '-' | '–' | '—')) || MISSING.iter().any(|word| text.eq_ignore_ascii_case(word))
     {
         return Cell::Missing;
     }
-    let text = joined(&text.replace('−', "-"));
+    let text = joined(&with_e(&text.replace('−', "-")));
     let plain = match decimal {
         Decimal::Point => ungrouped(&text, ',', '.'),
         Decimal::Comma => ungrouped(&text, '.', ',').map(|number| number.replace(',', ".")),
@@ -42,8 +59,30 @@ pub fn read(cell: &str, decimal: Decimal) -> Cell {
     }
 }
 
+/// The number in a cell of digits, signs, an exponent and at most one decimal sign, as nearly all are.
+fn simple(cell: &str, decimal: Decimal) -> Option<f64> {
+    let cell = cell.trim_ascii();
+    let only =
+        |sign: u8| cell.bytes().all(|c| c.is_ascii_digit() || matches!(c, b'-' | b'+' | b'e' | b'E') || c == sign);
+    let number = match decimal {
+        Decimal::Point if only(b'.') => cell.parse().ok(),
+        Decimal::Comma if only(b',') => {
+            let mut copy = [0; LONGEST];
+            let copy = copy.get_mut(..cell.len())?;
+            copy.copy_from_slice(cell.as_bytes());
+            copy.iter_mut().filter(|c| **c == b',').for_each(|c| *c = b'.');
+            std::str::from_utf8(copy).ok()?.parse().ok()
+        }
+        _ => None,
+    };
+    number.filter(|number: &f64| number.is_finite())
+}
+
+/// Bytes of a simple number, at most.
+const LONGEST: usize = 40;
+
 /// Words of spreadsheets and programs for a value that is not there.
-const MISSING: [&str; 15] = [
+const MISSING: [&str; 20] = [
     "nan",
     "-nan",
     "nan(ind)",
@@ -59,7 +98,26 @@ const MISSING: [&str; 15] = [
     "null",
     "none",
     "missing",
+    "noval",
+    "novalue",
+    "k.a.",
+    "nd",
+    "#num!",
 ];
+
+/// `text` with E for the D of a Fortran exponent, as in 1.5D-03.
+fn with_e(text: &str) -> String {
+    match text.split_once(['D', 'd']) {
+        Some((number, exponent))
+            if number.ends_with(|c: char| c.is_ascii_digit() || matches!(c, '.' | ','))
+                && exponent.trim_start_matches(['-', '+']).chars().all(|c| c.is_ascii_digit())
+                && exponent.ends_with(|c: char| c.is_ascii_digit()) =>
+        {
+            format!("{number}E{exponent}")
+        }
+        _ => text.into(),
+    }
+}
 
 /// `text` without blanks or apostrophes between its groups of thousands; as it is if they stand anywhere else.
 fn joined(text: &str) -> String {
@@ -110,6 +168,8 @@ mod tests {
             ("1 234.5", Decimal::Point, 1234.5),
             ("-12\u{202f}345\u{a0}678", Decimal::Comma, -12345678.0),
             ("1'234,5", Decimal::Comma, 1234.5),
+            ("1.50000D-03", Decimal::Point, 1.5e-3),
+            ("-2,5d+02", Decimal::Comma, -250.0),
         ] {
             assert_eq!(read(text, decimal), Cell::Number(number), "{text}");
         }
@@ -127,6 +187,8 @@ mod tests {
             ("1 23.4", Decimal::Point),
             ("0.1 0.2", Decimal::Point),
             ("infinity", Decimal::Comma),
+            ("3D", Decimal::Point),
+            ("1e999", Decimal::Point),
         ] {
             assert_eq!(read(text, decimal), Cell::Text, "{text}");
         }
