@@ -14,7 +14,7 @@ while [ $# -gt 0 ]; do
         --prefix=*) prefix=${1#*=} ;;
         -h | --help) sed -n '2,6s/^# \{0,1\}//p' "$0"; exit ;;
         -*) arguments+=("$1") ;;
-        *) echo "install.sh: $1 is refused: legal is --prefix DIR, --help, or an option of CMake" >&2; exit 2 ;;
+        *) echo "install.sh: $1 is refused: expected --prefix DIR, --help, or an option of CMake" >&2; exit 2 ;;
     esac
     shift
 done

@@ -49,6 +49,11 @@ kernel_alone() { cargo build -q --release -p softanvil-kernel --no-default-featu
 run "format" cargo fmt --all --check
 # With the profile of the build that follows, which then has its procedural macros.
 run "clippy" cargo clippy -q --release --workspace --all-targets -- -D warnings
+if need python3 python3; then
+    run "imports run one way" python3 tests/imports.py kernel ffi fmu specimen
+else
+    skip "imports run one way" "python3 is missing and cannot be installed"
+fi
 run "documentation" env RUSTDOCFLAGS=-Dwarnings cargo doc -q --release --workspace --no-deps
 run "build, release" cargo build -q --release -p softanvil -p softanvil-ffi
 run "build, library" cargo build -q --profile library -p softanvil-ffi -p softanvil-bench

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The programs and the pictures of the README: readme.sh BUILD_FOLDER VENV. The C and the Python program must print the peak
-# force that the command line finds; the pictures must be those that the main job draws (docs/pictures.sh).
+# The programs and the pictures of the README: readme.sh BUILD_FOLDER VENV. The C, the Python and the Rust program must print
+# the peak force that the command line finds; the pictures must be those that the main job draws (docs/pictures.sh).
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
 build=$(cd "$1" && pwd)
@@ -8,12 +8,20 @@ python=$(cd "$2" && pwd)/bin/python
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# block LANGUAGE: the README's only block in this language.
-block() { sed -n "/^\`\`\`$1\$/,/^\`\`\`\$/p" "$root/README.md" | sed '1d;$d'; }
+# block LANGUAGE [SECTION]: the README's only block in this language, or the only one from this section on.
+block() { sed -n "/^## ${2:-}/,\$p" "$root/README.md" | sed -n "/^\`\`\`$1\$/,/^\`\`\`\$/p" | sed '1d;$d'; }
 
 block c >"$work/drop.c"
 block python >"$work/drop.py"
 gcc -Wall -Wextra -Werror "$work/drop.c" -I"$root/include" -L"$build" -l:libsoftanvil.a -lm -lpthread -ldl -o "$work/drop"
+# A new package, as cargo makes it, with the README's dependencies and program, beside a clone of this repository. Its
+# dependencies have the versions that are tested, and their build is kept for the next time.
+cargo new --quiet --vcs none --name drop "$work/rust"
+sed -i '/^\[dependencies\]$/d' "$work/rust/Cargo.toml"
+block toml "From Rust" | sed "s|\"softanvil/|\"$root/|" >>"$work/rust/Cargo.toml"
+block rust >"$work/rust/src/main.rs"
+cp "$root/Cargo.lock" "$work/rust"
+rust_drop() { cargo run --quiet --release --manifest-path "$work/rust/Cargo.toml" --target-dir "$root/target/readme"; }
 "$build/softanvil" fmu --out "$work" >/dev/null
 "$build/softanvil" --out "$work/report" >/dev/null 2>&1
 # peak ENERGY: the peak force that the command line finds.
@@ -24,4 +32,5 @@ peak() {
 printf 'expected %s and %s\n' "$(peak 14.7)" "$(peak 9.8)"
 [ "$("$work/drop")" = "$(peak 14.7)" ]
 [ "$(cd "$work" && "$python" drop.py)" = "$(peak 9.8)" ]
+[ "$(rust_drop)" = "$(peak 9.8)" ]
 for picture in force-time von-mises; do cmp "$root/docs/$picture.svg" "$work/report/$picture.svg"; done

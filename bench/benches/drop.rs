@@ -7,7 +7,7 @@
 use softanvil_bench::host::{CAbi, Fmu2, Fmu3, Host, Kernel, library_path, whole_drop};
 use softanvil_bench::results;
 use softanvil_kernel::element::{CellConstants, CellHistory};
-use softanvil_kernel::lanes::Deviator;
+use softanvil_kernel::tensor::deviator::Deviator;
 use softanvil_kernel::{Constants, InstructionSet, Simulation, preset};
 
 /// Drops per host.

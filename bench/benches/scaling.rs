@@ -15,7 +15,7 @@ use softanvil_bench::pages::Pages;
 use softanvil_bench::registers::arithmetic;
 use softanvil_bench::{results, scene};
 use softanvil_kernel::element::{CellConstants, CellHistory, HoopConstants};
-use softanvil_kernel::lanes::Deviator;
+use softanvil_kernel::tensor::deviator::Deviator;
 use softanvil_kernel::{
     InstructionSet, Model, ModelMemory, SAMPLING_INTERVAL, Scalars, Scenario, Size, State, StateMemory, StepInput,
     preset, step,

@@ -10,9 +10,9 @@ use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use softanvil_bench::host::{Host, Kernel, Replay};
 use softanvil_bench::scene;
-use softanvil_kernel::lanes::LANES;
 use softanvil_kernel::mesh::Grid;
-use softanvil_kernel::snapshot::{restore, save, snapshot_size};
+use softanvil_kernel::number::pack::LANES;
+use softanvil_kernel::state::{restore, save, snapshot_size};
 use softanvil_kernel::{InstructionSet, Scenario, preset};
 
 criterion_group! {

@@ -1,6 +1,6 @@
 //! Scenarios to measure.
 
-use softanvil_kernel::scenario::{ElasticLaw, Material, VolumetricBy};
+use softanvil_kernel::material::{ElasticLaw, Material, VolumetricBy};
 use softanvil_kernel::{Scenario, preset};
 
 /// Element sizes, m, from some 70 to some 100,000 triangles. All but the first fill their lanes: the last block of a row

@@ -3,12 +3,12 @@
 
 use std::mem::{align_of, offset_of, size_of};
 
+use softanvil::c_api::error::SoftanvilError;
 use softanvil::c_api::fields::{SoftanvilFieldInfo, SoftanvilView};
 use softanvil::c_api::scenario::{SOFTANVIL_PARAMETER_SLOTS, SoftanvilScenario};
 use softanvil::c_api::simulation::SoftanvilInput;
+use softanvil::c_api::status::SoftanvilStatus;
 use softanvil::c_api::tables::{SoftanvilOutputInfo, SoftanvilParameterInfo};
-use softanvil::failure::SoftanvilError;
-use softanvil::status::SoftanvilStatus;
 
 macro_rules! structure {
     ($lines:ident, $type:ident: $($field:ident)*) => {

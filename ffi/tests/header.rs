@@ -5,7 +5,7 @@
 
 use std::path::{Path, PathBuf};
 
-use softanvil::ids::{FIELD_BY_ID, OUTPUT_BY_ID, PARAMETER_BY_ID, PRESET_BY_ID};
+use softanvil::c_api::ids::{FIELD_BY_ID, OUTPUT_BY_ID, PARAMETER_BY_ID, PRESET_BY_ID};
 use softanvil_kernel::Parameter;
 use softanvil_kernel::parameter::Kind;
 
@@ -36,14 +36,15 @@ fn header() -> String {
         include_str!("../src/c_api/conventions.h").to_owned(),
         version(),
         title("Status and errors"),
-        bindings("status.rs", &["SoftanvilStatus"]),
+        bindings("c_api/status.rs", &["SoftanvilStatus"]),
         "\n/** No parameter, no element. */\n#define SOFTANVIL_NONE UINT32_MAX\n".to_owned(),
-        bindings("failure.rs", &["SoftanvilError"]),
+        bindings("c_api/error.rs", &["SoftanvilError"]),
         title("Library"),
         bindings("c_api/library.rs", &[]),
         title("Numbers of presets, parameters, choices and outputs"),
         numbers(),
         title("Tables of parameters and outputs"),
+        bindings("c_api/text.rs", &[]),
         bindings("c_api/tables.rs", &[]),
         title("Scenario"),
         bindings("c_api/scenario.rs", &[]),

@@ -6,17 +6,17 @@ use std::ffi::{CStr, c_void};
 use std::mem::MaybeUninit;
 use std::ptr::{null, null_mut};
 
-use softanvil::block::SoftanvilSimulation;
+use softanvil::c_api::error::SoftanvilError;
 use softanvil::c_api::fields::*;
+use softanvil::c_api::header::SoftanvilSimulation;
+use softanvil::c_api::ids::{OUTPUT_BY_ID, PARAMETER_BY_ID};
 use softanvil::c_api::library::{softanvil_status_text, softanvil_version, softanvil_version_text};
 use softanvil::c_api::scenario::*;
 use softanvil::c_api::simulation::*;
 use softanvil::c_api::snapshot::*;
+use softanvil::c_api::status::SoftanvilStatus as Status;
 use softanvil::c_api::tables::*;
 use softanvil::c_api::trace::softanvil_run_traced;
-use softanvil::failure::SoftanvilError;
-use softanvil::ids::{OUTPUT_BY_ID, PARAMETER_BY_ID};
-use softanvil::status::SoftanvilStatus as Status;
 use softanvil_kernel::{Simulation, StepInput, preset};
 
 /// Samples that a run takes: few where an interpreter checks every access.
@@ -138,7 +138,7 @@ fn an_error_is_written_whole_and_a_success_leaves_it_alone() {
     };
     // SAFETY: the library ends it with a NUL.
     let text = unsafe { CStr::from_ptr(error.text.as_ptr()) }.to_str().unwrap();
-    assert_eq!(text, "impactor.mass = NaN kg is refused: legal is 0.001 to 10000 kg");
+    assert_eq!(text, "impactor.mass = NaN kg is refused: expected 0.001 to 10000 kg");
     assert_eq!((error.status, error.parameter, error.min, error.max), (200, 8, 1e-3, 1e4));
     assert!(error.value.is_nan() && error.time.is_nan());
 }

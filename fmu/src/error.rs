@@ -4,6 +4,20 @@ use std::io;
 use std::path::PathBuf;
 
 /// A refusal to package.
+///
+/// ```
+/// use softanvil_fmu::{Error, Options, Version, package};
+///
+/// let folder = tempfile::tempdir()?;
+/// let script = folder.path().join("softanvil.so");
+/// std::fs::write(&script, "#!/bin/sh\n")?;
+/// let options = Options { version: Version::Fmi2, libraries: vec![script], out: folder.path().into() };
+/// let refused = package(&options).unwrap_err();
+/// assert!(matches!(refused, Error::NotALibrary { .. }));
+/// assert!(refused.to_string().ends_with("expected a shared library for Linux on x86-64 or aarch64, or Windows on x86-64"));
+/// assert!(!options.path().exists());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
     /// A library cannot be read.
@@ -15,13 +29,13 @@ pub enum Error {
         source: io::Error,
     },
     /// A file is no library of a platform that FMUs are made for.
-    #[error("{} is refused: legal is a shared library for Linux on x86-64 or aarch64, or Windows on x86-64", path.display())]
+    #[error("{} is refused: expected a shared library for Linux on x86-64 or aarch64, or Windows on x86-64", path.display())]
     NotALibrary {
         /// The file.
         path: PathBuf,
     },
     /// Two libraries are for the same folder.
-    #[error("{} is refused: legal is one library per platform, and there is one for {platform} already", path.display())]
+    #[error("{} is refused: expected one library per platform, and there is one for {platform} already", path.display())]
     Twice {
         /// The second library.
         path: PathBuf,

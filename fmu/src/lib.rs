@@ -4,9 +4,9 @@
 //!   has besides,
 //! * [`documentation`] the page that explains the variables, [`mod@reference`] the results to compare with,
 //! * [`mod@build`] makes the binary of a platform, [`platform`] tells for which one a library was built,
-//! * [`archive`] the zip file, byte for byte the same for the same content.
+//! * `archive` the zip file, byte for byte the same for the same content.
 
-pub mod archive;
+mod archive;
 pub mod build;
 pub mod description;
 pub mod documentation;
@@ -30,6 +30,23 @@ use platform::Platform;
 pub const MODEL_IDENTIFIER: &str = "softanvil";
 
 /// What to package and where.
+///
+/// ```
+/// use softanvil_fmu::{Options, Version, is_ours, package};
+///
+/// let folder = tempfile::tempdir()?;
+/// let library = folder.path().join("libsoftanvil.so");
+/// # // The head of one, which is all that the packager looks at.
+/// # let mut head = b"\x7fELF\x02\x01\x01".to_vec();
+/// # head.resize(64, 0);
+/// # head[18] = 62;
+/// # std::fs::write(&library, head)?;
+/// let options = Options { version: Version::Fmi3, libraries: vec![library], out: folder.path().join("made") };
+/// let fmu = package(&options)?;
+/// assert!(fmu == options.path() && fmu.ends_with("made/softanvil-fmi3.fmu"));
+/// assert!(is_ours(&fmu));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Options {
     /// Version of the standard.

@@ -3,6 +3,15 @@
 use softanvil::variables::Version;
 
 /// A platform that FMUs are made for.
+///
+/// ```
+/// use softanvil_fmu::Version;
+/// use softanvil_fmu::platform::Platform;
+///
+/// let platform = Platform::of_target("aarch64-unknown-linux-gnu").unwrap();
+/// assert_eq!(platform.folder(Version::Fmi3), "aarch64-linux");
+/// assert_eq!(Platform::of(b"#!/bin/sh\n"), None);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Platform {
     /// Linux on x86-64.

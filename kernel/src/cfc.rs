@@ -10,11 +10,11 @@
 //! The standards filter a whole record forwards and backwards ([`filter_both_ways`]), which shifts no phase. A running
 //! simulation has only the past: [`Filter`] makes the forward pass alone, which lags.
 
-use crate::real::consts::{PI, SQRT_2};
-use crate::real::{self, Real};
+use crate::number::real::consts::{PI, SQRT_2};
+use crate::number::real::{self, Real};
 
 use crate::error::ParameterError;
-use crate::math;
+use crate::number::math;
 
 /// Design frequency of one pass over the channel frequency class.
 const DESIGN_RATIO: Real = 2.0775;

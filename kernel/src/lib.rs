@@ -1,17 +1,20 @@
 //! Softanvil's kernel: drop-weight impact of a rigid mass on a soft layer over a rigid core, by explicit finite elements
 //! with a fixed step, bit-identical on every target.
 //!
-//! From top to bottom:
+//! Each folder imports from those below it alone. From top to bottom:
 //!
-//! 1. [`scenario`] describes a test; [`parameter`] is the table of its parameters, [`preset`] ready-made ones.
-//! 2. [`model`] is everything that does not change ([`mesh`], element constants, masses, [`time_step`]), [`state`]
-//!    everything that does; both live in memory that the caller lends ([`storage`]).
-//! 3. [`step()`] is the algorithm: internal forces ([`element`], [`material`]), the core ([`core_contact`]), the
-//!    face ([`face`]), motion ([`input`], [`impactor`], [`prescribed`]), the books ([`energy`], [`measurement`], [`cfc`]).
-//! 4. [`output`] and [`field`] are the tables of what can be read ([`stress`], [`surface`]); [`snapshot`] saves and
-//!    restores a state, [`digest`] fingerprints it.
-//! 5. [`lanes`], [`stretch`], [`math`] and [`power`] are the ground: data in lanes, and mathematics with a fixed sequence
-//!    of operations; [`real`] says in which precision.
+//! 1. `simulation` owns a model and its state.
+//! 2. [`result`] holds the tables of what can be read: outputs and fields.
+//! 3. `setup` builds a model of a scenario, with the time step that suits it.
+//! 4. [`step()`] is the algorithm, with the monitor of its stability.
+//! 5. [`contact`] holds the layer between face and core.
+//! 6. [`state`] is everything that changes: nodes, histories, energies, measured numbers, and their snapshot.
+//! 7. [`impactor`] is the motion of the face; [`model`] everything that does not change.
+//! 8. [`element`] gives the forces of the cells, [`mesh`] their places.
+//! 9. [`scenario`] describes a test: [`parameter`] is the table of its parameters, [`preset`] ready-made ones.
+//! 10. [`material`] has the laws, a file each, over the strains of [`tensor`].
+//! 11. [`error`], [`cfc`], [`sampling`], and the ground, [`number`]: mathematics with a fixed sequence of operations, and
+//!     vectors of neighbours.
 //!
 //! No function allocates or panics, and none reads anything but its arguments.
 
@@ -29,66 +32,34 @@ compile_error!("x86 without SSE2 is excluded: x87 registers hold more bits than 
 #[cfg(feature = "alloc")]
 extern crate alloc;
 
-pub(crate) mod assembly;
-pub(crate) mod cell_bound;
 pub mod cfc;
-pub(crate) mod complex;
-mod construction;
-pub mod core_contact;
-pub mod decimal;
-pub mod deformation;
-pub mod digest;
+pub mod contact;
 pub mod element;
-pub mod energy;
 pub mod error;
-pub mod face;
-pub mod field;
 pub mod impactor;
-pub mod input;
-pub mod instruction_set;
-pub mod kinematics;
-pub mod lanes;
 pub mod material;
-pub mod math;
-pub mod measurement;
 pub mod mesh;
 pub mod model;
-pub mod output;
-pub mod parameter;
-pub mod power;
-pub mod prescribed;
-pub mod preset;
-pub mod real;
-pub(crate) mod response;
+pub mod number;
+pub mod result;
 pub mod sampling;
 pub mod scenario;
+mod setup;
 #[cfg(feature = "alloc")]
 pub mod simulation;
-pub mod snapshot;
-pub mod stability;
 pub mod state;
-pub mod state_view;
-mod step;
-pub mod storage;
-pub mod stress;
-pub mod stretch;
-pub mod surface;
-pub mod time_step;
-pub(crate) mod trial;
-pub mod vector;
+pub mod step;
+pub mod tensor;
 
 pub use error::{MemoryError, ModelError, NoEffect, ParameterError, ScenarioError, SnapshotError, StepError};
-pub use field::{FIELDS, Field};
-pub use input::{DrivenPath, INPUTS, StepInput};
-pub use instruction_set::InstructionSet;
-pub use model::{Constants, Model};
-pub use output::{OUTPUTS, Output};
-pub use parameter::{Changes, PARAMETERS, Parameter};
+pub use impactor::{DrivenPath, INPUTS, StepInput};
+pub use model::{Constants, Model, ModelMemory, Size};
+pub use number::instruction_set::InstructionSet;
+pub use result::{FIELDS, Field, OUTPUTS, Output};
 pub use sampling::SAMPLING_INTERVAL;
-pub use scenario::Scenario;
+pub use scenario::parameter::{Changes, PARAMETERS, Parameter};
+pub use scenario::{Scenario, parameter, preset};
 #[cfg(feature = "alloc")]
 pub use simulation::Simulation;
-pub use state::{Scalars, State};
-pub use state_view::{StateContent, StateView};
+pub use state::{Scalars, State, StateContent, StateMemory, StateView};
 pub use step::{step, step_along, step_with, steps};
-pub use storage::{ModelMemory, Size, StateMemory};

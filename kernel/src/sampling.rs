@@ -1,6 +1,6 @@
 //! The interval that the fixed step divides.
 
-use crate::real::Real;
+use crate::number::real::Real;
 
 /// Samples of the force per second: those of the study's load cells.
 pub const SAMPLING_RATE: Real = 20e3;

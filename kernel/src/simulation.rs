@@ -4,17 +4,18 @@ use alloc::vec::Vec;
 
 use crate::element::{CellConstants, CellHistory, HoopConstants};
 use crate::error::{MemoryError, ModelError, SnapshotError, StepError};
-use crate::input::StepInput;
-use crate::lanes::Deviator;
+use crate::impactor::StepInput;
 use crate::model::{Constants, Model};
-use crate::output::Output;
-use crate::parameter::Parameter;
-use crate::real::Real;
+use crate::model::{ModelMemory, Size};
+use crate::number::real::Real;
+use crate::result::Output;
 use crate::scenario::Scenario;
-use crate::snapshot::{restore, save, snapshot_size};
+use crate::scenario::parameter::Parameter;
+use crate::state::StateMemory;
 use crate::state::{Scalars, State};
+use crate::state::{restore, save, snapshot_size};
 use crate::step::steps;
-use crate::storage::{ModelMemory, Size, StateMemory};
+use crate::tensor::deviator::Deviator;
 
 /// An owned simulation. A clone goes on by itself.
 ///
@@ -181,7 +182,7 @@ fn filled<T: Copy>(value: T, n: usize, what: &'static str) -> Result<Vec<T>, Mem
 #[cfg(all(test, not(feature = "single")))]
 mod tests {
     use super::*;
-    use crate::preset;
+    use crate::scenario::preset;
 
     fn after(duration: Real) -> Simulation {
         let mut simulation = Simulation::new(&preset::study()).unwrap();

@@ -15,15 +15,15 @@
 //! let curve = compress(&material, &Compression { strain: 0.1, ..Compression::study(0.67) })?;
 //! let end = curve.last().unwrap();
 //! println!("{:.3} at {:.0} Pa after {:.3} s", end.strain, end.stress, end.time);
+//! assert!((end.strain - 0.1).abs() < 1e-4 && end.stress > 0.0);
 //! # Ok::<(), softanvil_specimen::Error>(())
 //! ```
 
 mod rig;
 pub mod timescale;
 
-use softanvil_kernel::scenario::{
-    DropBy, Formulation, Interface, Layers, Material, Motion, Scenario, Section, Shape, StepBy,
-};
+use softanvil_kernel::material::Material;
+use softanvil_kernel::scenario::{DropBy, Formulation, Interface, Layers, Motion, Scenario, Section, Shape, StepBy};
 use softanvil_kernel::{ModelError, SAMPLING_INTERVAL, StepError, preset};
 
 use crate::rig::Rig;
@@ -41,6 +41,18 @@ pub enum Ends {
 }
 
 /// Compression of a cylinder along its axis, and what follows.
+///
+/// ```
+/// use softanvil_kernel::preset;
+/// use softanvil_specimen::{Compression, Ends, compress};
+///
+/// let test = Compression { strain: 0.05, ..Compression::study(0.67) };
+/// let free = compress(&preset::elastic().silicone, &test)?;
+/// let bonded = compress(&preset::elastic().silicone, &Compression { ends: Ends::Bonded, cells: 8, ..test })?;
+/// // Ends that stick make the specimen bulge, which makes it stiffer.
+/// assert!(bonded.last().unwrap().stress > 1.1 * free.last().unwrap().stress);
+/// # Ok::<(), softanvil_specimen::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Compression {
     /// Diameter at rest, m.
@@ -120,6 +132,19 @@ impl Compression {
 }
 
 /// A point of the curve of a test.
+///
+/// ```
+/// use softanvil_kernel::preset;
+/// use softanvil_specimen::{Compression, Point, compress};
+///
+/// let silicone = preset::elastic().silicone;
+/// let curve = compress(&silicone, &Compression { strain: 0.05, ..Compression::study(0.67) })?;
+/// let Point { time, strain, stress } = *curve.last().unwrap();
+/// assert!((time / (0.05 / 0.67) - 1.0).abs() < 0.1 && (strain - 0.05).abs() < 1e-4);
+/// // Of a small strain in a material that hardly changes its volume: E = 3 G.
+/// assert!((stress / (3.0 * silicone.shear_modulus_inf() * strain) - 1.0).abs() < 0.1);
+/// # Ok::<(), softanvil_specimen::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point {
     /// Time since the start, s, of the real test.
@@ -131,10 +156,19 @@ pub struct Point {
 }
 
 /// Why a test gave no curve.
+///
+/// ```
+/// use softanvil_kernel::preset;
+/// use softanvil_specimen::{Compression, compress};
+///
+/// let flat = Compression { strain: 1.0, ..Compression::study(0.67) };
+/// let refused = compress(&preset::elastic().silicone, &flat).unwrap_err();
+/// assert_eq!(refused.to_string(), "strain = 1 is refused: expected above 0 and below 1");
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum Error {
     /// A number of the test is not legal.
-    #[error("{name} = {value} is refused: legal is {legal}")]
+    #[error("{name} = {value} is refused: expected {legal}")]
     Test {
         /// The number.
         name: &'static str,

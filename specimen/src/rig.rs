@@ -1,8 +1,8 @@
 //! Memory of a simulation whose material may change its times on the way.
 
 use softanvil_kernel::element::{CellConstants, CellHistory, HoopConstants};
-use softanvil_kernel::lanes::Deviator;
 use softanvil_kernel::scenario::StepBy;
+use softanvil_kernel::tensor::deviator::Deviator;
 use softanvil_kernel::{
     Model, ModelError, ModelMemory, SAMPLING_INTERVAL, Scalars, Scenario, Size, State, StateMemory, StepInput, step,
 };

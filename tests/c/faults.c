@@ -195,7 +195,7 @@ static void details(void)
 {
     SoftanvilScenario scenario = study();
     const SoftanvilStatus status = softanvil_scenario_set(&scenario, SOFTANVIL_PARAMETER_IMPACTOR_MASS, -1.0, &error);
-    const char *text = "impactor.mass = -1 kg is refused: legal is 0.001 to 10000 kg";
+    const char *text = "impactor.mass = -1 kg is refused: expected 0.001 to 10000 kg";
     const int right = status == error.status && error.parameter == SOFTANVIL_PARAMETER_IMPACTOR_MASS &&
                       error.element == SOFTANVIL_NONE && error.value == -1.0 && error.min == 1e-3 &&
                       error.max == 1e4 && isnan(error.time) && strcmp(error.text, text) == 0;

@@ -93,7 +93,7 @@ int main(int argc, char **argv)
 {
     const int rate = argc > 1 ? atoi(argv[1]) : 1000;
     if (rate < 1 || SAMPLES_PER_SECOND % rate != 0) {
-        fprintf(stderr, "%d cycles per second are refused: legal is a divisor of %d\n", rate, SAMPLES_PER_SECOND);
+        fprintf(stderr, "%d cycles per second are refused: expected a divisor of %d\n", rate, SAMPLES_PER_SECOND);
         return 2;
     }
     uint64_t steps_per_sample = 0;

@@ -25,9 +25,9 @@ def mixed(slave):
 IN_MID_IMPACT = {
     "step is NaN": (lambda s: step(s, size=NAN), "communication step NaN s"),
     "step is infinite": (lambda s: step(s, size=INFINITY), "communication step inf s"),
-    "step is negative": (lambda s: step(s, size=-50e-6), "communication step -0.00005 s is refused: legal is above 0 s up to 100 s"),
-    "step is zero": (lambda s: step(s, size=0.0), "legal is above 0 s up to 100 s"),
-    "step is huge": (lambda s: step(s, size=1e300), "legal is above 0 s up to 100 s"),
+    "step is negative": (lambda s: step(s, size=-50e-6), "communication step -0.00005 s is refused: expected above 0 s up to 100 s"),
+    "step is zero": (lambda s: step(s, size=0.0), "expected above 0 s up to 100 s"),
+    "step is huge": (lambda s: step(s, size=1e300), "expected above 0 s up to 100 s"),
     "step past the stop time": (lambda s: step(s, size=20e-3), "stop time of 0.015 s"),
     "point is NaN": (lambda s: step(s, point=NAN), "communication point NaN s"),
     "point is in the past": (lambda s: step(s, point=0.0), "where the instance is"),
@@ -40,8 +40,8 @@ IN_MID_IMPACT = {
     "parameter after initialization": (lambda s: s.set(impactor__mass=4.0), "impactor.mass = 4 [kg]"),
     "choice after initialization": (lambda s: s.set(impactor__motion=1), "impactor.motion = 1"),
     "input is NaN": (lambda s: s.set(impactor__external_force=NAN), "impactor.external_force = NaN N is refused"),
-    "input is infinite": (lambda s: s.set(impactor__external_force=-INFINITY), "-inf N is refused: legal is"),
-    "input is out of range": (lambda s: s.set(impactor__driven_position=2.0), "legal is -1 to 1 m"),
+    "input is infinite": (lambda s: s.set(impactor__external_force=-INFINITY), "-inf N is refused: expected"),
+    "input is out of range": (lambda s: s.set(impactor__driven_position=2.0), "expected -1 to 1 m"),
     "second of two inputs is NaN": (mixed, "impactor.driven_position = NaN m"),
     "output is set": (lambda s: s.set(contact__force=1.0), "contact.force has the causality output"),
     "time is set": (lambda s: s.set(time=1.0), "time has the causality independent"),
@@ -96,10 +96,10 @@ def test_in_mid_impact(slave, case):
 
 # What is set in initialization mode, and what the log must say.
 IN_INITIALIZATION = {
-    "negative mass": ({"impactor__mass": -1.0}, "impactor.mass = -1 kg is refused: legal is 0.001 to 10000 kg"),
+    "negative mass": ({"impactor__mass": -1.0}, "impactor.mass = -1 kg is refused: expected 0.001 to 10000 kg"),
     "mass is NaN": ({"impactor__mass": NAN}, "impactor.mass = NaN kg"),
     "mass is infinite": ({"impactor__mass": INFINITY}, "impactor.mass = inf kg"),
-    "no such choice": ({"impactor__drop_by": 3}, "impactor.drop_by = 3 is refused: legal is 0 to 2"),
+    "no such choice": ({"impactor__drop_by": 3}, "impactor.drop_by = 3 is refused: expected 0 to 2"),
     "negative choice": ({"impactor__drop_by": -1}, "impactor.drop_by = -1"),
 }
 

@@ -4,9 +4,11 @@ import math
 import random
 from math import pi
 
+import numpy
 import pytest
 from fmpy import simulate_fmu
 
+import c_abi
 import coupling
 from slave import STEP
 
@@ -180,6 +182,43 @@ def test_a_driven_impactor_is_where_its_inputs_want_it_when_the_kernel_gets_ther
             assert slave.real("impactor.velocity") == pytest.approx(speed, rel=1e-6)
         before = kernel
     assert slave.real("contact.force") > 100
+
+
+@pytest.fixture(params=["fmu", "fmu3"])
+def either(request):
+    """Path of the FMU of each version."""
+    return request.getfixturevalue(request.param)
+
+
+@pytest.mark.parametrize("size", [STEP, 200e-6])
+def test_driven_by_number_in_fmpy_the_face_follows_the_input_as_in_the_c_abi(either, size):
+    """FMPy gives a step the input at its start, which is where the face is to be at its end."""
+    corners = [(0.0, 2e-3), (5e-3, -3e-3), (7e-3, -3e-3), (10e-3, 2e-3)]
+    command = numpy.array(corners, dtype=[("time", float), ("impactor.driven_position", float)])
+    outputs = ["impactor.position", "impactor.velocity", "contact.force", "result.peak_force", "result.impulse"]
+    rows = simulate_fmu(either, start_values={"impactor.motion": 1}, input=command, stop_time=12e-3, output_interval=size,
+                        output=["impactor.driven_position", *outputs])
+    before, after = rows[:-1], rows[1:]
+    wanted = numpy.interp(before["time"], *zip(*corners))
+    assert len(after) == round(12e-3 / size)
+    assert after["impactor.position"] == pytest.approx(wanted, abs=1e-15)
+    assert max(rows["contact.force"]) > 1000 and rows["contact.force"][-1] == 0
+    expected = c_abi.driven(after["time"], after["impactor.driven_position"], outputs)
+    assert after[outputs].tolist() == [tuple(row) for row in expected]
+
+
+@pytest.mark.parametrize("gap", [2e-3, 5e-3, 1e-4])
+def test_a_driven_face_that_is_given_no_position_stays_where_the_scenario_puts_it(either, gap):
+    outputs = ["impactor.driven_position", "impactor.position", "impactor.velocity", "contact.force"]
+    rows = simulate_fmu(either, start_values={"impactor.motion": 1, "impactor.gap": gap}, output=outputs, stop_time=1e-3,
+                        output_interval=STEP)
+    assert len(rows) == 21 and set(rows[outputs].tolist()) == {(gap, gap, 0.0, 0.0)}
+
+
+def test_a_position_given_at_the_start_counts_whatever_the_gap(either):
+    start = {"impactor.motion": 1, "impactor.driven_position": 2e-3, "impactor.gap": 5e-3}
+    rows = simulate_fmu(either, start_values=start, output=["impactor.position"], stop_time=1e-3, output_interval=1e-3)
+    assert rows["impactor.position"].tolist() == [5e-3, 2e-3]
 
 
 @pytest.mark.parametrize("size, most", [(50e-6, 0.005), (200e-6, 0.02)])

@@ -57,6 +57,15 @@ impl Cli {
 }
 
 /// How a command ended.
+///
+/// ```
+/// use softanvil_tools::cli::execute;
+///
+/// let refused = execute(["softanvil", "run", "--height", "-1"].map(Into::into));
+/// assert_eq!((refused.exit_code, refused.stdout.as_str()), (2, ""));
+/// let done = execute(["softanvil", "run", "--energy", "9.8", "--json"].map(Into::into));
+/// assert!(done.exit_code == 0 && done.stdout.contains("\"peak_force\""));
+/// ```
 #[derive(Debug)]
 pub struct Outcome {
     /// Text for standard output.

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json};
-use softanvil_kernel::digest::Digest;
+use softanvil_kernel::number::digest::Digest;
 
 use crate::failure::Failure;
 use crate::staging;

@@ -73,7 +73,7 @@ pub fn scenes(names: &[String]) -> Result<Vec<&'static Scene>, Failure> {
     let find = |name: &String| {
         Scene::find(name).ok_or_else(|| {
             let known: Vec<_> = SCENES.iter().map(|scene| scene.name).collect();
-            Failure::Input(format!("scene {name} is unknown: legal are {}", known.join(", ")))
+            Failure::Input(format!("scene {name} is unknown: expected {}", known.join(", ")))
         })
     };
     names.iter().map(find).collect()

@@ -7,7 +7,7 @@
 //!    pictures in a [`picture_format`], [`staging`] keeps half-written files away, [`folder`] and [`place`] those
 //!    of others.
 //! 3. [`validation`] compares runs with the [`paper`], by the four [`quantity`]s of its table, [`comparison`] with a
-//!    measured trace, whose [`contact`] is found through its noise, [`calibration`] searches; a [`reading`] is what a
+//!    [`measured`] trace, whose [`contact`] is found through its noise, [`calibration`] searches; a [`reading`] is what a
 //!    laboratory's instruments see of a run.
 //! 4. [`studies`] change one thing of a drop at a time, beside what the paper says of it.
 //! 5. [`golden`] compares this machine with the golden traces, [`identification`] fits a material to test data.
@@ -28,6 +28,7 @@ pub mod identification;
 pub mod interrupt;
 pub mod json;
 pub mod material_summary;
+pub mod measured;
 pub mod paper;
 pub mod picture_format;
 pub mod place;

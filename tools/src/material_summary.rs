@@ -2,7 +2,8 @@
 
 use serde_json::{Map, Value, json};
 use softanvil_kernel::Scenario;
-use softanvil_kernel::scenario::{Layer, Material};
+use softanvil_kernel::material::Material;
+use softanvil_kernel::scenario::Layer;
 
 use crate::table::four_digits;
 
@@ -43,7 +44,7 @@ fn describe(layer: &Layer) -> String {
 }
 
 fn law(material: &Material) -> &'static str {
-    use softanvil_kernel::scenario::ElasticLaw::{MooneyRivlin, NeoHookean, Ogden, Yeoh};
+    use softanvil_kernel::material::ElasticLaw::{MooneyRivlin, NeoHookean, Ogden, Yeoh};
     match material.law {
         NeoHookean => "neo-Hookean",
         MooneyRivlin => "Mooney-Rivlin",

@@ -37,7 +37,7 @@ impl Place {
         let refuse =
             |reason: String| Err(Failure::Input(format!("{} {} is refused: {reason}", kind.option, folder.display())));
         if folder.file_name().is_none() {
-            return refuse("legal is the name of a folder".into());
+            return refuse("expected the name of a folder".into());
         }
         if fs::symlink_metadata(folder).is_err() {
             let parent = staging::parent(folder);

@@ -9,7 +9,7 @@ use softanvil_kernel::preset::{PRESETS, Preset};
 pub fn parse(name: &str) -> Result<&'static Preset, String> {
     PRESETS.iter().find(|preset| preset.name == name).ok_or_else(|| {
         let names: Vec<_> = PRESETS.iter().map(|preset| preset.name).collect();
-        format!("legal is {}", names.join(", "))
+        format!("expected {}", names.join(", "))
     })
 }
 

@@ -39,7 +39,7 @@ impl FromStr for Threshold {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let refused = "legal is a force of 0 N or more, as in 20, or a part of the peak below 100 %, as in 5%";
+        let refused = "expected a force of 0 N or more, as in 20, or a part of the peak below 100 %, as in 5%";
         let number = |text: &str| text.trim().parse::<f64>().ok().filter(|value| *value >= 0.0 && value.is_finite());
         match text.strip_suffix('%') {
             Some(percent) => {
@@ -85,6 +85,22 @@ impl Noise {
 }
 
 /// How a run is read.
+///
+/// ```
+/// use softanvil_kernel::preset;
+/// use softanvil_tools::quantity::PEAK_FORCE;
+/// use softanvil_tools::reading::Reading;
+/// use softanvil_tools::run::Drop;
+/// use softanvil_tools::series::Sensor;
+///
+/// let run = Drop::new(&preset::study())?.run(|_| {})?;
+/// let on_impactor = Reading::PLAIN.take(&run)?;
+/// let under_core = Reading { sensor: Sensor::Core, threshold: Some("5%".parse()?), ..Reading::PLAIN }.take(&run)?;
+/// // The load cells see the inertia of the layer as well.
+/// assert!(under_core.values[PEAK_FORCE] > on_impactor.values[PEAK_FORCE]);
+/// assert_eq!(under_core.threshold, 0.05 * under_core.series.peak());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reading {
     /// Which force.
@@ -173,7 +189,7 @@ mod tests {
         assert_eq!("0.5 %".parse(), Ok(Threshold::PartOfPeak(0.005)));
         assert_eq!(Threshold::PartOfPeak(0.05).force(2e3), 100.0);
         for text in ["", "-1", "100%", "nan", "inf", "x%"] {
-            assert!(text.parse::<Threshold>().unwrap_err().contains("legal is a force"), "{text}");
+            assert!(text.parse::<Threshold>().unwrap_err().contains("expected a force"), "{text}");
         }
     }
 

@@ -1,8 +1,9 @@
 //! A simulated drop, recorded at every force sample.
 
 use softanvil_kernel::scenario::Motion;
+use softanvil_kernel::scenario::prescribed;
 use softanvil_kernel::state::Scalars;
-use softanvil_kernel::{Constants, ModelError, Output, Scenario, Simulation, StepError, StepInput, prescribed};
+use softanvil_kernel::{Constants, ModelError, Output, Scenario, Simulation, StepError, StepInput};
 
 use crate::ending::Ending;
 use crate::failure::Failure;
@@ -26,6 +27,17 @@ pub const LONGEST_EXTENSION: u64 = 20;
 const CLEAR: usize = 10;
 
 /// A completed run.
+///
+/// ```
+/// use softanvil_kernel::{Output, preset};
+/// use softanvil_tools::run::Drop;
+///
+/// let run = Drop::new(&preset::study())?.run(|_| {})?;
+/// let peak = run.result(Output::find("result.peak_force").unwrap());
+/// let forces = run.samples().iter().map(|sample| sample.sampler.last.contact_force);
+/// assert_eq!(peak, forces.fold(0.0, f64::max));
+/// # Ok::<(), softanvil_tools::run::RunError>(())
+/// ```
 #[derive(Debug)]
 pub struct Run {
     /// Constants of the model.
@@ -37,6 +49,16 @@ pub struct Run {
 }
 
 /// Why a run did not complete.
+///
+/// ```
+/// use softanvil_kernel::preset;
+/// use softanvil_kernel::scenario::Motion;
+/// use softanvil_tools::run::{Drop, RunError};
+///
+/// let mut scenario = preset::study();
+/// scenario.impactor.motion = Motion::Driven;
+/// assert!(matches!(Drop::new(&scenario).err(), Some(RunError::Driven)));
+/// ```
 #[derive(Debug, thiserror::Error)]
 pub enum RunError {
     /// The scenario is refused.
@@ -47,7 +69,7 @@ pub enum RunError {
     Step(#[from] StepError),
     /// Nothing here moves a driven impactor.
     #[error(
-        "impactor.motion = driven is refused: a run has nothing that drives the impactor; legal is drop or prescribed"
+        "impactor.motion = driven is refused: a run has nothing that drives the impactor; expected drop or prescribed"
     )]
     Driven,
 }
@@ -68,6 +90,24 @@ impl From<RunError> for Failure {
 }
 
 /// A drop that is ready to run.
+///
+/// ```
+/// use softanvil_kernel::preset;
+/// use softanvil_tools::ending::Ending;
+/// use softanvil_tools::run::{Drop, Until};
+///
+/// let mut scenario = preset::study();
+/// scenario.impactor = scenario.impactor.with_energy(9.8);
+/// scenario.time.duration = 5e-3;
+/// let cut = Drop::new(&scenario)?.run(|_| {})?;
+/// assert_eq!(cut.ending(), Ending::InContact);
+///
+/// let drop = Drop::until(&scenario, Until::Over)?;
+/// let (planned, mut made) = (drop.steps(), 0);
+/// let whole = drop.run(|steps| made += steps)?;
+/// assert!(whole.ending() == Ending::Complete && made > planned);
+/// # Ok::<(), softanvil_tools::run::RunError>(())
+/// ```
 pub struct Drop {
     simulation: Simulation,
     steps: u64,

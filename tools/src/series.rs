@@ -1,7 +1,5 @@
 //! A force over time at equal intervals, from a run or a measurement, and the four numbers of the test read from it.
 
-use std::path::Path;
-
 use softanvil_kernel::SAMPLING_INTERVAL;
 use softanvil_kernel::cfc;
 
@@ -37,6 +35,19 @@ impl Sensor {
 }
 
 /// Forces at equal intervals.
+///
+/// ```
+/// use softanvil_kernel::preset;
+/// use softanvil_tools::run::Drop;
+/// use softanvil_tools::series::{Sensor, Series};
+///
+/// let run = Drop::new(&preset::study())?.run(|_| {})?;
+/// let series = Series::of_run(&run, Sensor::Contact);
+/// assert_eq!(series.peak(), run.end().metrics.peak_force);
+/// let filtered = series.clone().filtered(180.0)?;
+/// assert!(filtered.peak() < series.peak());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Series {
     /// Time of the first force, s.
@@ -76,51 +87,30 @@ impl Series {
         Self { start: 0.5 * SAMPLING_INTERVAL, interval: SAMPLING_INTERVAL, force: force.collect() }
     }
 
-    /// A measured trace: CSV with a header and the columns time, s, and force, N; further columns are left alone. It is
-    /// resampled at 20 kHz, by linear interpolation.
+    /// A measured trace, `forces` in N over `times` in s, which rise, at 20 kHz by linear interpolation.
     ///
     /// # Errors
-    /// What is no such file, with its line.
-    pub fn read(path: &Path) -> Result<Self, SeriesError> {
-        let text = std::fs::read_to_string(path)
-            .map_err(|error| SeriesError(format!("{} cannot be read: {error}", path.display())))?;
-        Self::parse(&text).map_err(|SeriesError(error)| SeriesError(format!("{}: {error}", path.display())))
-    }
-
-    fn parse(text: &str) -> Result<Self, SeriesError> {
-        let refuse = |line: usize, what: String| Err(SeriesError(format!("line {line}: {what}")));
-        let mut points: Vec<(f64, f64)> = Vec::new();
-        let mut reader = csv::ReaderBuilder::new().flexible(true).trim(csv::Trim::All).from_reader(text.as_bytes());
-        for (index, record) in reader.records().enumerate() {
-            let record = record.map_err(|error| SeriesError(error.to_string()))?;
-            let number =
-                |column: usize| record.get(column).and_then(|text| text.parse::<f64>().ok()).filter(|v| v.is_finite());
-            let (Some(time), Some(force)) = (number(0), number(1)) else {
-                return refuse(index + 2, "two numbers are needed: time in s, force in N".into());
-            };
-            if points.last().is_some_and(|last| last.0 >= time) {
-                return refuse(index + 2, format!("time {time} s is not after that of the line before"));
-            }
-            points.push((time, force));
-        }
-        let (Some(first), Some(last)) = (points.first(), points.last()) else {
-            return refuse(1, "no line of numbers follows the header".into());
+    /// A trace that is too short or too long.
+    pub fn resampled(times: &[f64], forces: &[f64]) -> Result<Self, SeriesError> {
+        let (Some(first), Some(last)) = (times.first(), times.last()) else {
+            return Err(SeriesError("the trace has no samples".into()));
         };
         // A length within a millionth of a sample of a whole number is that number.
-        let count = ((last.0 - first.0) / SAMPLING_INTERVAL + 1e-6).floor() + 1.0;
+        let count = ((last - first) / SAMPLING_INTERVAL + 1e-6).floor() + 1.0;
         if !(2.0..=MAX_SAMPLES).contains(&count) {
-            return refuse(points.len() + 1, format!("the trace lasts {} s; legal is 50 us to 50 s", last.0 - first.0));
+            return Err(SeriesError(format!("the trace lasts {} s; expected 50 us to 50 s", last - first)));
         }
         let mut segment = 0;
         let force = (0..count as usize).map(|i| {
-            let time = first.0 + i as f64 * SAMPLING_INTERVAL;
-            while segment + 2 < points.len() && points[segment + 1].0 <= time {
+            let time = first + i as f64 * SAMPLING_INTERVAL;
+            while segment + 2 < times.len() && times[segment + 1] <= time {
                 segment += 1;
             }
-            let (a, b) = (points[segment], points[(segment + 1).min(points.len() - 1)]);
-            a.1 + (b.1 - a.1) * (time - a.0) / (b.0 - a.0)
+            let after = (segment + 1).min(times.len() - 1);
+            let (a, b) = (forces[segment], forces[after]);
+            a + (b - a) * (time - times[segment]) / (times[after] - times[segment])
         });
-        Ok(Self { start: first.0, interval: SAMPLING_INTERVAL, force: force.collect() })
+        Ok(Self { start: *first, interval: SAMPLING_INTERVAL, force: force.collect() })
     }
 
     /// The same force through the filter of a channel frequency class, Hz, forwards and backwards.
@@ -201,7 +191,7 @@ mod tests {
 
     #[test]
     fn a_trace_is_resampled_at_20_khz() {
-        let series = Series::parse("time [s],force [N],more\n0.001,0,x\n0.0012,40,y\n0.0013,0,z\n").unwrap();
+        let series = Series::resampled(&[0.001, 0.0012, 0.0013], &[0.0, 40.0, 0.0]).unwrap();
         assert_eq!(series.force.len(), 7);
         for (force, expected) in series.force.iter().zip([0.0, 10.0, 20.0, 30.0, 40.0, 20.0, 0.0]) {
             assert!((force - expected).abs() < 1e-9, "{:?}", series.force);
@@ -213,15 +203,8 @@ mod tests {
     }
 
     #[test]
-    fn a_refused_trace_names_its_line() {
-        for (text, message) in [
-            ("t,f\n0,1\n0,2\n", "line 3: time 0 s is not after"),
-            ("t,f\n0,1\n1,x\n", "line 3: two numbers"),
-            ("t,f\n", "line 1: no line"),
-            ("t,f\n0,1\n1e-5,1\n", "legal is 50 us to 50 s"),
-        ] {
-            let error = Series::parse(text).unwrap_err().to_string();
-            assert!(error.contains(message), "{error}");
-        }
+    fn a_trace_of_no_length_is_refused() {
+        let error = Series::resampled(&[0.0, 1e-5], &[1.0, 1.0]).unwrap_err().to_string();
+        assert!(error.contains("expected 50 us to 50 s"), "{error}");
     }
 }

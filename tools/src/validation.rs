@@ -21,6 +21,17 @@ pub struct Comparison {
 }
 
 /// All energies of the study, with one preset.
+///
+/// ```
+/// use softanvil_tools::reading::Reading;
+/// use softanvil_tools::validation::Validation;
+///
+/// let preset = softanvil_tools::presets::parse("study-14.7")?;
+/// let validation = Validation::new(preset, Reading::PLAIN)?;
+/// assert_eq!(validation.cases.len(), 3);
+/// assert!(validation.mean_error() < validation.ls_dyna_mean_error());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub struct Validation {
     /// The preset.
     pub preset: &'static Preset,

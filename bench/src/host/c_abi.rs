@@ -4,13 +4,13 @@ use std::ffi::c_void;
 use std::hint::black_box;
 use std::ptr::{null, null_mut};
 
-use softanvil::block::SoftanvilSimulation;
+use softanvil::c_api::error::SoftanvilError;
+use softanvil::c_api::header::SoftanvilSimulation;
 use softanvil::c_api::scenario::{SoftanvilScenario, softanvil_scenario_default, softanvil_scenario_set_by_name};
 use softanvil::c_api::simulation::{
     SoftanvilInput, softanvil_init, softanvil_memory_size, softanvil_reset, softanvil_step, softanvil_trace_hash,
 };
-use softanvil::failure::SoftanvilError;
-use softanvil::status::SoftanvilStatus;
+use softanvil::c_api::status::SoftanvilStatus;
 use softanvil_kernel::{Scenario, Simulation};
 
 use super::Host;

@@ -2,7 +2,7 @@
 
 use core::ffi::{CStr, c_char};
 
-use crate::status::SoftanvilStatus;
+use crate::c_api::status::SoftanvilStatus;
 
 /// Version of the library that is running, to be compared with `SOFTANVIL_VERSION` of the header: an equal major number
 /// (while it is 0: an equal minor number too) promises that the two fit together.

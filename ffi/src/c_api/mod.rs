@@ -1,9 +1,19 @@
-//! The functions of `include/softanvil.h`, one file per section of the header.
+//! The functions of `include/softanvil.h`, one file per section of the header, and what they stand on: the pointers of C
+//! (`ptr`), the memory of a simulation (`header`, `block`), refusals (`failure`, `error`), numbers and texts of the tables
+//! (`ids`, `status`, `text`).
 
+pub mod block;
+pub mod error;
+pub mod failure;
 pub mod fields;
+pub mod header;
+pub mod ids;
 pub mod library;
+mod ptr;
 pub mod scenario;
 pub mod simulation;
 pub mod snapshot;
+pub mod status;
 pub mod tables;
+pub mod text;
 pub mod trace;

@@ -4,11 +4,12 @@ use core::ffi::c_char;
 
 use softanvil_kernel::{Changes, Scenario};
 
+use crate::c_api::error::{SoftanvilError, report, status};
+use crate::c_api::failure::Failure;
+use crate::c_api::ids::{PARAMETER_BY_ID, PRESET_BY_ID};
+use crate::c_api::ptr;
+use crate::c_api::status::SoftanvilStatus;
 use crate::c_api::tables::{find_parameter, parameter_row};
-use crate::failure::{Failure, SoftanvilError, report, status};
-use crate::ids::{PARAMETER_BY_ID, PRESET_BY_ID};
-use crate::ptr;
-use crate::status::SoftanvilStatus;
 
 /// Room for parameters in a `SoftanvilScenario`, those of future versions included.
 pub const SOFTANVIL_PARAMETER_SLOTS: usize = 256;

@@ -1,11 +1,13 @@
 //! Snapshot
 
-use softanvil_kernel::snapshot;
+use softanvil_kernel::state::{restore, snapshot_size, write_words};
 
-use crate::block::{self, SoftanvilSimulation};
-use crate::failure::{Failure, SoftanvilError, report, status};
-use crate::ptr;
-use crate::status::SoftanvilStatus;
+use crate::c_api::block;
+use crate::c_api::error::{SoftanvilError, report, status};
+use crate::c_api::failure::Failure;
+use crate::c_api::header::SoftanvilSimulation;
+use crate::c_api::ptr;
+use crate::c_api::status::SoftanvilStatus;
 
 /// Tells how long a snapshot of a simulation is.
 ///
@@ -24,7 +26,7 @@ pub unsafe extern "C" fn softanvil_snapshot_size(
     let (header, size) = unsafe { (ptr::header(simulation), ptr::out(size, "size")) };
     status(|| {
         let (header, size) = (header?, size?);
-        size.write(snapshot::snapshot_size(&header.constants));
+        size.write(snapshot_size(&header.constants));
         Ok(())
     })
 }
@@ -52,7 +54,7 @@ pub unsafe extern "C" fn softanvil_snapshot_save(
     let bytes = unsafe { ptr::room(bytes, size, "bytes") };
     report(error, || {
         let (block, bytes) = (block?, bytes?);
-        let (given, needed) = (bytes.len(), snapshot::snapshot_size(&block.0.constants));
+        let (given, needed) = (bytes.len(), snapshot_size(&block.0.constants));
         let bytes = bytes.get_mut(..needed).ok_or(Failure::Short { argument: "bytes", given, needed })?;
         let mut places = bytes.iter_mut();
         let mut put = |word: u64| {
@@ -60,7 +62,7 @@ pub unsafe extern "C" fn softanvil_snapshot_save(
                 place.write(*byte);
             })
         };
-        block::look(block, |model, state| snapshot::write_words(model, state, &mut put).map_err(Failure::from))
+        block::look(block, |model, state| write_words(model, state, &mut put).map_err(Failure::from))
     })
 }
 
@@ -90,8 +92,8 @@ pub unsafe extern "C" fn softanvil_snapshot_restore(
     let bytes = unsafe { ptr::bytes(bytes, size, "bytes") };
     report(error, || {
         let (block, bytes) = (block?, bytes?);
-        let (given, needed) = (bytes.len(), snapshot::snapshot_size(&block.0.constants));
+        let (given, needed) = (bytes.len(), snapshot_size(&block.0.constants));
         let bytes = bytes.get(..needed).ok_or(Failure::Short { argument: "bytes", given, needed })?;
-        block::with(block, |model, state| snapshot::restore(model, state, bytes).map_err(Failure::from))
+        block::with(block, |model, state| restore(model, state, bytes).map_err(Failure::from))
     })
 }

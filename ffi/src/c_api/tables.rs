@@ -5,13 +5,13 @@ use core::ffi::c_char;
 use softanvil_kernel::parameter::Kind;
 use softanvil_kernel::{Field, Output, Parameter};
 
-use crate::failure::{Failure, characters, status};
-use crate::ids::{FIELD_BY_ID, OUTPUT_BY_ID, PARAMETER_BY_ID};
-use crate::ptr::{self, Name};
-use crate::status::SoftanvilStatus;
+use crate::c_api::error::status;
+use crate::c_api::failure::Failure;
+use crate::c_api::ids::{FIELD_BY_ID, OUTPUT_BY_ID, PARAMETER_BY_ID};
+use crate::c_api::ptr::{self, Name};
+use crate::c_api::status::SoftanvilStatus;
+use crate::c_api::text::{SOFTANVIL_NAME_SIZE, characters};
 
-/// Bytes of a name, its NUL included.
-pub const SOFTANVIL_NAME_SIZE: usize = 64;
 /// Bytes of a unit, its NUL included.
 pub const SOFTANVIL_UNIT_SIZE: usize = 16;
 /// Bytes of a description, its NUL included.

@@ -149,7 +149,7 @@ impl fmt::Display for Error {
             Self::Snapshot(error) => error.fmt(f),
             Self::NoMemory { bytes } => write!(f, "there is no memory for {bytes} bytes"),
             Self::StateSize { given, needed } => {
-                write!(f, "the buffer has {given} bytes: legal is exactly {needed}, the size of the saved state")
+                write!(f, "the buffer has {given} bytes: expected exactly {needed}, the size of the saved state")
             }
             _ => self.variable(f).unwrap_or_else(|| self.time(f)),
         }
@@ -163,7 +163,7 @@ impl Error {
             Self::Unknown { reference } => write!(f, "no variable has the value reference {reference}"),
             Self::Type { name, is, asked } => write!(f, "{name} is of type {is}, not {asked}"),
             Self::ReadOnly { name, causality } => {
-                write!(f, "{name} has the causality {causality} and cannot be set: legal are parameters and inputs")
+                write!(f, "{name} has the causality {causality} and cannot be set: expected parameters and inputs")
             }
             Self::Fixed { name, value, unit } => write!(
                 f,
@@ -182,19 +182,19 @@ impl Error {
     /// Refusals about time.
     fn time(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::StartTime { start } => write!(f, "start time {start} s is refused: legal is a finite number"),
+            Self::StartTime { start } => write!(f, "start time {start} s is refused: expected a finite number"),
             Self::StopTime { stop, start } => {
-                write!(f, "stop time {stop} s is refused: legal is a finite time from the start at {start} s on")
+                write!(f, "stop time {stop} s is refused: expected a finite time from the start at {start} s on")
             }
             Self::CommunicationPoint { given, expected, half } => write!(
                 f,
-                "communication point {given} s is refused: legal is {expected} s, where the instance is, within {half} s"
+                "communication point {given} s is refused: expected {expected} s, where the instance is, within {half} s"
             ),
             Self::StepSize { given, largest } => {
-                write!(f, "communication step {given} s is refused: legal is above 0 s up to {largest} s")
+                write!(f, "communication step {given} s is refused: expected above 0 s up to {largest} s")
             }
             Self::PastStop { end, stop } => {
-                write!(f, "the step leads to {end} s: legal is up to the stop time of {stop} s")
+                write!(f, "the step leads to {end} s: expected up to the stop time of {stop} s")
             }
             _ => Ok(()),
         }

@@ -2,13 +2,14 @@
 //!
 //! Format: little-endian 64-bit words. Magic, format version, digest of the variable table, length of the whole in
 //! bytes; mode, start, whether there is a stop, stop, communication point, by how much it is ahead of the kernel, points of
-//! the profiles; the inputs, and 1 if one of them is a velocity that the master gives; the parameters in the order of the kernel's table; the kernel's own snapshot, which is empty
-//! before the first step can be made; last the FNV-1a digest of everything before.
+//! the profiles; the inputs, and 1 or 0 for whether the master gives a position, and a velocity; the parameters in the order
+//! of the kernel's table; the kernel's own snapshot, which is empty before the first step can be made; last the FNV-1a digest
+//! of everything before.
 
 use alloc::vec::Vec;
 
-use softanvil_kernel::digest::Digest;
-use softanvil_kernel::snapshot::{restore, save, snapshot_size};
+use softanvil_kernel::number::digest::Digest;
+use softanvil_kernel::state::{restore, save, snapshot_size};
 use softanvil_kernel::{PARAMETERS, SAMPLING_INTERVAL, Scenario, Simulation, SnapshotError, preset};
 
 use super::clock::Clock;
@@ -19,7 +20,7 @@ use crate::variables::{INPUTS, Inputs, Version, same_bits};
 /// "SOFTAFMU" in ASCII, least significant byte first.
 const MAGIC: u64 = u64::from_le_bytes(*b"SOFTAFMU");
 /// Changes with the format.
-const VERSION: u64 = 4;
+const VERSION: u64 = 5;
 
 /// A saved state, checked to be whole and of this version.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -66,6 +67,8 @@ impl SavedState {
 
 /// Words before the inputs.
 const HEADER_WORDS: usize = 11;
+/// Words that say which inputs the master gives.
+const GIVEN: usize = 2;
 
 /// The header's words, if the bytes claim to be of this format and of their length.
 fn header(bytes: &[u8]) -> Option<[u64; 4]> {
@@ -103,6 +106,7 @@ fn read_inputs(rest: &mut &[u8]) -> Result<Inputs, Error> {
     for input in INPUTS {
         input.set(&mut inputs, read_number(rest)?)?;
     }
+    inputs.has_position = read_number(rest)? != 0.0;
     inputs.has_velocity = read_number(rest)? != 0.0;
     Ok(inputs)
 }
@@ -123,7 +127,7 @@ impl Instance {
     pub fn save(&mut self) -> Result<SavedState, Error> {
         let snapshot = self.snapshot()?;
         let Experiment { start, stop } = self.experiment;
-        let words = HEADER_WORDS + INPUTS.len() + 1 + PARAMETERS.len() + 1;
+        let words = HEADER_WORDS + INPUTS.len() + GIVEN + PARAMETERS.len() + 1;
         let length = 8 * words + snapshot.len();
         let mut bytes = room(length)?;
         let mut put = |word: u64| bytes.extend_from_slice(&word.to_le_bytes());
@@ -132,7 +136,8 @@ impl Instance {
         [start.to_bits(), u64::from(stop.is_some()), stop.unwrap_or_default().to_bits()].into_iter().for_each(&mut put);
         [self.clock.point.to_bits(), self.clock.ahead.to_bits(), self.points].into_iter().for_each(&mut put);
         INPUTS.iter().for_each(|input| put((input.field)(&mut self.inputs).to_bits()));
-        put(f64::from(u8::from(self.inputs.has_velocity)).to_bits());
+        let given: [bool; GIVEN] = [self.inputs.has_position, self.inputs.has_velocity];
+        given.into_iter().for_each(|given| put(f64::from(u8::from(given)).to_bits()));
         PARAMETERS.iter().for_each(|parameter| put(parameter.get(&self.scenario).to_bits()));
         bytes.extend_from_slice(&snapshot);
         let checksum = digest_of(&bytes);

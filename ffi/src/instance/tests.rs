@@ -9,6 +9,7 @@ use crate::whole_steps::SAME;
 const SAMPLE: f64 = 50e-6;
 const FORCE: u32 = 3000;
 const MASS: u32 = 1101;
+const GAP: u32 = 1103;
 const FACTOR: u32 = 1601;
 const ENERGY: u32 = 1107;
 const STEP_BY: u32 = 1600;
@@ -246,7 +247,7 @@ fn a_step_is_positive_and_not_too_long() {
     for step in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -SAMPLE, 0.0, -0.0, 100.1, 1e300] {
         let error = instance.do_step(0.0, step).unwrap_err();
         assert!(matches!(error, Error::StepSize { .. }), "{step}: {error}");
-        assert!(error.to_string().ends_with("legal is above 0 s up to 100 s"), "{error}");
+        assert!(error.to_string().ends_with("expected above 0 s up to 100 s"), "{error}");
     }
     for step in [f64::MIN_POSITIVE, 5e-324, 1e-20, 1e-12] {
         instance.do_step(instance.time(), step).unwrap();
@@ -361,6 +362,52 @@ fn a_driven_face_is_where_its_inputs_want_it_and_never_jumps() {
 }
 
 #[test]
+fn a_driven_face_stays_where_the_scenario_puts_it_until_a_position_is_given() {
+    for version in [Version::Fmi2, Version::Fmi3] {
+        let mut instance = Instance::new(version);
+        instance.set_choices([(MOTION, 1)].into_iter()).unwrap();
+        instance.set_reals([(GAP, 5e-3)].into_iter()).unwrap();
+        // One that goes on from the saved bytes follows as well.
+        let saved = instance.save().unwrap();
+        let mut other = Instance::new(version);
+        other.restore(&other.read_state(saved.bytes()).unwrap()).unwrap();
+        other.set_reals([(GAP, 4e-3)].into_iter()).unwrap();
+        for (instance, gap) in [(&mut instance, 5e-3), (&mut other, 4e-3)] {
+            instance.enter_initialization();
+            instance.exit_initialization().unwrap();
+            assert_eq!(instance.real(references::DRIVEN_POSITION).unwrap(), gap);
+            run(instance, 3);
+            assert_eq!(instance.real(POSITION).unwrap(), gap);
+            // A position that is given holds, though it is that of the preset.
+            instance.set_reals([(references::DRIVEN_POSITION, 2e-3)].into_iter()).unwrap();
+            run(instance, 3);
+            assert_eq!(instance.real(POSITION).unwrap(), 2e-3);
+            instance.reset();
+            assert_eq!(instance.real(references::DRIVEN_POSITION).unwrap(), preset::study().impactor.gap);
+        }
+    }
+}
+
+#[test]
+fn a_position_given_before_the_start_counts_whatever_the_gap() {
+    let given = (references::DRIVEN_POSITION, 1e-3);
+    for values in [[given, (GAP, 5e-3)], [(GAP, 5e-3), given]] {
+        let mut instance = Instance::new(Version::Fmi2);
+        instance.set_choices([(MOTION, 1)].into_iter()).unwrap();
+        instance.set_reals(values.into_iter()).unwrap();
+        let saved = instance.save().unwrap();
+        instance.reset();
+        instance.restore(&saved).unwrap();
+        instance.set_reals([(GAP, 6e-3)].into_iter()).unwrap();
+        instance.enter_initialization();
+        instance.exit_initialization().unwrap();
+        assert_eq!(instance.real(POSITION).unwrap(), 6e-3);
+        run(&mut instance, 1);
+        assert_eq!(instance.real(POSITION).unwrap(), 1e-3);
+    }
+}
+
+#[test]
 fn start_values_and_first_results_can_be_read_after_instantiation() {
     let mut instance = Instance::new(Version::Fmi3);
     let rows: Vec<_> = Table::new().rows().to_vec();
@@ -443,7 +490,6 @@ fn saved_bytes_are_checked_before_anything_changes() {
 
 #[test]
 fn initial_results_follow_the_parameters_as_they_stand() {
-    const GAP: u32 = 1103;
     let mut instance = Instance::new(Version::Fmi2);
     instance.enter_initialization();
     for gap in [1e-3, 3e-3] {

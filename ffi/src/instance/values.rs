@@ -255,7 +255,7 @@ impl Instance {
             }
             self.set_one(variable, value, &mut scenario, &mut inputs)?;
         }
-        (self.scenario, self.inputs) = (scenario, inputs);
+        (self.scenario, self.inputs) = (scenario, inputs.in_scenario(&scenario));
         Ok(())
     }
 

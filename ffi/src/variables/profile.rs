@@ -3,10 +3,8 @@
 //! The points of a profile are spread evenly over the surface at rest, from its first node to its last; values between
 //! nodes are interpolated. With as many points as the surface has nodes (`model.surface_nodes`) they are the nodes'.
 
-use softanvil_kernel::surface::{contact_pressure, surface_position};
+use softanvil_kernel::contact::surface::{contact_pressure, surface_position};
 use softanvil_kernel::{Model, StateView};
-
-use super::{Source, ValueType, Variable, references};
 
 /// Points of a profile unless the master says otherwise: the nodes of the preset's surface.
 pub const START_POINTS: u64 = 25;
@@ -47,46 +45,3 @@ impl Profile {
         if part > 0.0 { here + part * (self.at_node(model, state, column as usize + 1) - here) } else { here }
     }
 }
-
-const fn profile(
-    reference: u32,
-    name: &'static str,
-    unit: &'static str,
-    shows: Profile,
-    text: &'static str,
-) -> Variable {
-    Variable { reference, name, description: text, value: ValueType::Array { unit }, source: Source::Profile(shows) }
-}
-
-/// The number of points and the profiles.
-pub(super) static VARIABLES: [Variable; 4] = [
-    Variable {
-        reference: references::SURFACE_POINTS,
-        name: "surface.points",
-        description: "points of the profiles surface.x, surface.height and surface.contact_pressure, spread evenly over \
-                      the surface at rest; with as many as model.surface_nodes they are its nodes",
-        value: ValueType::Size { range: POINTS },
-        source: Source::Points,
-    },
-    profile(
-        references::SURFACE_X,
-        "surface.x",
-        "m",
-        Profile::X,
-        "current distance of the points of the surface from the centre line",
-    ),
-    profile(
-        references::SURFACE_HEIGHT,
-        "surface.height",
-        "m",
-        Profile::Height,
-        "current height of the points of the surface above the top of the undeformed anvil",
-    ),
-    profile(
-        references::SURFACE_CONTACT_PRESSURE,
-        "surface.contact_pressure",
-        "Pa",
-        Profile::ContactPressure,
-        "contact pressure at the points of the surface in the last step",
-    ),
-];

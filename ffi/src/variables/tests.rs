@@ -1,3 +1,5 @@
+use softanvil_kernel::{OUTPUTS, PARAMETERS, preset};
+
 use super::*;
 
 #[test]

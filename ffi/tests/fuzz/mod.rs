@@ -5,18 +5,19 @@ use std::ffi::{CStr, c_char};
 use std::mem::MaybeUninit;
 use std::ptr::{null, null_mut};
 
-use softanvil::block::SoftanvilSimulation;
+use softanvil::c_api::error::SoftanvilError;
 use softanvil::c_api::fields::*;
+use softanvil::c_api::header::SoftanvilSimulation;
+use softanvil::c_api::ids::OUTPUT_BY_ID;
 use softanvil::c_api::library::softanvil_status_text;
 use softanvil::c_api::scenario::*;
 use softanvil::c_api::simulation::*;
 use softanvil::c_api::snapshot::*;
+use softanvil::c_api::status::SoftanvilStatus as Status;
 use softanvil::c_api::tables::*;
+use softanvil::c_api::text::SOFTANVIL_NAME_SIZE;
 use softanvil::c_api::trace::softanvil_run_traced;
-use softanvil::failure::SoftanvilError;
-use softanvil::ids::OUTPUT_BY_ID;
-use softanvil::status::SoftanvilStatus as Status;
-use softanvil_kernel::digest::Digest;
+use softanvil_kernel::number::digest::Digest;
 
 /// Largest block that a target builds, bytes: enough for the study, small enough for many runs per second.
 const MEMORY: usize = 1 << 18;

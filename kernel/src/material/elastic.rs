@@ -1,13 +1,12 @@
 //! The choice of isochoric hyperelastic law, made once per block of triangles and outside the loop over lanes.
 
-use crate::kinematics::Kinematics;
-use crate::lanes::Deviator;
+use crate::material::{ElasticLaw, Material};
 use crate::material::{MooneyRivlin, NeoHookean, Ogden, Yeoh};
-use crate::math::THIRD;
-use crate::real::Real;
-use crate::scenario::{ElasticLaw, Material};
-use crate::stretch::IsochoricStretch;
-use crate::vector::{Instructions, Vector};
+use crate::number::real::Real;
+use crate::number::vector::Simd;
+use crate::tensor::deviator::Deviator;
+use crate::tensor::kinematics::Kinematics;
+use crate::tensor::stretch::IsochoricStretch;
 
 /// Long-term isochoric elasticity.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,16 +42,16 @@ impl Elastic {
         }
     }
 
-    /// Kirchhoff stress in the unrotated frame, Pa, and W, J/m3, of `N` neighbouring triangles each; without `rings`,
+    /// Kirchhoff stress in the unrotated frame, Pa, and W, J/m3, of `N` neighbouring triangles each; without `axisymmetric`,
     /// U33 = 1.
     #[inline(always)]
-    pub fn stress<S: Instructions, const N: usize>(
+    pub fn stress<S: Simd, const N: usize>(
         &self,
-        set: S,
+        simd: S,
         kinematics: &[Kinematics<S::Vector>; N],
-        rings: bool,
+        axisymmetric: bool,
     ) -> [(Deviator<S::Vector>, S::Vector); N] {
-        let zero = set.splat(0.0);
+        let zero = simd.splat(0.0);
         let mut response = [(Deviator { mean: zero, difference: zero, shear: zero }, zero); N];
         // The law is chosen outside the loop, so that the triangles go through it side by side.
         match self {
@@ -63,7 +62,7 @@ impl Elastic {
             }
             Self::MooneyRivlin(law) => {
                 for i in 0..N {
-                    response[i] = law.stress(&kinematics[i], rings);
+                    response[i] = law.stress(&kinematics[i], axisymmetric);
                 }
             }
             Self::Yeoh(law) => {
@@ -74,7 +73,7 @@ impl Elastic {
             Self::Ogden(law) => {
                 let kinematics = *kinematics;
                 for i in 0..N {
-                    response[i] = law.stress(set, &kinematics[i]);
+                    response[i] = law.stress(simd, &kinematics[i]);
                 }
             }
         }
@@ -93,40 +92,12 @@ impl Elastic {
 
     /// A majorant of the shear tangent at a stretch with the geometric stiffness of the stress, Pa.
     #[inline(always)]
-    pub fn shear_tangent<S: Instructions>(&self, set: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
+    pub fn shear_tangent<S: Simd>(&self, simd: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
         match self {
-            Self::NeoHookean(law) => law.shear_tangent(set, stretch),
-            Self::MooneyRivlin(law) => law.shear_tangent(set, stretch),
-            Self::Yeoh(law) => law.shear_tangent(set, stretch),
-            Self::Ogden(law) => law.shear_tangent(set, stretch),
+            Self::NeoHookean(law) => law.shear_tangent(simd, stretch),
+            Self::MooneyRivlin(law) => law.shear_tangent(simd, stretch),
+            Self::Yeoh(law) => law.shear_tangent(simd, stretch),
+            Self::Ogden(law) => law.shear_tangent(simd, stretch),
         }
     }
-}
-
-/// A majorant of the shear tangent of a law of the invariants, Pa, with what its own stress adds to it, from the first
-/// derivatives W1, W2 and the second ones W11, W12, W22.
-///
-/// With the principal values b_i of C-bar, turning the directions i and j meets W1 (b_i + b_j) + W2 (1/b_i + 1/b_j). Strain
-/// along them meets, with the geometric stiffness of the stress, W1 b_i + 3 W2 / b_i, of which a plane state that keeps its
-/// volume leaves W2 / b_i; the sums W1 (I1 - 1) + W2 (2 I2 - 4), and 2 W2 for every unit that b_3 or its inverse exceeds
-/// one by, are found to cover both in meshes of any state (`tests/verification/tests/suite/frequency.rs`). The second
-/// derivatives add the squares of dev b and dev 1/b, exactly. What softens is not counted.
-#[inline(always)]
-pub(crate) fn invariant_shear_tangent<S: Instructions>(
-    set: S,
-    stretch: &IsochoricStretch<S::Vector>,
-    [w1, w2]: [S::Vector; 2],
-    [w11, w12, w22]: [S::Vector; 3],
-) -> S::Vector {
-    let ((i1, i2), zero) = (stretch.invariants(), set.splat(0.0));
-    let out = stretch.u33 * stretch.u33;
-    let around = out.larger(set.splat(1.0) / out).plus(-1.0);
-    let first = w1.larger(zero) * i1.plus(-1.0) + w2.larger(zero) * (i2 + around).times(2.0).plus(-4.0);
-    // Squares and product of dev b and dev 1/b, the latter with its sign turned.
-    let squares = [i1 * i1.times(2.0 * THIRD) - i2.times(2.0), i2 * i2.times(2.0 * THIRD) - i1.times(2.0)];
-    let product = (i1 * i2.times(THIRD)).plus(-3.0);
-    let second = w11.larger(zero) * squares[0].larger(zero)
-        + w22.larger(zero) * squares[1].larger(zero)
-        + (w12.larger(zero) * product.larger(zero)).times(2.0);
-    first + second.times(2.0)
 }

@@ -6,14 +6,11 @@
 //! with the unrotated rate of deformation e' = R^T D R, as in [`crate::material::slider`], and the recurrence of
 //! [`crate::material::relaxation`].
 
-use crate::lanes::Deviator;
-use crate::material::relaxation::{Branches, MAX_BRANCHES, Overstress};
-use crate::real::Real;
-use crate::scenario::Material;
-use crate::vector::Instructions;
-
-/// Most additive Maxwell terms.
-pub const MAX_MAXWELL_TERMS: usize = MAX_BRANCHES;
+use crate::material::Material;
+use crate::material::relaxation::{Branches, Overstress};
+use crate::number::real::Real;
+use crate::number::vector::Simd;
+use crate::tensor::deviator::Deviator;
 
 /// The constants of the recurrence, for one step size.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,14 +45,14 @@ impl Maxwell {
     /// Advances the `history` of the two triangles of each cell of a block (one entry per active term) by the deviatoric
     /// strain increment.
     #[inline(always)]
-    pub fn update<S: Instructions>(
+    pub fn update<S: Simd>(
         &self,
-        set: S,
+        simd: S,
         chunk: usize,
         strain_increment: &[Deviator<S::Vector>; 2],
         history: [&mut [Deviator]; 2],
         overstress: &mut [Overstress<S::Vector>; 2],
     ) {
-        self.branches.update(set, chunk, strain_increment, history, overstress);
+        self.branches.update(simd, chunk, strain_increment, history, overstress);
     }
 }

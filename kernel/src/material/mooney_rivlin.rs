@@ -6,13 +6,13 @@
 //! with the invariants of C-bar = J^(-2/3) C. With W1 = dW/dI1 and W2 = dW/dI2 the Kirchhoff stress in the unrotated
 //! frame is tau = dev(2 W1 C-bar - 2 W2 C-bar^-1), because I2 = tr C-bar^-1 when det C-bar = 1.
 
-use crate::kinematics::Kinematics;
-use crate::lanes::{Deviator, SQRT_THIRD};
-use crate::material::invariant_shear_tangent;
-use crate::real::Real;
-use crate::scenario::Material;
-use crate::stretch::IsochoricStretch;
-use crate::vector::{Instructions, Vector};
+use crate::material::Material;
+use crate::material::shear_tangent::invariant_shear_tangent;
+use crate::number::real::Real;
+use crate::number::vector::{Simd, Vector};
+use crate::tensor::deviator::{Deviator, SQRT_THIRD};
+use crate::tensor::kinematics::Kinematics;
+use crate::tensor::stretch::IsochoricStretch;
 
 /// Long-term coefficients, Pa.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,9 +45,9 @@ impl MooneyRivlin {
     /// (dW/dI1, dW/dI2), Pa.
     #[inline(always)]
     fn derivatives<V: Vector>(&self, i1: V, i2: V) -> (V, V) {
-        let (a, b) = (i1.plus(-3.0), i2.plus(-3.0));
-        let first = a.times(2.0 * self.c20).plus(self.c10) + b.times(self.c11);
-        (first, b.times(2.0 * self.c02).plus(self.c01) + a.times(self.c11))
+        let (a, b) = (i1.add_scalar(-3.0), i2.add_scalar(-3.0));
+        let first = a.mul_scalar(2.0 * self.c20).add_scalar(self.c10) + b.mul_scalar(self.c11);
+        (first, b.mul_scalar(2.0 * self.c02).add_scalar(self.c01) + a.mul_scalar(self.c11))
     }
 
     /// W at the invariants.
@@ -63,32 +63,32 @@ impl MooneyRivlin {
         self.energy(i1, i2)
     }
 
-    /// Kirchhoff stress in the unrotated frame, Pa, and W, J/m3, of neighbouring triangles; without `rings`, U33 = 1.
+    /// Kirchhoff stress in the unrotated frame, Pa, and W, J/m3, of neighbouring triangles; without `axisymmetric`, U33 = 1.
     ///
     /// In the section, C-bar^-1 is the adjugate of C-bar times C33, and out of it the determinant of the section.
     #[inline(always)]
-    pub fn stress<V: Vector>(&self, kinematics: &Kinematics<V>, rings: bool) -> (Deviator<V>, V) {
+    pub fn stress<V: Vector>(&self, kinematics: &Kinematics<V>, axisymmetric: bool) -> (Deviator<V>, V) {
         let Kinematics { mean, difference, shear, .. } = *kinematics;
         let scale = kinematics.inverse_cbrt_j * kinematics.inverse_cbrt_j;
         let squares = [mean * mean, difference * difference + shear * shear];
         let c_mean = scale * (squares[0] + squares[1]);
-        let c_out = if rings { scale * (kinematics.hoop * kinematics.hoop) } else { scale };
-        let section = scale * if rings { squares[0] - squares[1] } else { kinematics.jacobian };
+        let c_out = if axisymmetric { scale * (kinematics.hoop * kinematics.hoop) } else { scale };
+        let section = scale * if axisymmetric { squares[0] - squares[1] } else { kinematics.jacobian };
         let (inverse_mean, inverse_out) = (c_mean * c_out, section * section);
         // I1 - 3 and I2 - 3.
-        let a = c_mean + c_mean + c_out.plus(-3.0);
-        let b = inverse_mean + inverse_mean + inverse_out.plus(-3.0);
+        let a = c_mean + c_mean + c_out.add_scalar(-3.0);
+        let b = inverse_mean + inverse_mean + inverse_out.add_scalar(-3.0);
         // Twice the derivatives of W.
-        let w1 = (a.times(4.0 * self.c20) + b.times(2.0 * self.c11)).plus(2.0 * self.c10);
-        let w2 = (b.times(4.0 * self.c02) + a.times(2.0 * self.c11)).plus(2.0 * self.c01);
+        let w1 = (a.mul_scalar(4.0 * self.c20) + b.mul_scalar(2.0 * self.c11)).add_scalar(2.0 * self.c10);
+        let w2 = (b.mul_scalar(4.0 * self.c02) + a.mul_scalar(2.0 * self.c11)).add_scalar(2.0 * self.c01);
         let turned = (w1 + w2 * c_out) * (scale * (mean + mean));
         let tau = Deviator {
-            mean: (w1 * (c_mean - c_out) - w2 * (inverse_mean - inverse_out)).times(SQRT_THIRD),
+            mean: (w1 * (c_mean - c_out) - w2 * (inverse_mean - inverse_out)).mul_scalar(SQRT_THIRD),
             difference: turned * difference,
             shear: turned * shear,
         };
         // W is of degree two without a constant: half the invariants times the mean of the slope and that at rest.
-        let energy = (a * w1.plus(2.0 * self.c10) + b * w2.plus(2.0 * self.c01)).times(0.25);
+        let energy = (a * w1.add_scalar(2.0 * self.c10) + b * w2.add_scalar(2.0 * self.c01)).mul_scalar(0.25);
         (tau, energy)
     }
 
@@ -99,10 +99,10 @@ impl MooneyRivlin {
 
     /// A majorant of the shear tangent, Pa; see `invariant_shear_tangent`.
     #[inline(always)]
-    pub fn shear_tangent<S: Instructions>(&self, set: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
+    pub fn shear_tangent<S: Simd>(&self, simd: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
         let (i1, i2) = stretch.invariants();
         let (w1, w2) = self.derivatives(i1, i2);
-        let second = [2.0 * self.c20, self.c11, 2.0 * self.c02].map(|c| set.splat(c));
-        invariant_shear_tangent(set, stretch, [w1, w2], second)
+        let second = [2.0 * self.c20, self.c11, 2.0 * self.c02].map(|c| simd.splat(c));
+        invariant_shear_tangent(simd, stretch, [w1, w2], second)
     }
 }

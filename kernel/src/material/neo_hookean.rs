@@ -1,13 +1,13 @@
 //! Neo-Hooke, isochoric (Treloar 1943): W = C10 (I1-3), I1 = tr C-bar, so that the Kirchhoff stress in the unrotated
 //! frame is tau = dev(2 C10 C-bar).
 
-use crate::kinematics::Kinematics;
-use crate::lanes::{Deviator, SQRT_THIRD};
-use crate::material::invariant_shear_tangent;
-use crate::real::Real;
-use crate::scenario::Material;
-use crate::stretch::IsochoricStretch;
-use crate::vector::{Instructions, Vector};
+use crate::material::Material;
+use crate::material::shear_tangent::invariant_shear_tangent;
+use crate::number::real::Real;
+use crate::number::vector::{Simd, Vector};
+use crate::tensor::deviator::{Deviator, SQRT_THIRD};
+use crate::tensor::kinematics::Kinematics;
+use crate::tensor::stretch::IsochoricStretch;
 
 /// Long-term coefficient, Pa.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,11 +33,11 @@ impl NeoHookean {
         let c = kinematics.isochoric_cauchy_green();
         let factor = 2.0 * self.c10;
         let tau = Deviator {
-            mean: (c.mean - c.out).times(factor * SQRT_THIRD),
-            difference: c.difference.times(factor),
-            shear: c.shear.times(factor),
+            mean: (c.mean - c.out).mul_scalar(factor * SQRT_THIRD),
+            difference: c.difference.mul_scalar(factor),
+            shear: c.shear.mul_scalar(factor),
         };
-        (tau, (c.mean + c.mean + c.out.plus(-3.0)).times(self.c10))
+        (tau, (c.mean + c.mean + c.out.add_scalar(-3.0)).mul_scalar(self.c10))
     }
 
     /// Shear modulus at rest, Pa.
@@ -47,8 +47,8 @@ impl NeoHookean {
 
     /// A majorant of the shear tangent, Pa; see `invariant_shear_tangent`.
     #[inline(always)]
-    pub fn shear_tangent<S: Instructions>(&self, set: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
-        let zero = set.splat(0.0);
-        invariant_shear_tangent(set, stretch, [set.splat(self.c10), zero], [zero; 3])
+    pub fn shear_tangent<S: Simd>(&self, simd: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
+        let zero = simd.splat(0.0);
+        invariant_shear_tangent(simd, stretch, [simd.splat(self.c10), zero], [zero; 3])
     }
 }

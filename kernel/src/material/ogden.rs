@@ -15,21 +15,18 @@
 //!
 //! where no difference of nearly equal powers is taken: sinh(alpha x) / r is a quotient of two numbers that both carry
 //! their full relative accuracy, and tends to alpha / m where the stretches coincide. All is written with e^y - 1,
-//! e^-y - 1, e^(alpha x) - 1 and e^(-alpha x) - 1, which [`crate::power`] gives accurately however small the strain is: cosh(alpha x) - 1 is -1/2 of the product of the last two, and the part of W without x is
+//! e^-y - 1, e^(alpha x) - 1 and e^(-alpha x) - 1, which [`crate::number::power`] gives accurately however small the strain is: cosh(alpha x) - 1 is -1/2 of the product of the last two, and the part of W without x is
 //! (e^-y - 1)(e^-y - 1 - 2 (e^y - 1)).
 
-use crate::kinematics::Kinematics;
-use crate::lanes::{Deviator, SQRT_THIRD};
-use crate::math;
-use crate::power;
-use crate::real::consts::LN_2;
-use crate::real::{LARGEST_EXPONENT, Real, TINY_SQUARE};
-use crate::scenario::Material;
-use crate::stretch::IsochoricStretch;
-use crate::vector::{Instructions, Scalar, Vector};
-
-/// Most terms of an Ogden law.
-pub const MAX_OGDEN_TERMS: usize = 3;
+use crate::material::{MAX_OGDEN_TERMS, Material};
+use crate::number::math;
+use crate::number::power;
+use crate::number::real::consts::LN_2;
+use crate::number::real::{LARGEST_EXPONENT, Real, TINY_SQUARE};
+use crate::number::vector::{Scalar, Simd, Vector};
+use crate::tensor::deviator::{Deviator, SQRT_THIRD};
+use crate::tensor::kinematics::Kinematics;
+use crate::tensor::stretch::IsochoricStretch;
 
 /// Long-term coefficients.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -50,7 +47,7 @@ impl Ogden {
     pub fn new(material: &Material) -> Self {
         let scale = material.long_term_scale();
         let alpha = material.ogden_alpha;
-        let steepest = alpha.into_iter().fold(1.0, |steepest, alpha| math::larger(steepest, math::abs(0.5 * alpha)));
+        let steepest = alpha.into_iter().fold(1.0, |steepest, alpha| math::max(steepest, math::abs(0.5 * alpha)));
         let mu = material.ogden_mu.map(|mu| scale * mu);
         let mut energy_factor = [0.0; MAX_OGDEN_TERMS];
         for k in 0..MAX_OGDEN_TERMS {
@@ -73,31 +70,27 @@ impl Ogden {
 
     /// Kirchhoff stress in the unrotated frame, Pa, and W, J/m3, of neighbouring triangles.
     #[inline(always)]
-    pub fn stress<S: Instructions>(
-        &self,
-        set: S,
-        kinematics: &Kinematics<S::Vector>,
-    ) -> (Deviator<S::Vector>, S::Vector) {
+    pub fn stress<S: Simd>(&self, simd: S, kinematics: &Kinematics<S::Vector>) -> (Deviator<S::Vector>, S::Vector) {
         let Kinematics { mean, difference, shear, hoop, inverse_cbrt_j, .. } = *kinematics;
-        self.response(set, [mean, difference, shear], inverse_cbrt_j * hoop)
+        self.response(simd, [mean, difference, shear], inverse_cbrt_j * hoop)
     }
 
     /// Kirchhoff stress, Pa, and W, J/m3, from mean, half difference and shear of U in the section, whatever its volume, and
     /// the isochoric stretch out of it.
     #[inline(always)]
-    fn response<S: Instructions>(
+    fn response<S: Simd>(
         &self,
-        set: S,
+        simd: S,
         [mean, difference, shear]: [S::Vector; 3],
         out: S::Vector,
     ) -> (Deviator<S::Vector>, S::Vector) {
-        let zero = set.splat(0.0);
+        let zero = simd.splat(0.0);
         let square = difference * difference + shear * shear;
         // Never zero, so that the quotient by the radius has its limit. Nothing else may see what is added.
-        let radius = square.plus(TINY_SQUARE).square_root();
+        let radius = square.add_scalar(TINY_SQUARE).square_root();
         // Binary logarithms of l1 / l2 = e^(2x) and of l3 = e^(-2y / alpha).
-        let log_in = self.limited(set, power::log2_of_quotient(set, mean + radius, mean - radius, radius + radius));
-        let log_out = self.limited(set, power::log2(set, out));
+        let log_in = self.limited(simd, power::log2_of_quotient(simd, mean + radius, mean - radius, radius + radius));
+        let log_out = self.limited(simd, power::log2(simd, out));
         let (mut step, mut slope, mut energy) = (zero, zero, zero);
         for k in 0..MAX_OGDEN_TERMS {
             let (mu, alpha) = (self.mu[k], self.alpha[k]);
@@ -105,26 +98,26 @@ impl Ogden {
                 continue;
             }
             // e^-y and e^y, e^(alpha x) and e^(-alpha x).
-            let [inverse, power] = power::exp2_of_both_signs(log_out.times(0.5 * alpha));
-            let [longer, shorter] = power::exp2_of_both_signs(log_in.times(0.5 * alpha));
+            let [inverse, power] = power::exp2_of_both_signs(log_out.mul_scalar(0.5 * alpha));
+            let [longer, shorter] = power::exp2_of_both_signs(log_in.mul_scalar(0.5 * alpha));
             let (inverse, direct, power) = (inverse.less_one, power.less_one, power.whole);
             let (longer, shorter) = (longer.less_one, shorter.less_one);
             // -2 e^y (cosh(alpha x) - 1).
-            let spread = set.splat(TINY_SQUARE).if_greater(square, zero, power * (longer * shorter));
-            step = step + (direct - inverse * inverse.plus(2.0) - spread.times(0.5)).times(mu);
-            slope = slope + (power * (longer - shorter)).times(0.5 * mu);
-            energy = energy + (inverse * (inverse - (direct + direct)) - spread).times(self.energy_factor[k]);
+            let spread = simd.splat(TINY_SQUARE).select_greater(square, zero, power * (longer * shorter));
+            step = step + (direct - inverse * inverse.add_scalar(2.0) - spread.mul_scalar(0.5)).mul_scalar(mu);
+            slope = slope + (power * (longer - shorter)).mul_scalar(0.5 * mu);
+            energy = energy + (inverse * (inverse - (direct + direct)) - spread).mul_scalar(self.energy_factor[k]);
         }
         let slope = slope / radius;
-        (Deviator { mean: step.times(SQRT_THIRD), difference: slope * difference, shear: slope * shear }, energy)
+        (Deviator { mean: step.mul_scalar(SQRT_THIRD), difference: slope * difference, shear: slope * shear }, energy)
     }
 
     /// A logarithm between minus and plus the largest one. A NaN stays one.
     #[inline(always)]
-    fn limited<S: Instructions>(&self, set: S, log: S::Vector) -> S::Vector {
-        let [most, least] = [set.splat(self.largest_log), set.splat(-self.largest_log)];
-        let log = log.if_greater(most, most, log);
-        least.if_greater(log, least, log)
+    fn limited<S: Simd>(&self, simd: S, log: S::Vector) -> S::Vector {
+        let [most, least] = [simd.splat(self.largest_log), simd.splat(-self.largest_log)];
+        let log = log.select_greater(most, most, log);
+        least.select_greater(log, least, log)
     }
 
     /// Shear modulus at rest, Pa.
@@ -141,32 +134,32 @@ impl Ogden {
     /// between -2 and 2, by less than (1 + h^2/3) / (1 + |a| h/2) with h = |ln(l_i / l_j)|, as h coth h < 1 + h^2/3 and
     /// (1 - e^-x)/x < 1 / (1 + x/2).
     #[inline(always)]
-    pub fn shear_tangent<S: Instructions>(&self, set: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
-        let zero = set.splat(0.0);
-        let logs = stretch.principal().map(|stretch| self.limited(set, power::log2(set, stretch)));
-        let largest = |logs: [S::Vector; 3]| logs[0].larger(logs[1]).larger(logs[2]);
-        let range = (largest(logs) + largest(logs.map(|log| zero - log))).times(LN_2);
+    pub fn shear_tangent<S: Simd>(&self, simd: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
+        let zero = simd.splat(0.0);
+        let logs = stretch.principal().map(|stretch| self.limited(simd, power::log2(simd, stretch)));
+        let largest = |logs: [S::Vector; 3]| logs[0].max(logs[1]).max(logs[2]);
+        let range = (largest(logs) + largest(logs.map(|log| zero - log))).mul_scalar(LN_2);
         let mut tangent = zero;
         for log in logs {
             let mut along = zero;
             for k in 0..MAX_OGDEN_TERMS {
                 let (mu, alpha) = (self.mu[k], self.alpha[k]);
                 if mu * alpha > 0.0 {
-                    let [root, _] = power::exp2_of_both_signs(log.times(0.5 * alpha));
+                    let [root, _] = power::exp2_of_both_signs(log.mul_scalar(0.5 * alpha));
                     let power = root.whole * root.whole;
-                    let mut term = power.times(0.5 * mu * alpha);
+                    let mut term = power.mul_scalar(0.5 * mu * alpha);
                     if alpha < 0.0 {
-                        term = term + power.plus(-1.0).larger(zero).times(-mu);
+                        term = term + power.add_scalar(-1.0).max(zero).mul_scalar(-mu);
                     }
                     if math::abs(alpha) < 2.0 {
-                        let turned = (range * range).times(math::THIRD).plus(1.0)
-                            / range.times(0.5 * math::abs(alpha)).plus(1.0);
-                        term = term * turned.larger(set.splat(1.0));
+                        let turned = (range * range).mul_scalar(math::THIRD).add_scalar(1.0)
+                            / range.mul_scalar(0.5 * math::abs(alpha)).add_scalar(1.0);
+                        term = term * turned.max(simd.splat(1.0));
                     }
                     along = along + term;
                 }
             }
-            tangent = tangent.larger(along);
+            tangent = tangent.max(along);
         }
         tangent
     }

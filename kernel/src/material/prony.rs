@@ -6,16 +6,13 @@
 //! of [`crate::material::relaxation`].
 //!
 //! At finite strain no energy belongs to such a branch: its work cannot be told into stored and dissipated (see
-//! [`crate::energy`]).
+//! [`crate::state`]).
 
-use crate::lanes::Deviator;
-use crate::material::relaxation::{Branches, MAX_BRANCHES, Overstress};
-use crate::real::Real;
-use crate::scenario::Material;
-use crate::vector::Instructions;
-
-/// Most terms of a Prony series.
-pub const MAX_PRONY_TERMS: usize = MAX_BRANCHES;
+use crate::material::Material;
+use crate::material::relaxation::{Branches, Overstress};
+use crate::number::real::Real;
+use crate::number::vector::Simd;
+use crate::tensor::deviator::Deviator;
 
 /// The constants of the recurrence, for one step size.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,14 +49,14 @@ impl Prony {
     /// Advances the `history` of the two triangles of each cell of a block (one entry per active term) by the increment of
     /// the elastic stress.
     #[inline(always)]
-    pub fn update<S: Instructions>(
+    pub fn update<S: Simd>(
         &self,
-        set: S,
+        simd: S,
         chunk: usize,
         increment: &[Deviator<S::Vector>; 2],
         history: [&mut [Deviator]; 2],
         overstress: &mut [Overstress<S::Vector>; 2],
     ) {
-        self.branches.update(set, chunk, increment, history, overstress);
+        self.branches.update(simd, chunk, increment, history, overstress);
     }
 }

@@ -8,10 +8,10 @@
 //! The difference is taken as such: of a tau far above dt the exponential is 1 but for its last digits. Where dt/tau is
 //! below half a last digit (6e-8 in single precision) it is 1, and the branch holds what it has.
 
-use crate::lanes::Deviator;
-use crate::math;
-use crate::real::Real;
-use crate::vector::{Instructions, Vector};
+use crate::number::math;
+use crate::number::real::Real;
+use crate::number::vector::{Simd, Vector};
+use crate::tensor::deviator::Deviator;
 
 /// Most branches of one kind.
 pub const MAX_BRANCHES: usize = 5;
@@ -35,14 +35,14 @@ pub struct Overstress<V> {
 impl<V: Vector> Overstress<V> {
     /// No branch yet, beside the stress `rest`.
     #[inline(always)]
-    pub fn beside<S: Instructions<Vector = V>>(set: S, rest: Deviator<V>) -> Self {
-        let zero = set.splat(0.0);
+    pub fn with_equilibrium<S: Simd<Vector = V>>(simd: S, rest: Deviator<V>) -> Self {
+        let zero = simd.splat(0.0);
         Self { total: rest, before: Deviator { mean: zero, difference: zero, shear: zero } }
     }
 
     /// Sum over the branches before and after the step, Pa, beside the stress `rest`.
     #[inline(always)]
-    pub fn double_mean(&self, rest: &Deviator<V>) -> Deviator<V> {
+    pub fn twice_mean(&self, rest: &Deviator<V>) -> Deviator<V> {
         self.before + (self.total - *rest)
     }
 }
@@ -55,7 +55,7 @@ impl Branches {
     pub(crate) fn push(&mut self, ratio: Real, steps: Real) {
         if let (Some(decay), Some(gain)) = (self.decay.get_mut(self.n_term), self.gain.get_mut(self.n_term)) {
             *decay = math::exp(-steps);
-            *gain = ratio * (-math::exp_less_one(-steps) / steps);
+            *gain = ratio * (-math::exp_m1(-steps) / steps);
             self.n_term += 1;
         }
     }
@@ -68,9 +68,9 @@ impl Branches {
     /// Advances the histories of the two triangles of each cell of a block (one entry per branch) by the increments of
     /// what drives them, and adds them up.
     #[inline(always)]
-    pub fn update<S: Instructions>(
+    pub fn update<S: Simd>(
         &self,
-        set: S,
+        simd: S,
         chunk: usize,
         increment: &[Deviator<S::Vector>; 2],
         [first, second]: [&mut [Deviator]; 2],
@@ -79,9 +79,9 @@ impl Branches {
         let constants = self.decay.iter().zip(&self.gain);
         for ((first, second), (decay, gain)) in first.iter_mut().zip(second).zip(constants) {
             for (t, history) in [first, second].into_iter().enumerate() {
-                let (sum, before) = (&mut overstress[t], set.load_deviator(history, chunk));
-                let stress = before.scaled(set.splat(*decay)) + increment[t].scaled(set.splat(*gain));
-                set.store_deviator(&stress, history, chunk);
+                let (sum, before) = (&mut overstress[t], Deviator::load(simd, history, chunk));
+                let stress = before.scaled(simd.splat(*decay)) + increment[t].scaled(simd.splat(*gain));
+                stress.store(simd, history, chunk);
                 sum.before = sum.before + before;
                 sum.total = sum.total + stress;
             }

@@ -8,10 +8,10 @@
 //! stress, whatever its speed, and nothing drifts. The rate of Jaumann would oscillate in large simple shear and needs
 //! the rotation integrated.
 
-use crate::lanes::Deviator;
-use crate::math;
-use crate::real::Real;
-use crate::vector::{Instructions, Vector};
+use crate::number::math;
+use crate::number::real::Real;
+use crate::number::vector::{Simd, Vector};
+use crate::tensor::deviator::Deviator;
 
 /// Constants of the spring-slider.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,8 +38,8 @@ pub struct SliderStep<V> {
 impl<V: Vector> SliderStep<V> {
     /// Of a material without springs.
     #[inline(always)]
-    pub fn none<S: Instructions<Vector = V>>(set: S) -> Self {
-        let zero = set.splat(0.0);
+    pub fn none<S: Simd<Vector = V>>(simd: S) -> Self {
+        let zero = simd.splat(0.0);
         Self { stress: Deviator { mean: zero, difference: zero, shear: zero }, dissipation: zero, stored: zero }
     }
 }
@@ -51,7 +51,7 @@ impl Slider {
         Self {
             stiffness,
             compliance: if stiffness > 0.0 { 0.5 / stiffness } else { 0.0 },
-            limit: math::larger(yield_stress * yield_stress * (1.0 / 3.0), Real::MIN_POSITIVE),
+            limit: math::max(yield_stress * yield_stress * (1.0 / 3.0), Real::MIN_POSITIVE),
         }
     }
 
@@ -68,25 +68,25 @@ impl Slider {
 
     /// Advances the stress `before` of neighbouring triangles by the deviatoric strain increment.
     #[inline(always)]
-    pub fn update<S: Instructions>(
+    pub fn update<S: Simd>(
         &self,
-        set: S,
+        simd: S,
         strain_increment: &Deviator<S::Vector>,
         before: &Deviator<S::Vector>,
     ) -> SliderStep<S::Vector> {
-        let one = set.splat(1.0);
-        let trial = *before + strain_increment.scaled(set.splat(2.0 * self.stiffness));
+        let one = simd.splat(1.0);
+        let trial = *before + strain_increment.scaled(simd.splat(2.0 * self.stiffness));
         // The von Mises stress is the root of 3/2 trial : trial.
         let squared = trial.half_contract(&trial);
-        let limit = set.splat(self.limit);
+        let limit = simd.splat(self.limit);
         // 1 where it does not slip: a quotient of equal numbers.
-        let scale = (limit / squared.larger(limit)).square_root();
+        let scale = (limit / squared.max(limit)).square_root();
         let scaled = scale * squared;
         SliderStep {
             stress: trial.scaled(scale),
             // The slip increment is (trial - after) / 2G = (1 - scale) / 2G trial, and after = scale trial.
-            dissipation: ((one - scale) * (before.half_contract(&trial) + scaled)).times(self.compliance),
-            stored: (scale * scaled).times(self.compliance),
+            dissipation: ((one - scale) * (before.half_contract(&trial) + scaled)).mul_scalar(self.compliance),
+            stored: (scale * scaled).mul_scalar(self.compliance),
         }
     }
 }

@@ -8,13 +8,13 @@
 //! The pressure stays: a torn skin is still squeezed. The energies that the point stores, elastic and in its damping
 //! spring, are phi times those of the whole material; what they lose while phi falls, -phi' times the stored energy of the
 //! whole material, is dissipated, and no history makes it negative. The energy in the springs of the viscous branches is
-//! counted with their work (see [`crate::energy`]), before and after.
+//! counted with their work (see [`crate::state`]), before and after.
 
-use crate::kinematics::Kinematics;
-use crate::real::Real;
-use crate::scenario::Material;
-use crate::stretch::largest_in_plane;
-use crate::vector::Instructions;
+use crate::material::Material;
+use crate::number::real::Real;
+use crate::number::vector::Simd;
+use crate::tensor::kinematics::Kinematics;
+use crate::tensor::stretch::largest_in_plane;
 
 /// Constants of a tear.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,14 +53,9 @@ impl Tear {
 
     /// Takes the stretch of neighbouring triangles into the `largest` so far; returns it, and phi before and after.
     #[inline(always)]
-    pub fn update<S: Instructions>(
-        &self,
-        set: S,
-        kinematics: &Kinematics<S::Vector>,
-        largest: S::Vector,
-    ) -> [S::Vector; 3] {
+    pub fn update<S: Simd>(&self, simd: S, kinematics: &Kinematics<S::Vector>, largest: S::Vector) -> [S::Vector; 3] {
         let Kinematics { mean, difference, shear, hoop, .. } = *kinematics;
-        set.map([mean, difference, shear, hoop, largest], |[mean, difference, shear, hoop, before]| {
+        simd.map([mean, difference, shear, hoop, largest], |[mean, difference, shear, hoop, before]| {
             let mut largest = before;
             for stretch in [largest_in_plane(mean, difference, shear), hoop] {
                 largest = if stretch > largest { stretch } else { largest };

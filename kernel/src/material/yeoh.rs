@@ -1,13 +1,13 @@
 //! Yeoh with three terms, isochoric (Yeoh 1993): W = sum_k Ck0 (I1-3)^k, k = 1, 2, 3, with I1 = tr C-bar, so that the
 //! Kirchhoff stress in the unrotated frame is tau = dev(2 dW/dI1 C-bar). Zero coefficients give one or two terms.
 
-use crate::kinematics::Kinematics;
-use crate::lanes::{Deviator, SQRT_THIRD};
-use crate::material::invariant_shear_tangent;
-use crate::real::Real;
-use crate::scenario::Material;
-use crate::stretch::IsochoricStretch;
-use crate::vector::{Instructions, Vector};
+use crate::material::Material;
+use crate::material::shear_tangent::invariant_shear_tangent;
+use crate::number::real::Real;
+use crate::number::vector::{Simd, Vector};
+use crate::tensor::deviator::{Deviator, SQRT_THIRD};
+use crate::tensor::kinematics::Kinematics;
+use crate::tensor::stretch::IsochoricStretch;
 
 /// Long-term coefficients, Pa.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,7 +36,7 @@ impl Yeoh {
     /// dW/dI1 at a = I1 - 3.
     #[inline(always)]
     fn slope<V: Vector>(&self, a: V) -> V {
-        (a * a.times(3.0 * self.c30).plus(2.0 * self.c20)).plus(self.c10)
+        (a * a.mul_scalar(3.0 * self.c30).add_scalar(2.0 * self.c20)).add_scalar(self.c10)
     }
 
     /// W, J/m3 of reference volume.
@@ -48,15 +48,15 @@ impl Yeoh {
     #[inline(always)]
     pub fn stress<V: Vector>(&self, kinematics: &Kinematics<V>) -> (Deviator<V>, V) {
         let c = kinematics.isochoric_cauchy_green();
-        let a = c.mean + c.mean + c.out.plus(-3.0);
-        let slope = a * (a.times(3.0 * self.c30)).plus(2.0 * self.c20);
-        let factor = slope.plus(self.c10).times(2.0);
+        let a = c.mean + c.mean + c.out.add_scalar(-3.0);
+        let slope = a * (a.mul_scalar(3.0 * self.c30)).add_scalar(2.0 * self.c20);
+        let factor = slope.add_scalar(self.c10).mul_scalar(2.0);
         let tau = Deviator {
-            mean: factor * (c.mean - c.out).times(SQRT_THIRD),
+            mean: factor * (c.mean - c.out).mul_scalar(SQRT_THIRD),
             difference: factor * c.difference,
             shear: factor * c.shear,
         };
-        (tau, a * (a * a.times(self.c30).plus(self.c20)).plus(self.c10))
+        (tau, a * (a * a.mul_scalar(self.c30).add_scalar(self.c20)).add_scalar(self.c10))
     }
 
     /// Shear modulus at rest, Pa.
@@ -66,10 +66,10 @@ impl Yeoh {
 
     /// A majorant of the shear tangent, Pa; see `invariant_shear_tangent`.
     #[inline(always)]
-    pub fn shear_tangent<S: Instructions>(&self, set: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
-        let zero = set.splat(0.0);
-        let a = stretch.invariants().0.plus(-3.0);
-        let second = a.times(6.0 * self.c30).plus(2.0 * self.c20);
-        invariant_shear_tangent(set, stretch, [self.slope(a), zero], [second, zero, zero])
+    pub fn shear_tangent<S: Simd>(&self, simd: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
+        let zero = simd.splat(0.0);
+        let a = stretch.invariants().0.add_scalar(-3.0);
+        let second = a.mul_scalar(6.0 * self.c30).add_scalar(2.0 * self.c20);
+        invariant_shear_tangent(simd, stretch, [self.slope(a), zero], [second, zero, zero])
     }
 }

@@ -5,7 +5,7 @@
 
 use core::panic::PanicInfo;
 
-use softanvil_kernel::snapshot::{restore, save};
+use softanvil_kernel::state::{restore, save};
 use softanvil_kernel::{Model, ModelMemory, Scenario, Size, State, StateMemory, StepInput, preset, step};
 
 #[panic_handler]

@@ -1,8 +1,8 @@
 //! [`Memory`]: room for the model and the state of the largest scene, fixed at compile time.
 
 use softanvil_kernel::element::{CellConstants, CellHistory, HoopConstants};
-use softanvil_kernel::lanes::Deviator;
-use softanvil_kernel::real::Real;
+use softanvil_kernel::number::real::Real;
+use softanvil_kernel::tensor::deviator::Deviator;
 use softanvil_kernel::{Constants, ModelMemory, Scalars, StateMemory};
 
 /// Blocks of cells of the largest mesh: the full section.

@@ -3,7 +3,7 @@
 use core::fmt;
 
 use softanvil_kernel::Model;
-use softanvil_kernel::real::Real;
+use softanvil_kernel::number::real::Real;
 
 use crate::scenes::Scene;
 

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use softanvil_kernel::snapshot::{restore, save, snapshot_size, state_digest};
+use softanvil_kernel::state::{restore, save, snapshot_size, state_digest};
 use softanvil_kernel::{InstructionSet, Model, ModelError, SnapshotError, State, StepError, step_with};
 
 use crate::memory::Memory;

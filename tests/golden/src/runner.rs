@@ -10,7 +10,7 @@
 use core::fmt::{self, Arguments};
 
 use softanvil_kernel::InstructionSet;
-use softanvil_kernel::digest::Digest;
+use softanvil_kernel::number::digest::Digest;
 
 use crate::check::Checker;
 use crate::memory::{Memory, SNAPSHOT};

@@ -1,11 +1,9 @@
 //! The table of scenes. The drops of the study follow the preset; every other scene states its own numbers, so that it
 //! changes only with the mathematics.
 
-use softanvil_kernel::real::Real;
-use softanvil_kernel::scenario::{
-    DropBy, ElasticLaw, Formulation, Interface, Layers, Material, Moduli, Motion, Section, StepBy, VolumetricBy,
-    VolumetricLaw,
-};
+use softanvil_kernel::material::{ElasticLaw, Material, Moduli, VolumetricBy, VolumetricLaw};
+use softanvil_kernel::number::real::Real;
+use softanvil_kernel::scenario::{DropBy, Formulation, Interface, Layers, Motion, Section, StepBy};
 use softanvil_kernel::{Constants, Scenario, StepInput, preset};
 
 /// Force samples from one record to the next: 0.25 ms.

@@ -4,11 +4,12 @@
 use softanvil_kernel::element::{
     Block, CellConstants, CellHistory, Corners, ElementEnergy, HoopConstants, internal_force,
 };
-use softanvil_kernel::lanes::{Deviator, LANES, ZERO};
 use softanvil_kernel::mesh::triangles;
+use softanvil_kernel::number::pack::{LANES, ZERO};
+use softanvil_kernel::number::vector::Scalar;
 use softanvil_kernel::sampling::SMALLEST_STEP;
 use softanvil_kernel::scenario::StepBy;
-use softanvil_kernel::vector::Scalar;
+use softanvil_kernel::tensor::deviator::Deviator;
 use softanvil_kernel::{Constants, Model, ModelMemory, Scalars, Scenario, Size, State, StateMemory, StepInput, step};
 
 /// A number pair per node (u, v), at index `u + v (n_u + 1)`.
@@ -238,9 +239,9 @@ impl Body {
 fn alone(cells: &[CellConstants], t: usize) -> Vec<CellConstants> {
     let mut alone = vec![CellConstants::ZERO; cells.len()];
     for (to, from) in alone.iter_mut().zip(cells) {
-        to.rising = from.rising;
+        to.diagonal = from.diagonal;
         to.triangle[t] = from.triangle[t];
-        to.triangle[t].patch_weight = [1.0; LANES];
+        to.triangle[t].volume_fraction = [1.0; LANES];
     }
     alone
 }

@@ -1,11 +1,13 @@
 //! One cell of two triangles, driven through a history of deformation gradients, as the kernel's step drives it.
 
 use softanvil_kernel::element::{Block, CellHistory, Corners, ElementEnergy, internal_force};
-use softanvil_kernel::lanes::{Deviator, ZERO, sum};
-use softanvil_kernel::material::Laws;
+use softanvil_kernel::material::Material;
+use softanvil_kernel::material::MaterialModel;
+use softanvil_kernel::number::pack::{ZERO, sum};
+use softanvil_kernel::number::vector::Scalar;
 use softanvil_kernel::sampling::SMALLEST_STEP;
-use softanvil_kernel::scenario::{Formulation, Material, StepBy};
-use softanvil_kernel::vector::Scalar;
+use softanvil_kernel::scenario::{Formulation, StepBy};
+use softanvil_kernel::tensor::deviator::Deviator;
 use softanvil_kernel::{Model, ModelMemory, Scalars, Scenario, Size, StateMemory};
 
 use crate::scenes;
@@ -17,7 +19,7 @@ pub type Gradient = [[f64; 2]; 2];
 pub struct Cell {
     memory: (Vec<f64>, Vec<softanvil_kernel::element::CellConstants>, Vec<softanvil_kernel::element::HoopConstants>),
     corners: [[f64; 2]; 4],
-    laws: Laws,
+    laws: MaterialModel,
     history: CellHistory,
     viscous: Vec<Deviator>,
     /// Viscous work so far, J/m3.
@@ -56,7 +58,7 @@ impl Cell {
         let corners = [0, 1, stride + 1, stride].map(|node| [x[node], y[node]]);
         Self {
             corners,
-            laws: Laws::new(&material, dt),
+            laws: MaterialModel::new(&material, dt),
             history: CellHistory::REST,
             viscous: vec![Deviator::ZERO; size.state_viscous],
             memory,
@@ -116,7 +118,7 @@ impl Cell {
                 lane[1..].fill(0.0);
             }
             triangle.reference_volume[1..].fill(0.0);
-            triangle.patch_weight[1..].fill(0.0);
+            triangle.volume_fraction[1..].fill(0.0);
         }
         constants
     }

@@ -15,8 +15,3 @@ pub mod scenes;
 pub mod statics;
 pub mod table;
 pub mod tolerance;
-
-/// Compiles and runs the Rust program of the README.
-#[cfg(doctest)]
-#[doc = include_str!("../../../README.md")]
-pub struct Readme;

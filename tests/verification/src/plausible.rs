@@ -1,8 +1,9 @@
 //! Drops that a laboratory may well ask for, at random: every law, stiffness, thickness, energy and section, and what came
 //! of each with the step that the kernel chose for it.
 
-use softanvil_kernel::scenario::{Formulation, Interface, Material, VolumetricBy, VolumetricLaw};
-use softanvil_kernel::stability::critical_time_step;
+use softanvil_kernel::material::{Material, VolumetricBy, VolumetricLaw};
+use softanvil_kernel::scenario::{Formulation, Interface};
+use softanvil_kernel::step::critical_time_step;
 use softanvil_kernel::{SAMPLING_INTERVAL, Scenario, Simulation, StepInput, preset};
 
 use crate::deformation::Samples;

@@ -1,7 +1,8 @@
 //! Scenarios and runs that several problems use.
 
 use crate::deformation::Samples;
-use softanvil_kernel::scenario::{ElasticLaw, Interface, Material, Moduli, Motion, Shape, VolumetricBy, VolumetricLaw};
+use softanvil_kernel::material::{ElasticLaw, Material, Moduli, VolumetricBy, VolumetricLaw};
+use softanvil_kernel::scenario::{Interface, Motion, Shape};
 use softanvil_kernel::{Scenario, Simulation, StepInput, preset};
 
 /// The impact energies of the study, J.

@@ -4,7 +4,7 @@
 //! doi 10.1007/s12283-023-00407-7, gives no coefficients, but a quasi-static modulus, a relaxation and a ramp modulus.
 //! They contradict each other, so the material is a start for a calibration and no result.
 
-use softanvil_kernel::scenario::Material;
+use softanvil_kernel::material::Material;
 
 use crate::law::Law;
 

@@ -6,8 +6,8 @@
 
 use serde::{Deserialize, Serialize};
 use softanvil_kernel::material::Elastic;
-use softanvil_kernel::scenario::Material;
-use softanvil_kernel::stretch::IsochoricStretch;
+use softanvil_kernel::material::Material;
+use softanvil_kernel::tensor::stretch::IsochoricStretch;
 
 /// The demand, as the problem file states it; moduli in Pa. Numbers left out demand nothing.
 #[derive(Clone, Copy, Debug, Deserialize, Serialize)]
@@ -110,8 +110,8 @@ fn secant_shear_modulus(material: &Material, strain: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use softanvil_kernel::material::ElasticLaw;
     use softanvil_kernel::preset;
-    use softanvil_kernel::scenario::ElasticLaw;
 
     #[test]
     fn a_neo_hookean_cylinder_has_the_secant_of_the_textbook() {

@@ -210,7 +210,7 @@ impl Problem {
             impacts.extend(read_impacts(&folder.join(path))?);
         }
         file.objective.check()?;
-        let target = |impact: &Impact| Target::new(impact, folder, file.objective.cfc);
+        let target = |impact: &Impact| Target::new(impact, &scenario, folder, file.objective.cfc);
         let targets = impacts.iter().map(target).collect::<Result<Vec<_>, _>>()?;
         if !targets.iter().any(|target| !target.predict) {
             return Err("no [[impact]] counts: there is nothing to aim at".into());
@@ -262,7 +262,7 @@ fn fix(changes: &mut Changes, name: &str, value: &toml::Value) -> Result<(), Str
         _ => Written::Other,
     };
     let number = assign::number(parameter, written)
-        .map_err(|legal| format!("fixed: {name} = {value} is refused: legal is {legal}"))?;
+        .map_err(|legal| format!("fixed: {name} = {value} is refused: expected {legal}"))?;
     check_fits_impacts(parameter)?;
     changes.set(parameter, number).map_err(|error| format!("fixed: {error}"))
 }
@@ -300,9 +300,9 @@ mod tests {
         assert_eq!(problem.scenario.core.friction_coefficient, 1.0);
         assert!(
             refused(&text.replace("frictional\"", "glued\""))
-                .contains("legal is \"bonded\" or \"frictional\" or \"sliding\"")
+                .contains("expected \"bonded\" or \"frictional\" or \"sliding\"")
         );
-        assert!(refused(&text.replace("= 1\n", "= -1\n")).contains("legal is 0 to 10"));
+        assert!(refused(&text.replace("= 1\n", "= -1\n")).contains("expected 0 to 10"));
     }
 
     /// Both sides go through the filter, unless the trace has been through it.
@@ -332,7 +332,7 @@ mod tests {
             ("table_1 = true", "table_1 = true\npredict = true", "nothing to aim at"),
             ("[search]", "[objective.limits]\npeak = 3\n[search]", "objective.limits: peak is unknown"),
             ("[search]", "[prior]\nweight = -1\n[search]", "have to be above 0"),
-            ("[search]", "preset = \"other\"\n[search]", "preset other: legal is study"),
+            ("[search]", "preset = \"other\"\n[search]", "preset other: expected study"),
         ] {
             let error = refused(&GOOD.replacen(from, to, 1));
             assert!(error.contains(message), "{error}");

@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use serde_json::{Map, Value, json};
+use softanvil_records::understood::Understood;
 
 use super::convergence::{Convergence, Descent};
 use super::log::Entry;
@@ -116,6 +117,11 @@ impl Found {
         for demand in self.demands(problem) {
             let _ = writeln!(text, "Prior: {}", demand);
         }
+        for target in &problem.targets {
+            if let Some(understood) = &target.understood {
+                let _ = write!(text, "\nMeasured trace of {} J:\n{understood}", target.energy);
+            }
+        }
         text
     }
 
@@ -201,6 +207,7 @@ impl Found {
             let mut object = Map::new();
             object.insert("energy".into(), target.energy.into());
             object.insert("ending".into(), simulated.ending.key().into());
+            object.insert("trace".into(), target.understood.as_ref().map(Understood::json).into());
             for (i, quantity) in QUANTITIES.iter().enumerate() {
                 let error = target.measured[i].map(|measured| error_percent(simulated.values[i], measured));
                 let numbers = json!({"value": simulated.values[i], "measured": target.measured[i], "error_percent": error,

@@ -4,8 +4,13 @@ use std::path::Path;
 
 use serde::Deserialize;
 use serde_json::{Map, Value, json};
+use softanvil_kernel::Scenario;
+use softanvil_records::sheet::Layout;
+use softanvil_records::trace;
+use softanvil_records::understood::Understood;
 
 use crate::folder;
+use crate::measured::Measured;
 use crate::paper::TABLE_1;
 use crate::quantity::{COUNT, QUANTITIES};
 use crate::series::Series;
@@ -27,8 +32,8 @@ pub struct Impact {
     pub impact_duration: Option<f64>,
     /// Impulse, N s.
     pub impulse: Option<f64>,
-    /// Force trace: a CSV file beside the problem file, time in s and force in N.
-    pub trace: Option<String>,
+    /// Trace of force or acceleration: a file beside the problem file, or a table of it and what it leaves open.
+    pub trace: Option<TraceFile>,
     /// Whether the trace has been filtered already: `objective.cfc` is for the simulated force alone then.
     #[serde(default)]
     pub filtered: bool,
@@ -38,6 +43,73 @@ pub struct Impact {
     /// Whether nothing of this impact counts: it is simulated and reported, as a prediction.
     #[serde(default)]
     pub predict: bool,
+}
+
+/// A file with a measured trace.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(untagged)]
+pub enum TraceFile {
+    /// Its name.
+    Name(String),
+    /// Its name, and what it leaves open.
+    Open(Box<OpenTrace>),
+}
+
+/// A file with a measured trace, and what it leaves open: the options of `softanvil measure`, without their dashes.
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct OpenTrace {
+    /// Name of the file.
+    file: String,
+    time: Option<String>,
+    force: Option<String>,
+    acceleration: Option<String>,
+    mass: Option<String>,
+    rate: Option<String>,
+    offset: Option<f64>,
+    sign: Option<String>,
+    impact: Option<u32>,
+    sheet: Option<String>,
+    decimal: Option<String>,
+}
+
+impl OpenTrace {
+    fn options(&self) -> Result<trace::Options, String> {
+        fn parsed<T>(
+            key: &str,
+            text: &Option<String>,
+            parse: impl Fn(&str) -> Result<T, String>,
+        ) -> Result<Option<T>, String> {
+            let refuse = |text: &str, error: String| format!("trace.{key} = \"{text}\" is refused: {error}");
+            text.as_ref().map(|text| parse(text).map_err(|error| refuse(text, error))).transpose()
+        }
+        let column = |key: &str, text: &Option<String>| parsed(key, text, |text| text.parse::<trace::Choice>());
+        if self.impact == Some(0) {
+            return Err("trace.impact = 0 is refused: expected 1 or more".into());
+        }
+        Ok(trace::Options {
+            layout: Layout { decimal: parsed("decimal", &self.decimal, str::parse)?, sheet: self.sheet.clone() },
+            time: column("time", &self.time)?,
+            force: column("force", &self.force)?,
+            acceleration: column("acceleration", &self.acceleration)?,
+            displacement: None,
+            mass: parsed("mass", &self.mass, trace::mass)?,
+            rate: parsed("rate", &self.rate, trace::rate)?,
+            offset: self.offset,
+            sign: parsed("sign", &self.sign, trace::sign)?,
+            impact: self.impact.map(|impact| impact as usize),
+        })
+    }
+}
+
+/// What an error says to type, as the problem file has it.
+fn as_keys(error: &str) -> String {
+    let names =
+        ["time", "force-column", "acceleration", "mass", "rate", "sign", "impact", "sheet", "offset", "decimal"];
+    names.iter().fold(error.to_string(), |text, name| {
+        let key = name.trim_end_matches("-column");
+        text.replace(&format!("--{name} "), &format!("trace.{key} = "))
+    })
 }
 
 /// An impact to aim at.
@@ -50,22 +122,29 @@ pub struct Target {
     pub counts: [bool; COUNT],
     /// Measured force trace.
     pub trace: Option<Series>,
+    /// How the trace was read.
+    pub understood: Option<Understood>,
     /// Whether the impact is predicted only.
     pub predict: bool,
 }
 
 impl Target {
-    /// The target that `impact` describes; its files stand in `folder`, and a trace goes through the filter of
+    /// The target that `impact` on `scenario` describes; its files stand in `folder`, and a trace goes through the filter of
     /// `channel_class`, Hz, as the simulated force does, unless it has been filtered.
     ///
     /// # Errors
     /// An energy that the table does not have, a number that is no positive one, an unknown key, or a trace that cannot
     /// be read.
-    pub fn new(impact: &Impact, folder: &Path, channel_class: Option<f64>) -> Result<Self, String> {
+    pub fn new(
+        impact: &Impact,
+        scenario: &Scenario,
+        folder: &Path,
+        channel_class: Option<f64>,
+    ) -> Result<Self, String> {
         let energy = impact.energy;
         let refuse = |what: String| Err(format!("impact of {energy} J: {what}"));
         if !(energy > 0.0 && energy.is_finite()) {
-            return refuse("legal is an energy above 0".into());
+            return refuse("expected an energy above 0".into());
         }
         let given = [impact.peak_force, impact.max_deformation, impact.impact_duration, impact.impulse];
         for (quantity, value) in QUANTITIES.iter().zip(given) {
@@ -82,22 +161,33 @@ impl Target {
         for key in &impact.ignore {
             match QUANTITIES.iter().position(|quantity| quantity.key == key) {
                 Some(index) => counts[index] = false,
-                None => return refuse(format!("ignore: {key} is unknown; legal is {}", keys())),
+                None => return refuse(format!("ignore: {key} is unknown; expected {}", keys())),
             }
         }
-        let class = channel_class.filter(|_| !impact.filtered);
-        let read = |file: &String| {
-            let trace = Series::read(&folder.join(file))?;
-            class.map_or(Ok(trace.clone()), |class| trace.filtered(class))
+        let given = match &impact.trace {
+            Some(TraceFile::Name(file)) => Some((file, trace::Options::default())),
+            Some(TraceFile::Open(open)) => Some((&open.file, open.options()?)),
+            None => None,
         };
-        let trace = impact.trace.as_ref().map(read).transpose().map_err(|error| error.to_string())?;
-        if impact.filtered && (trace.is_none() || channel_class.is_none()) {
+        let impactor = scenario.impactor.with_energy(energy);
+        let read = |(file, options): (&String, trace::Options)| {
+            Measured::read(&folder.join(file), &options, &impactor).map_err(|error| as_keys(&error))
+        };
+        let measured_trace = given.map(read).transpose()?;
+        let understood = measured_trace.as_ref().map(|trace| trace.understood.clone());
+        if impact.filtered && (measured_trace.is_none() || channel_class.is_none()) {
             return refuse("filtered has no effect: it is for a trace beside objective.cfc".into());
         }
+        let class = channel_class.filter(|_| !impact.filtered);
+        let filtered = |trace: Measured| match class {
+            Some(class) => trace.series.filtered(class).map_err(|error| error.to_string()),
+            None => Ok(trace.series),
+        };
+        let trace = measured_trace.map(filtered).transpose()?;
         if measured.iter().all(Option::is_none) && trace.is_none() {
             return refuse(format!("nothing was measured: give some of {}, trace, or table_1 = true", keys()));
         }
-        Ok(Self { energy, measured, counts, trace, predict: impact.predict })
+        Ok(Self { energy, measured, counts, trace, understood, predict: impact.predict })
     }
 }
 
@@ -160,7 +250,7 @@ impl From<Row> for Impact {
             max_deformation: row.max_deformation,
             impact_duration: row.impact_duration,
             impulse: row.impulse,
-            trace: row.trace,
+            trace: row.trace.map(TraceFile::Name),
             predict: row.predict.unwrap_or(false),
             ..Self::default()
         }
@@ -171,20 +261,24 @@ impl From<Row> for Impact {
 mod tests {
     use super::*;
 
+    fn scenario() -> Scenario {
+        (crate::presets::parse("study").unwrap().scenario)()
+    }
+
     #[test]
     fn a_line_of_the_table_counts_but_for_what_is_ignored() {
         let ignore = vec!["max_deformation".to_string()];
         let impact = Impact { energy: 9.8, table_1: true, ignore, ..Impact::default() };
-        let target = Target::new(&impact, Path::new("."), None).unwrap();
+        let target = Target::new(&impact, &scenario(), Path::new("."), None).unwrap();
         assert_eq!(target.measured, [Some(4071.0), Some(3.5e-3), Some(8.1e-3), Some(13.0)]);
         assert_eq!(target.counts, [true, false, true, true]);
-        let target = Target::new(&Impact { predict: true, ..impact }, Path::new("."), None).unwrap();
+        let target = Target::new(&Impact { predict: true, ..impact }, &scenario(), Path::new("."), None).unwrap();
         assert_eq!(target.counts, [false; COUNT]);
     }
 
     #[test]
     fn an_impact_without_measurements_is_refused() {
-        let refused = |impact: Impact| Target::new(&impact, Path::new("."), None).err().unwrap();
+        let refused = |impact: Impact| Target::new(&impact, &scenario(), Path::new("."), None).err().unwrap();
         assert!(refused(Impact { energy: 5.0, ..Impact::default() }).contains("nothing was measured"));
         assert!(refused(Impact { energy: 5.0, table_1: true, ..Impact::default() }).contains("14.7, 9.8 and 4.9"));
         assert!(refused(Impact { energy: 5.0, impulse: Some(-1.0), ..Impact::default() }).contains("above 0"));

@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 use softanvil_kernel::material::MAX_PRONY_TERMS;
+use softanvil_kernel::material::Material;
 use softanvil_kernel::parameter::Kind;
-use softanvil_kernel::scenario::Material;
 use softanvil_kernel::{Changes, Parameter, Scenario};
 
 /// How a range is searched.
@@ -69,10 +69,10 @@ impl Variable {
         let refuse =
             |legal: String| Err(format!("{name} from {} to {} {unit} is refused: {legal}", range.min, range.max));
         if range.min.partial_cmp(&range.max) != Some(std::cmp::Ordering::Less) {
-            return refuse("legal is min below max".into());
+            return refuse("expected min below max".into());
         }
         if range.min < legal.0 || range.max > legal.1 {
-            return refuse(format!("legal is {} to {} {unit}", legal.0, legal.1));
+            return refuse(format!("expected {} to {} {unit}", legal.0, legal.1));
         }
         if range.scale == Scale::Log && range.min <= 0.0 {
             return refuse("scale = \"log\" needs min above 0".into());
@@ -180,7 +180,7 @@ fn place(name: &str) -> Result<Place, String> {
     if let Some(term) = name.strip_prefix(OVERSTRESS) {
         return match term.parse::<usize>() {
             Ok(term @ 1..=MAX_PRONY_TERMS) => Ok(Place::Overstress(term - 1)),
-            _ => Err(format!("{name} is unknown: legal is {OVERSTRESS}1 to {OVERSTRESS}{MAX_PRONY_TERMS}")),
+            _ => Err(format!("{name} is unknown: expected {OVERSTRESS}1 to {OVERSTRESS}{MAX_PRONY_TERMS}")),
         };
     }
     match Parameter::find(name) {
@@ -247,7 +247,7 @@ mod tests {
         assert!(refused("silicone.law", range(0.0, 1.0)).contains("[fixed]"));
         assert!(refused("silicone.c10", range(2.0, 1.0)).contains("min below max"));
         assert!(refused("silicone.c10", Range { scale: Scale::Log, ..range(0.0, 1.0) }).contains("above 0"));
-        assert!(refused("silicone.density", range(0.0, 1.0)).contains("legal is 10 to 20000 kg/m3"));
+        assert!(refused("silicone.density", range(0.0, 1.0)).contains("expected 10 to 20000 kg/m3"));
         assert!(refused("silicone.overstress_9", range(0.0, 1.0)).contains("overstress_5"));
     }
 }

@@ -96,7 +96,7 @@ impl StartOptions {
         for (option, value) in [("energy", self.energy), ("height", self.height), ("speed", self.speed)] {
             if let Some(value) = value {
                 if changes.scenario().impactor.motion == Motion::Prescribed {
-                    let text = "is refused: impactor.motion = prescribed does not fall; legal is drop";
+                    let text = "is refused: impactor.motion = prescribed does not fall; expected drop";
                     return Err(Failure::Input(format!("--{option} {text}")));
                 }
                 set(changes, &format!("impactor.drop_{option}"), value)?;

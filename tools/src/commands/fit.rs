@@ -4,19 +4,20 @@ use std::fmt::Write;
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use softanvil_identify::data::column::Measure;
 use softanvil_identify::data::curve::{self, Direction};
 use softanvil_identify::data::cycles::Selection;
-use softanvil_identify::data::number::Decimal;
 use softanvil_identify::data::repeats::Repeats;
 use softanvil_identify::data::specimen::Specimen;
-use softanvil_identify::data::unit::{Dimension, parse_quantity};
 use softanvil_identify::export::Layer;
 use softanvil_identify::law::fit::{Settings, Weighting};
 use softanvil_identify::law::{LAWS, Law, Mode};
 use softanvil_identify::relaxation::choice::TERMS;
 use softanvil_identify::relaxation::read as relaxation;
-use softanvil_kernel::scenario::Moduli;
+use softanvil_kernel::material::Moduli;
+use softanvil_records::column::Measure;
+use softanvil_records::number::Decimal;
+use softanvil_records::sheet::Layout;
+use softanvil_records::unit::{Dimension, parse_quantity};
 
 use super::output_files::Overwrite;
 use crate::failure::Failure;
@@ -31,7 +32,7 @@ use crate::{json as text_json, plot, scenario_file};
 
 /// Fit hyperelastic laws and Prony series to material tests, and write the material
 ///
-/// Files are tables of text; titles tell what the columns are, with their units: strain, stretch, stress, force,
+/// Files are tables of text or workbooks; titles tell what the columns are, with their units: strain, stretch, stress, force,
 /// displacement, time, modulus. Stresses are nominal unless a title says true.
 #[derive(Debug, Args)]
 pub struct Options {
@@ -77,11 +78,14 @@ pub struct Options {
 #[command(next_help_heading = "What the files leave open")]
 struct TableOptions {
     /// Titles of the curves' columns instead of the file's, such as "strain [%], stress [kPa]"; - passes a column over
-    #[arg(long, value_name = "TITLES")]
+    #[arg(long, value_name = "TITLES", allow_hyphen_values = true)]
     columns: Option<String>,
     /// The same for the relaxation
-    #[arg(long, value_name = "TITLES")]
+    #[arg(long, value_name = "TITLES", allow_hyphen_values = true)]
     relaxation_columns: Option<String>,
+    /// Sheet of a workbook (XLSX, XLS, ODS) that holds more than one table
+    #[arg(long, value_name = "NAME")]
+    sheet: Option<String>,
     /// Decimal sign
     #[arg(long, value_enum)]
     decimal: Option<DecimalOption>,
@@ -241,10 +245,11 @@ impl Options {
         let (table, specimen) = (&self.table, &self.specimen);
         let area = specimen.area.or(specimen.diameter.map(|d| 0.25 * std::f64::consts::PI * d * d));
         let size = Specimen { area, height: specimen.height };
+        let layout = Layout { decimal: table.decimal.map(Into::into), sheet: table.sheet.clone() };
         let reading = Reading {
             curve: curve::Options {
                 columns: table.columns.as_deref().map(titles),
-                decimal: table.decimal.map(Into::into),
+                layout: layout.clone(),
                 specimen: size,
                 strain_measure: table.strain_measure.map(Into::into),
                 stress_measure: table.stress_measure.map(Into::into),
@@ -258,12 +263,12 @@ impl Options {
         let curves = tests.into_iter().filter(|(_, paths)| !paths.is_empty());
         let curves = curves.map(|(mode, paths)| Curves::read(mode, paths, &reading)).collect::<Result<Vec<_>, _>>()?;
         if curves.is_empty() && self.relaxation.is_none() {
-            let legal = "legal is --uniaxial, --planar, --equibiaxial or --relaxation with a file, or --study";
+            let legal = "expected --uniaxial, --planar, --equibiaxial or --relaxation with a file, or --study";
             return Err(Failure::Input(format!("there is nothing to fit: {legal}")));
         }
         let relaxation = relaxation::Options {
             columns: table.relaxation_columns.as_deref().map(titles),
-            decimal: table.decimal.map(Into::into),
+            layout,
             specimen: size,
             strain_measure: table.strain_measure.map(Into::into),
             stress_measure: table.stress_measure.map(Into::into),
@@ -342,7 +347,7 @@ fn length(text: &str) -> Result<f64, String> {
 
 fn law(name: &str) -> Result<&'static Law, String> {
     let names = || LAWS.iter().map(|law| law.name).collect::<Vec<_>>().join(", ");
-    Law::find(name).ok_or_else(|| format!("legal is {}", names()))
+    Law::find(name).ok_or_else(|| format!("expected {}", names()))
 }
 
 fn range(text: &str) -> Result<(f64, f64), String> {
@@ -350,24 +355,24 @@ fn range(text: &str) -> Result<(f64, f64), String> {
     let numbers = text.split_once(':').and_then(|(a, b)| Some((a.parse().ok()?, b.parse().ok()?)));
     match numbers {
         Some((from, to)) if low <= from && from < 1.0 && 1.0 < to && to <= high => Ok((from, to)),
-        _ => Err(format!("legal is two stretches around 1, {low} to {high}, such as 0.5:2")),
+        _ => Err(format!("expected two stretches around 1, {low} to {high}, such as 0.5:2")),
     }
 }
 
 fn n_term(text: &str) -> Result<usize, String> {
     let (low, high) = (TERMS.start(), TERMS.end());
-    text.parse().ok().filter(|n| TERMS.contains(n)).ok_or_else(|| format!("legal is {low} to {high}"))
+    text.parse().ok().filter(|n| TERMS.contains(n)).ok_or_else(|| format!("expected {low} to {high}"))
 }
 
 fn finite(text: &str) -> Result<f64, String> {
-    text.parse().ok().filter(|number: &f64| number.is_finite()).ok_or_else(|| "legal is a number".into())
+    text.parse().ok().filter(|number: &f64| number.is_finite()).ok_or_else(|| "expected a number".into())
 }
 
 fn time(text: &str) -> Result<f64, String> {
-    finite(text).ok().filter(|time| *time >= 0.0).ok_or_else(|| "legal is 0 or more, in s".into())
+    finite(text).ok().filter(|time| *time >= 0.0).ok_or_else(|| "expected 0 or more, in s".into())
 }
 
 fn strain(text: &str) -> Result<f64, String> {
-    let legal = || "legal is a ratio above -1 and not 0".to_string();
+    let legal = || "expected a ratio above -1 and not 0".to_string();
     finite(text).ok().filter(|strain| *strain > -1.0 && *strain != 0.0 && *strain <= 10.0).ok_or_else(legal)
 }

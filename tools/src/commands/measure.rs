@@ -4,17 +4,20 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use softanvil_kernel::Scenario;
 
 use super::drop_options::DropOptions;
 use super::output_files::{self, Overwrite};
 use super::reading_options::ReadingOptions;
 use super::run::{load, simulate};
+use super::trace_options::TraceOptions;
 use crate::comparison::{self, Comparison};
 use crate::ending;
 use crate::failure::Failure;
+use crate::measured::Measured;
+use crate::quantity::MAX_DEFORMATION;
 use crate::reading::{Reading, Record};
 use crate::run::Run;
-use crate::series::Series;
 use crate::subject::{warning_lines, warnings};
 use crate::{json, plot, staging, trace};
 
@@ -25,9 +28,12 @@ pub struct Options {
     drop: DropOptions,
     #[command(flatten)]
     reading: ReadingOptions,
-    /// Measured force trace: CSV with a header and the columns time in s and force in N; it is read as the simulated one
+    /// Measured trace of force or acceleration over time: text or a workbook of any layout (docs/measured-data.md), with units;
+    /// it is read as the simulated one
     #[arg(long, value_name = "FILE")]
     trace: Option<PathBuf>,
+    #[command(flatten)]
+    layout: TraceOptions,
     /// The measured trace has been filtered already: --cfc is for the simulated force alone
     #[arg(long, requires = "trace", requires = "cfc")]
     filtered: bool,
@@ -52,23 +58,33 @@ pub fn carry_out(options: &Options) -> Result<String, Failure> {
     let reading = options.reading.reading()?;
     let subject = options.drop.subject()?;
     options.overwrite.check(options.plot.as_deref(), options.csv.as_deref())?;
-    let measured = options.measured(&reading)?;
+    let measured = options.measured(&reading, &subject.scenario)?;
     let run = simulate(&subject)?;
     let scenario = &subject.scenario;
     let record = reading.take(&run).map_err(|error| Failure::Input(error.to_string()))?;
     let comparison = match &measured {
-        Some(measured) => Some(Comparison::new(measured, &record, &reading, scenario.measurement.force_threshold)?),
+        Some(measured) => {
+            let threshold = scenario.measurement.force_threshold;
+            let mut comparison = Comparison::new(&measured.series, &record, &reading, threshold)?;
+            comparison.values[MAX_DEFORMATION] = measured.deformation;
+            Some(comparison)
+        }
         None => None,
     };
     let files = options.files(&run, &reading, &record, comparison.as_ref())?;
     staging::write_files(&files).map_err(|(path, error)| Failure::writing(&path, error))?;
     if options.json {
-        return Ok(json::text(&comparison::json(&run, &subject, &reading, &record, comparison.as_ref())));
+        let mut object = comparison::json(&run, &subject, &reading, &record, comparison.as_ref());
+        if let Some(measured) = &measured {
+            object["trace"] = measured.understood.json();
+        }
+        return Ok(json::text(&object));
     }
     let head = subject.text() + &warning_lines(&warnings(&run.constants)) + &ending::remark(&run);
     let mut text = head + &comparison::channels(&run, &reading, &record);
     if let Some(comparison) = &comparison {
-        let _ = write!(text, "\n{}", comparison.text(&record, run.ending()));
+        let understood = measured.iter().map(|measured| measured.understood.to_string()).collect::<String>();
+        let _ = write!(text, "\nMeasured trace:\n{understood}\n{}", comparison.text(&record, run.ending()));
     }
     for (path, _) in &files {
         let _ = writeln!(text, "written: {}", path.display());
@@ -77,14 +93,18 @@ pub fn carry_out(options: &Options) -> Result<String, Failure> {
 }
 
 impl Options {
-    /// The measured trace, filtered if it has to be.
-    fn measured(&self, reading: &Reading) -> Result<Option<Series>, Failure> {
+    /// The measured trace, filtered if it has to be and has not been.
+    fn measured(&self, reading: &Reading, scenario: &Scenario) -> Result<Option<Measured>, Failure> {
         let Some(path) = &self.trace else { return Ok(None) };
-        let refuse = |error: crate::series::SeriesError| Failure::Input(error.to_string());
-        let series = Series::read(path).map_err(refuse)?;
+        let mut measured = Measured::read(path, &self.layout.options(), &scenario.impactor).map_err(Failure::Input)?;
+        measured.compare_filters(reading.channel_class);
         match reading.channel_class {
-            Some(class) if !self.filtered => series.filtered(class).map(Some).map_err(refuse),
-            _ => Ok(Some(series)),
+            Some(class) if !self.filtered && !measured.is_filtered() => {
+                let refuse = |error: crate::series::SeriesError| Failure::Input(error.to_string());
+                measured.series = measured.series.filtered(class).map_err(refuse)?;
+                Ok(Some(measured))
+            }
+            _ => Ok(Some(measured)),
         }
     }
 

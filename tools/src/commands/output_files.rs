@@ -25,10 +25,10 @@ impl Overwrite {
         if let Some(plot) = plot {
             let refuse = |legal: &str| Err(Failure::Input(format!("--plot {} is refused: {legal}", plot.display())));
             if PictureFormat::of(plot).is_none() {
-                return refuse("legal is a file name that ends in .svg or .png");
+                return refuse("expected a file name that ends in .svg or .png");
             }
             if csv == Some(plot) {
-                return refuse("legal is another file than that of --csv");
+                return refuse("expected another file than that of --csv");
             }
         }
         for (option, path) in [("--plot", plot), ("--csv", csv)] {

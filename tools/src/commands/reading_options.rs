@@ -42,7 +42,7 @@ impl ReadingOptions {
         for (option, value, unit) in [("noise", self.noise, "N"), ("calibration-error", self.calibration_error, "%")] {
             if !(value >= 0.0 && value.is_finite()) {
                 return Err(Failure::Input(format!(
-                    "--{option} = {value} {unit} is refused: legal is 0 {unit} or more"
+                    "--{option} = {value} {unit} is refused: expected 0 {unit} or more"
                 )));
             }
         }

@@ -132,5 +132,5 @@ fn frame_samples(text: &str) -> Result<usize, String> {
     if (1.0..=LONGEST_INTERVAL / SAMPLING_INTERVAL).contains(&whole) && (samples - whole).abs() < 1e-6 * whole {
         return Ok(whole as usize);
     }
-    Err(format!("legal is a whole multiple of {SAMPLING_INTERVAL} s up to {LONGEST_INTERVAL} s"))
+    Err(format!("expected a whole multiple of {SAMPLING_INTERVAL} s up to {LONGEST_INTERVAL} s"))
 }

@@ -71,7 +71,7 @@ fn known(name: &str) -> Result<String, String> {
     let names = || STUDIES.iter().map(|study| study.name).chain([ALL]).collect::<Vec<_>>().join(", ");
     match name == ALL || Study::find(name).is_some() {
         true => Ok(name.into()),
-        false => Err(format!("legal is {}, or a parameter such as silicone.c10{}", names(), suggestion(name))),
+        false => Err(format!("expected {}, or a parameter such as silicone.c10{}", names(), suggestion(name))),
     }
 }
 
@@ -85,7 +85,7 @@ pub fn carry_out(options: &Options) -> Result<String, Failure> {
         None => STUDIES.to_vec(),
     };
     if studies.len() > 1 && !options.values.is_empty() {
-        return Err(Failure::Input("--values is refused with all: legal is one study".into()));
+        return Err(Failure::Input("--values is refused with all: expected one study".into()));
     }
     let mut subject = options.drop.subject()?;
     if options.study == DURATION {
@@ -118,7 +118,7 @@ impl Options {
         let defaults = study.default_values.iter().map(|value| (*value).to_string()).collect();
         let values: Vec<String> = if self.values.is_empty() { defaults } else { self.values.clone() };
         if values.is_empty() {
-            let legal = format!("legal is a list of values of {}, such as --values 1,2.5", study.values);
+            let legal = format!("expected a list of values of {}, such as --values 1,2.5", study.values);
             return Err(Failure::Input(format!("study {} without --values is refused: {legal}", study.name)));
         }
         let cases = (study.plan)(study, scenario, &values)?;

@@ -2,12 +2,12 @@
 
 use std::path::{Path, PathBuf};
 
-use softanvil_identify::data::ReadError;
 use softanvil_identify::data::curve::{self, Point};
 use softanvil_identify::data::cycles::{self, Selection};
 use softanvil_identify::data::repeats::{self, Repeats};
 use softanvil_identify::data::thinned::thinned;
 use softanvil_identify::law::{DataSet, Mode};
+use softanvil_records::ReadError;
 
 use crate::failure::Failure;
 

@@ -4,7 +4,8 @@ use softanvil_identify::export::card::{Card, States};
 use softanvil_identify::export::{Layer, ReadBackError, abaqus, c_source, ls_dyna, ssv};
 use softanvil_identify::law::Mode;
 use softanvil_identify::law::volume::Volume;
-use softanvil_kernel::scenario::{Layers, Material, Moduli, VolumetricBy};
+use softanvil_kernel::material::{Material, Moduli, VolumetricBy};
+use softanvil_kernel::scenario::Layers;
 use softanvil_kernel::{Scenario, preset};
 
 use super::Identification;

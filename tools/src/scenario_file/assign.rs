@@ -61,7 +61,7 @@ fn legal(parameter: &Parameter) -> String {
 /// A text of another form, an unknown name, or a value that is refused.
 pub fn set_text(changes: &mut Changes, text: &str) -> Result<&'static Parameter, String> {
     let (name, value) = text.split_once('=').ok_or_else(|| {
-        format!("{text} is refused: legal is group.field=value, such as silicone.c10=2e5 or geometry.layers=two")
+        format!("{text} is refused: expected group.field=value, such as silicone.c10=2e5 or geometry.layers=two")
     })?;
     let parameter = find(name.trim())?;
     set_bare(changes, parameter, value)?;
@@ -75,7 +75,7 @@ pub fn set_text(changes: &mut Changes, text: &str) -> Result<&'static Parameter,
 pub fn set_bare(changes: &mut Changes, parameter: &Parameter, text: &str) -> Result<(), String> {
     let text = text.trim();
     let number = number(parameter, Written::Bare(text))
-        .map_err(|legal| format!("{} = {text} is refused: legal is {legal}", parameter.name))?;
+        .map_err(|legal| format!("{} = {text} is refused: expected {legal}", parameter.name))?;
     changes.set(parameter, number).map_err(|error| error.to_string())
 }
 
@@ -101,12 +101,12 @@ mod tests {
     #[test]
     fn what_is_refused_says_what_is_legal_and_changes_nothing() {
         for (text, message) in [
-            ("silicone.c10", "silicone.c10 is refused: legal is group.field=value"),
+            ("silicone.c10", "silicone.c10 is refused: expected group.field=value"),
             ("silicon.c10=1", "silicon.c10 is unknown (did you mean silicone.c10?)"),
-            ("impactor.mass=heavy", "impactor.mass = heavy is refused: legal is a number, 0.001 to 10000 kg"),
-            ("impactor.mass=-1", "impactor.mass = -1 kg is refused: legal is 0.001 to 10000 kg"),
-            ("impactor.mass=nan", "impactor.mass = NaN kg is refused: legal is 0.001 to 10000 kg"),
-            ("geometry.layers=2", "geometry.layers = 2 is refused: legal is \"one\" or \"two\""),
+            ("impactor.mass=heavy", "impactor.mass = heavy is refused: expected a number, 0.001 to 10000 kg"),
+            ("impactor.mass=-1", "impactor.mass = -1 kg is refused: expected 0.001 to 10000 kg"),
+            ("impactor.mass=nan", "impactor.mass = NaN kg is refused: expected 0.001 to 10000 kg"),
+            ("geometry.layers=2", "geometry.layers = 2 is refused: expected \"one\" or \"two\""),
         ] {
             let mut changes = Changes::of(&preset::study());
             let error = set_text(&mut changes, text).err().unwrap();

@@ -11,6 +11,18 @@ use super::split;
 use crate::failure::Failure;
 
 /// Why a scenario file is refused.
+///
+/// ```
+/// use softanvil_kernel::preset;
+/// use softanvil_tools::scenario_file::{ScenarioFileError, parse};
+///
+/// let refused = parse("[impactor]\nmas = 4.0\n", &preset::study()).unwrap_err();
+/// assert!(matches!(refused, ScenarioFileError::Unknown { line: 2, .. }));
+/// assert!(refused.to_string().contains("impactor.mass"));
+/// let scenario = parse("[impactor]\nmass = 4.0\n", &preset::study())?;
+/// assert_eq!(scenario.impactor.mass, 4.0);
+/// # Ok::<(), ScenarioFileError>(())
+/// ```
 #[derive(Debug, thiserror::Error)]
 pub enum ScenarioFileError {
     /// The text is not TOML.
@@ -32,7 +44,7 @@ pub enum ScenarioFileError {
         suggestion: String,
     },
     /// The value is of the wrong type.
-    #[error("line {line}: {name} = {found} is refused: legal is {legal}")]
+    #[error("line {line}: {name} = {found} is refused: expected {legal}")]
     Type {
         /// Line of the key, from 1.
         line: usize,

@@ -74,23 +74,23 @@ fn keys_left_out_keep_their_value() {
 #[test]
 fn a_refused_line_tells_its_number_and_what_is_legal() {
     for (text, message) in [
-        ("\n[impactor]\nmass = -1", "line 3: impactor.mass = -1 kg is refused: legal is 0.001 to 10000 kg"),
-        ("impactor.mass = nan", "line 1: impactor.mass = NaN kg is refused: legal is 0.001 to 10000 kg"),
-        ("impactor = { mass = inf }", "line 1: impactor.mass = inf kg is refused: legal is 0.001 to 10000 kg"),
-        ("[impactor]\nmass = \"5\"", "line 2: impactor.mass = \"5\" is refused: legal is a number, 0.001 to 10000 kg"),
+        ("\n[impactor]\nmass = -1", "line 3: impactor.mass = -1 kg is refused: expected 0.001 to 10000 kg"),
+        ("impactor.mass = nan", "line 1: impactor.mass = NaN kg is refused: expected 0.001 to 10000 kg"),
+        ("impactor = { mass = inf }", "line 1: impactor.mass = inf kg is refused: expected 0.001 to 10000 kg"),
+        ("[impactor]\nmass = \"5\"", "line 2: impactor.mass = \"5\" is refused: expected a number, 0.001 to 10000 kg"),
         ("[impactor]\nmas = 5", "line 2: impactor.mas is unknown (did you mean impactor.mass?)"),
         ("[impacter]\nmass = 5", "line 1: impacter is unknown (did you mean impactor?)"),
         ("mass = 5", "line 1: mass is unknown"),
-        ("impactor = 5", "line 1: impactor = 5 is refused: legal is a section [impactor] of keys"),
+        ("impactor = 5", "line 1: impactor = 5 is refused: expected a section [impactor] of keys"),
         (
             "[impactor.mass]\nx = 5",
-            "line 1: impactor.mass = a section is refused: legal is a number, 0.001 to 10000 kg",
+            "line 1: impactor.mass = a section is refused: expected a number, 0.001 to 10000 kg",
         ),
         (
             "[geometry]\nshape = \"cube\"",
-            "line 2: geometry.shape = \"cube\" is refused: legal is \"round\" or \"block\"",
+            "line 2: geometry.shape = \"cube\" is refused: expected \"round\" or \"block\"",
         ),
-        ("[geometry]\nshape = 1", "line 2: geometry.shape = 1 is refused: legal is \"round\" or \"block\""),
+        ("[geometry]\nshape = 1", "line 2: geometry.shape = 1 is refused: expected \"round\" or \"block\""),
     ] {
         assert_eq!(refused(text), message, "{text}");
     }

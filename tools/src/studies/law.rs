@@ -5,7 +5,7 @@ use softanvil_identify::law::fit::{Fit, Settings, Weighting};
 use softanvil_identify::law::{DataSet, LAWS, Law, Mode, stress};
 use softanvil_kernel::Scenario;
 use softanvil_kernel::material::Elastic;
-use softanvil_kernel::scenario::{Material, Moduli, VolumetricBy};
+use softanvil_kernel::material::{Material, Moduli, VolumetricBy};
 
 use super::Study;
 use super::case::{Case, Outcome};
@@ -58,7 +58,7 @@ fn plan(scenario: &Scenario, values: &[String]) -> Result<Vec<Case>, Failure> {
     let laws = values.iter().map(|name| {
         Law::find(name.trim()).ok_or_else(|| {
             let names: Vec<_> = LAWS.iter().map(|law| law.name).collect();
-            Failure::Input(format!("study law: {name} is refused: legal is {}", names.join(", ")))
+            Failure::Input(format!("study law: {name} is refused: expected {}", names.join(", ")))
         })
     });
     let laws = laws.collect::<Result<Vec<_>, _>>()?;

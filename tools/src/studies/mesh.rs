@@ -41,7 +41,7 @@ fn plan(scenario: &Scenario, values: &[String]) -> Result<Vec<Case>, Failure> {
     for text in values {
         rows.push(text.trim().parse::<usize>().ok().filter(|rows| (1..=1000).contains(rows)).ok_or_else(|| {
             Failure::Input(format!(
-                "study mesh: {text} is refused: legal is a list of whole numbers of rows, 1 to 1000"
+                "study mesh: {text} is refused: expected a list of whole numbers of rows, 1 to 1000"
             ))
         })?);
     }

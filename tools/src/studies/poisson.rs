@@ -1,7 +1,8 @@
 //! Poisson's ratio, that is, the bulk modulus of the layer.
 
 use softanvil_kernel::Scenario;
-use softanvil_kernel::scenario::{Interface, VolumetricBy};
+use softanvil_kernel::material::VolumetricBy;
+use softanvil_kernel::scenario::Interface;
 
 use super::case::Case;
 use super::page::{Evaluation, Finding, Picture};

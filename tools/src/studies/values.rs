@@ -9,7 +9,7 @@ use crate::failure::Failure;
 pub fn numbers(study: &str, values: &[String]) -> Result<Vec<f64>, Failure> {
     let number = |text: &String| {
         text.trim().parse::<f64>().ok().filter(|value| value.is_finite()).ok_or_else(|| {
-            Failure::Input(format!("study {study}: {text} is refused: legal is a list of numbers, such as 1,2.5"))
+            Failure::Input(format!("study {study}: {text} is refused: expected a list of numbers, such as 1,2.5"))
         })
     };
     values.iter().map(number).collect()

@@ -1,7 +1,8 @@
 //! Variants of a drop that several studies need.
 
 use softanvil_kernel::Scenario;
-use softanvil_kernel::scenario::{Motion, VolumetricBy};
+use softanvil_kernel::material::VolumetricBy;
+use softanvil_kernel::scenario::Motion;
 
 use super::set;
 use crate::failure::Failure;

@@ -111,8 +111,9 @@ fn a_log_of_another_trace_or_program_is_refused() {
     let folder = folder.path();
     let text = PROBLEM.replace("table_1 = true", "trace = \"measured.csv\"");
     fs::write(folder.join("problem.toml"), text).unwrap();
-    let measured =
-        |force: u32| fs::write(folder.join("measured.csv"), format!("t,f\n0,0\n0.004,{force}\n0.008,0\n")).unwrap();
+    let measured = |force: u32| {
+        fs::write(folder.join("measured.csv"), format!("time [s],force [N]\n0,0\n0.004,{force}\n0.008,0\n")).unwrap()
+    };
     measured(5000);
     let log = search(folder, "out", "6", "1");
     let continued = ["calibrate", "problem.toml", "--out", "out", "--evaluations", "6", "--seed", "1"];

@@ -126,7 +126,7 @@ fn a_card_that_would_not_give_the_stresses_back_is_not_written() {
     assert!(text.contains("! not written: out/material-lsdyna.k: its digits give the uniaxial stress"), "{text}");
     assert!(!there("material-lsdyna.k") && there("material.ssv") && there("material.h"));
     let json = json(folder.path(), &[&fit[..], &["--law", "ogden_3", "--json"]].concat());
-    assert!(json["not_written"]["material-lsdyna.k"].as_str().unwrap().contains("legal is a difference of 0.1 %"));
+    assert!(json["not_written"]["material-lsdyna.k"].as_str().unwrap().contains("expected a difference of 0.1 %"));
 }
 
 /// A stretch of compression titled as a strain: the specimen would be softest where it is stretched most.
@@ -181,5 +181,33 @@ fn the_volume_of_a_specimen_is_known_or_said_to_be_assumed() {
     let refused = fail(folder.path(), &["fit", "--planar", "foam.csv", "--poissons-ratio", "0.2"], 2);
     assert!(refused.contains("legal with a Poisson's ratio below 0.45 is --uniaxial and --equibiaxial"), "{refused}");
     let refused = fail(folder.path(), &["fit", "--uniaxial", "foam.csv", "--poissons-ratio", "0.7"], 2);
-    assert!(refused.starts_with("--poissons-ratio: ") && refused.contains("legal is"), "{refused}");
+    assert!(refused.starts_with("--poissons-ratio: ") && refused.contains("expected"), "{refused}");
+}
+
+#[test]
+fn what_is_no_result_is_not_shown_as_one() {
+    let folder = folder();
+    let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
+    write("falling.csv", "strain [-],stress [kPa]\n0.1,10\n0.2,8\n0.3,6\n0.4,4\n0.5,1\n");
+    let error = fail(folder.path(), &["fit", "--uniaxial", "falling.csv", "--law", "neo_hookean"], 1);
+    assert!(error.contains("is farther from the data than their mean (R2 = -"), "{error}");
+    write("stretch.csv", "mean_strain,mean_stress [kPa]\n1.0,-0.0\n0.9,95\n0.8,221\n");
+    let error = fail(folder.path(), &["fit", "--uniaxial", "stretch.csv"], 2);
+    assert!(error.contains("is 1 where there is no load, as a stretch is"), "{error}");
+    let pairs =
+        "Time 1 (s),Force 1 (N),Time 2 (s),Force 2 (N)\n0,4,0,3\n1,3,1,2\n2,2.5,2,1.5\n3,2.3,3,1.4\n4,2.2,4,1.3\n";
+    write("pairs.csv", pairs);
+    let error = fail(folder.path(), &["fit", "--relaxation", "pairs.csv"], 2);
+    assert!(error.contains("2 columns of time: name one with --relaxation-columns"), "{error}");
+    let columns = "-, -, time [s], force [N]";
+    succeed(folder.path(), &["fit", "--relaxation", "pairs.csv", "--relaxation-columns", columns, "--terms", "1"]);
+}
+
+#[test]
+fn columns_may_begin_with_one_that_is_passed_over() {
+    let folder = folder();
+    let rows = "0,1.0,0\n1,1.1,27\n2,1.2,50\n3,1.3,71\n";
+    std::fs::write(folder.path().join("abc.csv"), format!("a,b,c\n{rows}")).unwrap();
+    let text = succeed(folder.path(), &["fit", "--uniaxial", "abc.csv", "--columns", "-, stretch, stress [kPa]"]);
+    assert!(text.contains("stress [kPa] over stretch"), "{text}");
 }

@@ -50,7 +50,7 @@ fn a_file_that_is_no_trace_is_left_alone() {
 #[test]
 fn an_unknown_scene_is_refused() {
     let error = fail(Path::new("."), &["golden", "check", "drop"], 2);
-    assert!(error.starts_with("scene drop is unknown: legal are drop-14.7-J, "), "{error}");
+    assert!(error.starts_with("scene drop is unknown: expected drop-14.7-J, "), "{error}");
 }
 
 /// A single bit in a single number of the state is found at the next record.

@@ -5,6 +5,7 @@ mod common;
 mod fit;
 mod golden;
 mod measure;
+mod measured_data;
 mod pictures;
 mod quasi_static;
 mod recovery;

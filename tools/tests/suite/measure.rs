@@ -84,19 +84,19 @@ fn the_study_can_be_validated_as_the_load_cells_see_it() {
 fn refused_readings_say_what_is_legal() {
     let folder = tempfile::tempdir().unwrap();
     for (options, message) in [
-        (&["--cfc", "5000"][..], "5000 Hz is refused: legal is 0 to 2000 Hz"),
-        (&["--threshold", "-3"], "legal is a force of 0 N or more"),
-        (&["--noise", "-3"], "--noise = -3 N is refused: legal is 0 N or more"),
+        (&["--cfc", "5000"][..], "5000 Hz is refused: expected 0 to 2000 Hz"),
+        (&["--threshold", "-3"], "expected a force of 0 N or more"),
+        (&["--noise", "-3"], "--noise = -3 N is refused: expected 0 N or more"),
         (&["--calibration-error", "nan"], "--calibration-error = NaN % is refused"),
         (&["--trace", "none.csv"], "none.csv cannot be read"),
-        (&["--plot", "a.jpg"], "legal is a file name that ends in .svg or .png"),
+        (&["--plot", "a.jpg"], "expected a file name that ends in .svg or .png"),
     ] {
         let error = fail(folder.path(), &[&["measure"], options].concat(), 2);
         assert!(error.contains(message), "{error}");
     }
-    std::fs::write(folder.path().join("flat.csv"), "t,f\n0,1\n0.01,1\n").unwrap();
+    std::fs::write(folder.path().join("flat.csv"), "time [s],force [N]\n0,1\n0.01,1\n").unwrap();
     let error = fail(folder.path(), &["measure", "--trace", "flat.csv"], 2);
-    assert!(error.contains("the peaks are 1.0 N measured"), "{error}");
+    assert!(error.contains("flat.csv: nothing hits"), "{error}");
 }
 
 #[test]

@@ -112,7 +112,7 @@ fn other_formats_are_refused_before_anything_is_computed() {
         for name in ["force.jpg", "force", ".png", "png", "force.svg.pdf"] {
             let line = fail(folder.path(), &[command, "--plot", name, "--csv", "trace.csv"], 2);
             assert!(line.contains(&format!("--plot {name} is refused")), "{line}");
-            assert!(line.contains("legal is a file name that ends in .svg or .png"), "{line}");
+            assert!(line.contains("expected a file name that ends in .svg or .png"), "{line}");
         }
     }
     for command in [&[][..], &["study", "thickness"], &["fit", "--study"]] {

@@ -60,6 +60,6 @@ fn an_energy_for_a_face_that_does_not_fall_is_refused() {
     let folder = tempfile::tempdir().unwrap();
     for option in ["--energy", "--height", "--speed"] {
         let line = fail(folder.path(), &["run", "--scenario", &example(), option, "1"], 2);
-        assert_eq!(line, format!("{option} is refused: impactor.motion = prescribed does not fall; legal is drop"));
+        assert_eq!(line, format!("{option} is refused: impactor.motion = prescribed does not fall; expected drop"));
     }
 }

@@ -207,12 +207,12 @@ fn a_parameter_is_set_over_the_files() {
     }
     assert_eq!(from_file, set);
     for (text, message) in [
-        ("silicone.c10", "--set silicone.c10: silicone.c10 is refused: legal is group.field=value"),
+        ("silicone.c10", "--set silicone.c10: silicone.c10 is refused: expected group.field=value"),
         ("silicone.c1=1", "silicone.c1 is unknown (did you mean silicone.c11?)"),
         ("silicone.prony_tau_2=1", "silicone.prony_tau_2 = 1 s has no effect: silicone.prony_g_2 is 0"),
         ("geometry.layers=two", "geometry.layers = two needs geometry.silicone_thickness as well"),
-        ("geometry.layers=2", "geometry.layers = 2 is refused: legal is \"one\" or \"two\""),
-        ("impactor.mass=0", "impactor.mass = 0 kg is refused: legal is 0.001 to 10000 kg"),
+        ("geometry.layers=2", "geometry.layers = 2 is refused: expected \"one\" or \"two\""),
+        ("impactor.mass=0", "impactor.mass = 0 kg is refused: expected 0.001 to 10000 kg"),
         ("impactor.face_diameter=0.05", "impactor.face_diameter = 0.05 m is refused"),
     ] {
         let line = fail(folder.path(), &["run", "--set", text], 2);

@@ -188,13 +188,13 @@ fn a_study_starts_from_the_drop_it_is_given() {
 fn refused_values_say_what_is_legal_and_nothing_is_written() {
     let folder = tempfile::tempdir().unwrap();
     for (arguments, message) in [
-        (&["study", "thickness", "--values", "x"][..], "x is refused: legal is a list of numbers"),
+        (&["study", "thickness", "--values", "x"][..], "x is refused: expected a list of numbers"),
         (&["study", "thickness", "--values", "-1"], "geometry.silicone_thickness = -0.001 m is refused"),
         (&["study", "poisson", "--values", "0.5"], "silicone.poissons_ratio = 0.5"),
         (&["study", "friction", "--values", "-0.1"], "face.friction_coefficient = -0.1"),
         (&["study", "diameter", "--values", "140"], "impactor.face_diameter"),
-        (&["study", "mesh", "--values", "2.5"], "2.5 is refused: legal is a list of whole numbers of rows"),
-        (&["study", "law", "--values", "hooke"], "hooke is refused: legal is neo_hookean"),
+        (&["study", "mesh", "--values", "2.5"], "2.5 is refused: expected a list of whole numbers of rows"),
+        (&["study", "law", "--values", "hooke"], "hooke is refused: expected neo_hookean"),
         (&["study", "all", "--values", "1"], "--values is refused with all"),
         (&["study", "everything"], "everything"),
     ] {
@@ -236,9 +236,9 @@ fn any_parameter_is_studied_over_values_in_its_unit() {
     let skin = fail(folder, &["study", "skin.c10", "--values", "1e5"], 2);
     assert!(skin.contains("skin.c10 = 100000 Pa has no effect: geometry.layers is one"), "{skin}");
     for (arguments, message) in [
-        (&["study", "silicone.c10"][..], "without --values is refused: legal is a list of values of silicone.c10 (Pa)"),
+        (&["study", "silicone.c10"][..], "without --values is refused: expected a list of values of silicone.c10 (Pa)"),
         (&["study", "silicone.c10", "--values", "-1e20"], "silicone.c10 = -1e20 Pa is refused"),
-        (&["study", "geometry.layers", "--values", "2"], "legal is \"one\" or \"two\""),
+        (&["study", "geometry.layers", "--values", "2"], "expected \"one\" or \"two\""),
         (&["study", "silicone.c1", "--values", "1"], "did you mean silicone.c11?"),
     ] {
         let line = fail(folder, arguments, 2);

@@ -47,13 +47,13 @@ fn refused_files_name_file_and_line_and_leave_no_output() {
         ("[impactor]\nmas = 5", "bad.toml: line 2: impactor.mas is unknown (did you mean impactor.mass?)"),
         (
             "[mesh]\nelement_size = nan",
-            "bad.toml: line 2: mesh.element_size = NaN m is refused: legal is 0.00001 to 0.1 m",
+            "bad.toml: line 2: mesh.element_size = NaN m is refused: expected 0.00001 to 0.1 m",
         ),
         ("[mesh]\nelement_size = 1e-5", "mesh.element_size"),
         ("[impactor]\nmotion = \"driven\"", "impactor.motion = driven"),
         (
             "[impactor]\nprescribed_speed = 0",
-            "impactor.prescribed_speed = 0 m/s is refused: legal is 0.000001 to 100 m/s",
+            "impactor.prescribed_speed = 0 m/s is refused: expected 0.000001 to 100 m/s",
         ),
         ("[silicone]\nprony_g_1 = 0.9\nprony_g_2 = 0.9", "bad.toml: silicone.prony_g_1"),
         ("[time]\nstep_by = \"given\"\nstep = 4.9e-5", "time.step"),

@@ -4,12 +4,13 @@
 // The references are the platform's, in double precision.
 #![allow(clippy::disallowed_methods)]
 
+use softanvil_kernel_f32::SAMPLING_INTERVAL;
 use softanvil_kernel_f32::cfc::Coefficients;
-use softanvil_kernel_f32::decimal::Decimal;
-use softanvil_kernel_f32::power::{exp2_of_both_signs, log2, log2_of_quotient};
-use softanvil_kernel_f32::real::LARGEST_EXPONENT;
-use softanvil_kernel_f32::vector::Scalar;
-use softanvil_kernel_f32::{SAMPLING_INTERVAL, math};
+use softanvil_kernel_f32::number::cube_root;
+use softanvil_kernel_f32::number::decimal::Decimal;
+use softanvil_kernel_f32::number::power::{exp2_of_both_signs, log2, log2_of_quotient};
+use softanvil_kernel_f32::number::real::LARGEST_EXPONENT;
+use softanvil_kernel_f32::number::vector::Scalar;
 
 /// Numbers from 2^-octaves to 2^octaves, every region of the mantissa, without a random source.
 fn samples(octaves: f64) -> impl Iterator<Item = f32> {
@@ -19,7 +20,7 @@ fn samples(octaves: f64) -> impl Iterator<Item = f32> {
 #[test]
 fn inverse_cbrt_stays_within_its_stated_error() {
     for x in samples(8.0) {
-        let error = (f64::from(math::inverse_cbrt(x)) * f64::from(x).cbrt() - 1.0).abs();
+        let error = (f64::from(cube_root::inverse_cbrt(x)) * f64::from(x).cbrt() - 1.0).abs();
         assert!(error < 2e-7, "inverse_cbrt({x}) is off by {error}");
     }
 }

@@ -1,6 +1,7 @@
 //! Nominal stress of every law under uniaxial, planar and equibiaxial stretch, through the element.
 
-use softanvil_kernel::scenario::{ElasticLaw, Formulation, Material};
+use softanvil_kernel::material::{ElasticLaw, Material};
+use softanvil_kernel::scenario::Formulation;
 
 use crate::element::Cell;
 use crate::scenes::laws;

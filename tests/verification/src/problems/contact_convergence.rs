@@ -53,7 +53,7 @@ pub fn static_forces(scenario: &Scenario) -> Vec<f64> {
     let face = Face { height: body.constants().top_height - DEFLECTION };
     let equilibria = press(&mut body, &supports, &face, INCREMENTS);
     let force = |at: &Equilibrium| (0..=grid.n_u).map(|u| -at.force[body.node(u, grid.n_v)][1]).sum::<f64>();
-    equilibria.iter().map(|at| body.constants().section_factor * force(at)).collect()
+    equilibria.iter().map(|at| body.constants().symmetry_factor * force(at)).collect()
 }
 
 /// Contact force that the kernel's own steps settle at, N.

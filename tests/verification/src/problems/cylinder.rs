@@ -1,7 +1,8 @@
 //! The study's virtual material tests: a cylinder compressed to half its height, and held.
 
+use softanvil_kernel::material::Material;
 use softanvil_kernel::preset;
-use softanvil_kernel::scenario::{Formulation, Interface, Material, Scenario, Shape};
+use softanvil_kernel::scenario::{Formulation, Interface, Scenario, Shape};
 use softanvil_specimen::{Compression, Ends, Point, STUDY_RATES, compress};
 
 use crate::body::{Body, Pressure};
@@ -131,7 +132,7 @@ pub fn bonded_equilibrium(cells: u32) -> f64 {
     }
     let force = solve(&mut body, &supports, 20).force;
     let top: f64 = (0..=grid.n_u).map(|u| -force[body.node(u, grid.n_v)][1]).sum();
-    body.constants().section_factor * top / test.area()
+    body.constants().symmetry_factor * top / test.area()
 }
 
 fn bonded_material() -> Material {

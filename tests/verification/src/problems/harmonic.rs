@@ -1,6 +1,7 @@
 //! Storage and loss modulus from a sinusoidal shear test over three decades of frequency, through the element.
 
-use softanvil_kernel::scenario::{Formulation, Material};
+use softanvil_kernel::material::Material;
+use softanvil_kernel::scenario::Formulation;
 
 use crate::element::Cell;
 use crate::scenes::elastic;

@@ -1,6 +1,7 @@
 //! Hertz's line contact: a flat rigid face on a round elastic solid, large against the contact.
 
-use softanvil_kernel::{StepInput, step, surface};
+use softanvil_kernel::contact::surface;
+use softanvil_kernel::{StepInput, step};
 
 use crate::body::{Body, Pressure};
 use crate::scenes::{grid, neo_hookean};

@@ -1,6 +1,7 @@
 //! Additive Maxwell terms through the element: ramp at a constant true strain rate, and relaxation.
 
-use softanvil_kernel::scenario::{Formulation, Material};
+use softanvil_kernel::material::Material;
+use softanvil_kernel::scenario::Formulation;
 
 use crate::element::Cell;
 use crate::problems::viscoelastic::after_ramp;

@@ -1,6 +1,7 @@
 //! The spring-slider: area of a closed loop, and the stress that ten turns leave.
 
-use softanvil_kernel::scenario::{Formulation, Material};
+use softanvil_kernel::material::Material;
+use softanvil_kernel::scenario::Formulation;
 
 use crate::element::Cell;
 use crate::scenes::elastic;

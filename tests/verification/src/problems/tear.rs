@@ -1,6 +1,7 @@
 //! Tearing in planar extension of neo-Hooke: the fall of the stress, and the energy it takes.
 
-use softanvil_kernel::scenario::{Formulation, Material};
+use softanvil_kernel::material::Material;
+use softanvil_kernel::scenario::Formulation;
 
 use crate::element::{Cell, Gradient};
 use crate::scenes::elastic;

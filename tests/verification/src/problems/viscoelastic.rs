@@ -1,6 +1,7 @@
 //! Prony series through the element: relaxation after a step and response to a ramp.
 
-use softanvil_kernel::scenario::{Formulation, Material};
+use softanvil_kernel::material::Material;
+use softanvil_kernel::scenario::Formulation;
 
 use crate::element::Cell;
 use crate::scenes::elastic;

@@ -1,8 +1,9 @@
 //! The volumetric laws: pressure of a dilatation, and gradient of the energy.
 
 use softanvil_kernel::material::Volumetric;
-use softanvil_kernel::scenario::{Formulation, Material, VolumetricLaw};
-use softanvil_kernel::vector::Scalar;
+use softanvil_kernel::material::{Material, VolumetricLaw};
+use softanvil_kernel::number::vector::Scalar;
+use softanvil_kernel::scenario::Formulation;
 
 use crate::element::Cell;
 use crate::scenes::elastic;

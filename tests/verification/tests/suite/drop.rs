@@ -1,7 +1,7 @@
 //! The study's drops: conservation of energy and momentum, impenetrability, convergence, repeatability.
 
 use softanvil_kernel::cfc::{Coefficients, Filter};
-use softanvil_kernel::snapshot::{restore, save, snapshot_size};
+use softanvil_kernel::state::{restore, save, snapshot_size};
 use softanvil_kernel::{Output, SAMPLING_INTERVAL, Simulation, SnapshotError, StepInput, preset, step};
 use softanvil_verification::scenes::{ENERGIES, study_drop};
 use softanvil_verification::tolerance::{ENERGY_RESIDUAL, MESH, MOMENTUM, PENETRATION, ROW_MOMENTUM, relative_error};

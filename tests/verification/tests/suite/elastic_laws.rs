@@ -5,10 +5,11 @@
 //! Nonlinear Solid Mechanics (2000).
 
 use softanvil_kernel::material::Elastic;
+use softanvil_kernel::material::{Material, VolumetricLaw};
+use softanvil_kernel::number::vector::Scalar;
 use softanvil_kernel::preset;
-use softanvil_kernel::scenario::{Formulation, Material, VolumetricLaw};
-use softanvil_kernel::stretch::IsochoricStretch;
-use softanvil_kernel::vector::Scalar;
+use softanvil_kernel::scenario::Formulation;
+use softanvil_kernel::tensor::stretch::IsochoricStretch;
 use softanvil_verification::deformation::{Samples, product, rotation};
 use softanvil_verification::element::{Cell, Gradient};
 use softanvil_verification::scenes::{laws, run};

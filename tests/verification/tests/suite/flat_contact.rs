@@ -5,7 +5,8 @@
 
 use std::f64::consts::PI;
 
-use softanvil_kernel::scenario::{Formulation, Section, VolumetricBy};
+use softanvil_kernel::material::VolumetricBy;
+use softanvil_kernel::scenario::{Formulation, Section};
 use softanvil_kernel::{Field, Simulation};
 use softanvil_verification::relaxation::press_slowly;
 use softanvil_verification::scenes::{block, elastic};

@@ -4,10 +4,11 @@
 //! Source: central differences are stable for dt <= 2 / omega; omega^2 is the largest eigenvalue of M^-1 K, by nalgebra.
 
 use nalgebra::{DMatrix, SymmetricEigen};
+use softanvil_kernel::material::{Material, VolumetricBy, VolumetricLaw};
 use softanvil_kernel::mesh::{Grid, out_of_plane, triangles};
-use softanvil_kernel::scenario::{Formulation, Interface, Material, StepBy, VolumetricBy, VolumetricLaw};
-use softanvil_kernel::snapshot::{restore, save, snapshot_size};
-use softanvil_kernel::stability::critical_time_step;
+use softanvil_kernel::scenario::{Formulation, Interface, StepBy};
+use softanvil_kernel::state::{restore, save, snapshot_size};
+use softanvil_kernel::step::critical_time_step;
 use softanvil_kernel::{Model, Scenario, Simulation, State, StepInput, step};
 use softanvil_verification::deformation::Samples;
 use softanvil_verification::scenes::{grid, random_law};

@@ -6,7 +6,8 @@
 use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
-use softanvil_kernel::scenario::{ElasticLaw, Formulation, Material, VolumetricLaw};
+use softanvil_kernel::material::{ElasticLaw, Material, VolumetricLaw};
+use softanvil_kernel::scenario::Formulation;
 use softanvil_verification::deformation::{product, rotation};
 use softanvil_verification::element::{Cell, Gradient};
 use softanvil_verification::scenes::elastic;

@@ -1,7 +1,8 @@
 //! Every instruction set of this processor gives the same bits, in one process.
 
-use softanvil_kernel::scenario::{Formulation, Layers, Material, VolumetricLaw};
-use softanvil_kernel::snapshot::state_digest;
+use softanvil_kernel::material::{Material, VolumetricLaw};
+use softanvil_kernel::scenario::{Formulation, Layers};
+use softanvil_kernel::state::state_digest;
 use softanvil_kernel::{InstructionSet, Scenario, Simulation, StepInput, preset, step_with};
 use softanvil_verification::scenes::ogden;
 

@@ -1,8 +1,9 @@
 //! Two layers: the same numbers as one where both have the same material, and conservation where they differ.
 
 use softanvil_kernel::material::MAX_PRONY_TERMS;
-use softanvil_kernel::scenario::{Formulation, Layers, Material, StepBy};
-use softanvil_kernel::snapshot::{restore, save, snapshot_size};
+use softanvil_kernel::material::Material;
+use softanvil_kernel::scenario::{Formulation, Layers, StepBy};
+use softanvil_kernel::state::{restore, save, snapshot_size};
 use softanvil_kernel::{Scenario, Simulation, StepInput, preset};
 use softanvil_verification::scenes::run;
 use softanvil_verification::tolerance::{ENERGY_RESIDUAL, LAYERS, relative_error};
@@ -150,14 +151,14 @@ fn refusals_name_the_layer() {
         change(&mut scenario);
         scenario.validate().err().map(|error| error.to_string()).unwrap_or_default()
     };
-    assert_eq!(refusal(|s| s.skin.c10 = -1.0), "skin.c10 gives a shear modulus of -2 Pa: legal is above 0 Pa");
+    assert_eq!(refusal(|s| s.skin.c10 = -1.0), "skin.c10 gives a shear modulus of -2 Pa: expected above 0 Pa");
     assert_eq!(
         refusal(|s| s.skin.prony_g = [0.25; 5]),
-        "skin.prony_g_1 to _5 sum to 1.25: legal is a sum of at least 0 and below 1"
+        "skin.prony_g_1 to _5 sum to 1.25: expected at least 0 and below 1"
     );
     assert_eq!(
         refusal(|s| s.geometry.skin_thickness = 0.0),
-        "geometry.skin_thickness = 0 m is refused: with two layers legal is at least 0.00001 m"
+        "geometry.skin_thickness = 0 m is refused: expected at least 0.00001 m with two layers"
     );
     // A material that is not in the anvil is no reason to refuse it.
     assert_eq!(

@@ -5,6 +5,7 @@ mod driven;
 mod drop;
 mod effects;
 mod elastic_laws;
+mod examples;
 mod fields;
 mod flat_contact;
 mod frequency;

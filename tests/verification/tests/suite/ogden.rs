@@ -3,10 +3,10 @@
 //! Source: Ogden (1972): alpha = 2 with mu is neo-Hooke with C10 = mu/2, and alpha = -2 with -mu adds the Mooney-Rivlin
 //! term C01 = mu/2. These laws are polynomials of the stretch and know nothing of principal directions.
 
-use softanvil_kernel::kinematics::Kinematics;
-use softanvil_kernel::lanes::Deviator;
 use softanvil_kernel::material::Elastic;
-use softanvil_kernel::vector::Scalar;
+use softanvil_kernel::number::vector::Scalar;
+use softanvil_kernel::tensor::deviator::Deviator;
+use softanvil_kernel::tensor::kinematics::Kinematics;
 use softanvil_verification::scenes::{self, elastic};
 use softanvil_verification::tolerance::{COINCIDENCE, relative_error};
 

@@ -1,7 +1,7 @@
 //! Plausible drops go through with the step that is chosen for them. `plausible-drops` tries as many as one likes.
 
 use softanvil_kernel::scenario::{Motion, StepBy};
-use softanvil_kernel::stability::critical_time_step;
+use softanvil_kernel::step::critical_time_step;
 use softanvil_kernel::{Simulation, StepInput, preset};
 use softanvil_verification::deformation::Samples;
 use softanvil_verification::plausible::{outcome, scenario, summary};

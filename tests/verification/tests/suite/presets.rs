@@ -3,8 +3,9 @@
 //! Source: the study's model (friction 0.3 on the core, Poisson's ratio up to 0.49) and its relaxation test, whose shear
 //! modulus falls from about 0.6 to 0.33 MPa.
 
+use softanvil_kernel::material::{Material, VolumetricBy};
 use softanvil_kernel::preset::{PRESETS, study, study_14_7, study_incompressible};
-use softanvil_kernel::scenario::{DropBy, Interface, Material, VolumetricBy};
+use softanvil_kernel::scenario::{DropBy, Interface};
 use softanvil_kernel::{SAMPLING_INTERVAL, Simulation};
 use softanvil_verification::scenes::run;
 use softanvil_verification::tolerance::{CLOSED_FORM, ENERGY_RESIDUAL, relative_error};

@@ -4,7 +4,8 @@
 //! sigma_33 - sigma_11 = 2 C10 h^(-5/3) (h^2 - 1), a mean of K (h - 1), and P33 = h^(-1) J sigma_33, which pulls a ring of the
 //! section A inwards with 2 pi A P33.
 
-use softanvil_kernel::scenario::{Formulation, Interface, Material, StepBy};
+use softanvil_kernel::material::Material;
+use softanvil_kernel::scenario::{Formulation, Interface, StepBy};
 use softanvil_kernel::{Field, Simulation, StepInput, step};
 use softanvil_verification::scenes::{elastic, grid};
 use softanvil_verification::tolerance::{THIN_RING, relative_error};

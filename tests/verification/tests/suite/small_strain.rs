@@ -5,7 +5,8 @@
 //! e^(-T/tau_k))) per volume; a strain that is held takes no more. For an isochoric stretch along the axis, e, the stress is
 //! three times the shear modulus times e. The volumes are those of a box and of a cylinder.
 
-use softanvil_kernel::scenario::{Formulation, Interface, Material, StepBy};
+use softanvil_kernel::material::Material;
+use softanvil_kernel::scenario::{Formulation, Interface, StepBy};
 use softanvil_kernel::{Simulation, StepInput, step};
 use softanvil_verification::scenes::{elastic, grid};
 use softanvil_verification::tolerance::{PRONY_WORK, relative_error};

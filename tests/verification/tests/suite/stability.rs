@@ -4,9 +4,10 @@
 //! nalgebra, from a stiffness by central differences of the kernel's nodal forces.
 
 use nalgebra::{SMatrix, SymmetricEigen};
+use softanvil_kernel::material::{ElasticLaw, Material};
 use softanvil_kernel::sampling::SMALLEST_STEP;
-use softanvil_kernel::scenario::{ElasticLaw, Formulation, Material, StepBy};
-use softanvil_kernel::stability::MONITOR_PERIOD;
+use softanvil_kernel::scenario::{Formulation, StepBy};
+use softanvil_kernel::step::MONITOR_PERIOD;
 use softanvil_kernel::{
     InstructionSet, Model, ModelError, Scenario, Simulation, State, StepError, StepInput, step_with,
 };

@@ -3,8 +3,9 @@
 //! Source: Simo and Miehe (1992): U = K/4 (J^2 - 1 - 2 ln J), so p = K/2 (J - 1/J), which has no bound at J = 0.
 
 use softanvil_kernel::material::Volumetric;
-use softanvil_kernel::scenario::{ElasticLaw, Interface, Material, Motion, StepBy, VolumetricLaw};
-use softanvil_kernel::vector::Scalar;
+use softanvil_kernel::material::{ElasticLaw, Material, VolumetricLaw};
+use softanvil_kernel::number::vector::Scalar;
+use softanvil_kernel::scenario::{Interface, Motion, StepBy};
 use softanvil_kernel::{Simulation, StepError, StepInput};
 use softanvil_verification::problems::volumetric::{BULK, dilatation_error, gradient_error};
 use softanvil_verification::scenes::{block, elastic};

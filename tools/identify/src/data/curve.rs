@@ -1,11 +1,11 @@
 //! From a table to stretches and nominal stresses.
 
-use super::ReadError;
-use super::column::{Column, Kind, Measure};
-use super::number::Decimal;
-use super::series::{Series, Table};
-use super::sheet;
-use super::specimen::{Specimen, at_rest};
+use softanvil_records::ReadError;
+use softanvil_records::column::{Column, Kind, Measure};
+use softanvil_records::series::{Series, Table};
+use softanvil_records::sheet::{self, Layout};
+
+use super::specimen::{Specimen, at_rest, displacement_at_rest};
 use super::volume;
 
 /// Which way the specimen was loaded.
@@ -18,12 +18,26 @@ pub enum Direction {
 }
 
 /// What the file leaves open.
+///
+/// ```
+/// use softanvil_identify::data::curve::{self, Direction, Options};
+/// use softanvil_identify::data::specimen::Specimen;
+///
+/// // Travel and force of a test machine need the size of the specimen, and their signs a direction.
+/// let specimen = Specimen { height: Some(10e-3), area: Some(1e-4) };
+/// let options = Options { specimen, direction: Some(Direction::Compression), ..Options::default() };
+/// let file = b"displacement [mm],force [N]\n1,2\n2,4\n3,6\n";
+/// let curve = curve::read("press.csv", file, &options)?;
+/// let third = curve.repeats[0].points[2];
+/// assert!((third.stretch - 0.7).abs() < 1e-12 && (third.stress + 60e3).abs() < 1e-6);
+/// # Ok::<(), softanvil_identify::data::ReadError>(())
+/// ```
 #[derive(Clone, Debug, Default)]
 pub struct Options {
     /// Titles instead of the file's.
     pub columns: Option<Vec<String>>,
-    /// Decimal sign of the numbers.
-    pub decimal: Option<Decimal>,
+    /// Layout of the file.
+    pub layout: Layout,
     /// Size of the specimens.
     pub specimen: Specimen,
     /// Measure of strains whose title names none.
@@ -57,6 +71,18 @@ pub struct Repeat {
 }
 
 /// What a file holds.
+///
+/// ```
+/// use softanvil_identify::data::curve::{self, Options};
+///
+/// let file = b"strain [%];stress [kPa]\n10;20\n20;40\n30;60\n";
+/// let curve = curve::read("tension.csv", file, &Options::default())?;
+/// assert_eq!((curve.repeats.len(), curve.repeats[0].points.len()), (1, 3));
+/// let first = curve.repeats[0].points[0];
+/// assert!((first.line, first.stress) == (2, 20e3) && (first.stretch - 1.1).abs() < 1e-12);
+/// assert!(curve.notes.iter().any(|note| note.contains("engineering strain")));
+/// # Ok::<(), softanvil_identify::data::ReadError>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Curve {
     /// The specimens.
@@ -74,8 +100,8 @@ pub struct Curve {
 /// # Errors
 /// What cannot be understood, or in two ways.
 pub fn read(name: &str, bytes: &[u8], options: &Options) -> Result<Curve, ReadError> {
-    let table = Table::new(sheet::parse(bytes, options.decimal)?, options.columns.as_deref())?;
-    let mut notes = Vec::new();
+    let table = Table::new(sheet::parse(bytes, &options.layout)?, options.columns.as_deref())?;
+    let mut notes = table.notes.clone();
     let pairs = pairs(&table, options)?;
     let mut repeats = Vec::new();
     for series in &table.series {
@@ -96,7 +122,7 @@ pub fn read(name: &str, bytes: &[u8], options: &Options) -> Result<Curve, ReadEr
     let unloaded = |value: fn(&Point) -> f64| repeats.iter().flat_map(|repeat| &repeat.points).all(|p| value(p) == 0.0);
     for (what, value) in [("strain", (|p| p.stretch) as fn(&Point) -> f64), ("stress", |p| p.stress)] {
         if unloaded(value) {
-            return Err(ReadError::file(format!("every {what} is zero: legal are points of a specimen under load")));
+            return Err(ReadError::file(format!("every {what} is zero: expected points of a specimen under load")));
         }
     }
     let stretched = pairs.iter().any(|pair| pair.deformation.kind == Kind::Stretch);
@@ -196,17 +222,42 @@ fn points(
     let strain_factor = options.specimen.strain_per_unit(table, series, &pair.deformation, notes)?;
     let stress_factor = options.specimen.stress_per_unit(table, &pair.load)?;
     let cycle = table.of(Kind::Cycle).next();
+    let start = displacement_at_rest(table, series, (&pair.deformation, &pair.load), notes)?;
     let mut points = Vec::new();
     for row in &series.rows {
         let values = (table.value(&pair.deformation, row)?, table.value(&pair.load, row)?);
         if let (Some(strain), Some(load)) = values {
             let cycle = cycle.map(|column| table.value(column, row)).transpose()?.flatten();
-            let stretch = strain * strain_factor - at_rest(pair.deformation.kind);
+            let stretch = (strain - start) * strain_factor - at_rest(pair.deformation.kind);
             points.push(Point { line: row.line, cycle, stretch, stress: load * stress_factor });
         }
     }
+    if pair.deformation.kind == Kind::Strain && strain_factor == 1.0 {
+        refuse_stretches(&pair.deformation, &points)?;
+    }
     Ok(points)
 }
+
+/// Strains that are 1 at no load, and nowhere near 0, are stretches.
+fn refuse_stretches(column: &Column, points: &[Point]) -> Result<(), ReadError> {
+    let largest = points.iter().map(|point| point.stress.abs()).fold(0.0, f64::max);
+    let unloaded =
+        points.iter().find(|point| point.stress.abs() <= UNLOADED * largest && (point.stretch - 1.0).abs() < UNLOADED);
+    match unloaded {
+        Some(point) if points.iter().all(|point| point.stretch.abs() > 0.1) => {
+            let reason = format!(
+                "\"{}\" is {} where there is no load, as a stretch is and no strain: name the columns with --columns, as in \
+                 \"stretch, stress [kPa]\" (of a relaxation --relaxation-columns), or write \"strain [%]\" if it is a percentage",
+                column.title, point.stretch
+            );
+            Err(ReadError::line(point.line, reason))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Part of the largest load that is none, and how near to 1 a stretch at rest is.
+const UNLOADED: f64 = 0.02;
 
 /// Gives compression negative signs. Without `words` (a column of stretches) the signs of the strains are sure.
 fn orient(
@@ -229,12 +280,12 @@ fn orient(
     let direction = match (given, strain < 0.0, words.and_then(hinted)) {
         (Some(Direction::Tension), true, _) => {
             return Err(ReadError::file(
-                "the strains are negative, which is no tension: legal is --direction compression",
+                "the strains are negative, which is no tension: expected --direction compression",
             ));
         }
         (Some(Direction::Compression), false, _) if words.is_none() && strain > 0.0 => {
             return Err(ReadError::file(
-                "the stretches are above 1, which is no compression: legal is --direction tension",
+                "the stretches are above 1, which is no compression: expected --direction tension",
             ));
         }
         (Some(direction), ..) => direction,
@@ -259,7 +310,7 @@ fn orient(
     let work = || points().map(|point| point.stretch * point.stress).sum::<f64>();
     if strain == 0.0 && given.is_none() && work() < 0.0 {
         return Err(ReadError::file(
-            "tension and compression with stresses against the strains: legal is one sign for tension in both columns",
+            "tension and compression with stresses against the strains: expected one sign for tension in both columns",
         ));
     }
     let negative = direction == Direction::Compression;
@@ -267,7 +318,7 @@ fn orient(
     let (strain_flip, mut stress_flip) = (flip(strain), flip(stress));
     if !negative && strain > 0.0 && stress < 0.0 {
         return Err(ReadError::file(
-            "positive strains with negative stresses are no tension: legal is --direction compression",
+            "positive strains with negative stresses are no tension: expected --direction compression",
         ));
     }
     if negative && stress == 0.0 {
@@ -384,6 +435,32 @@ mod tests {
     }
 
     #[test]
+    fn a_way_counts_from_where_the_record_begins() {
+        let text = "displacement [mm];force [N]\n-21.2;0.01\n-11.2;2\n-1.2;4\n";
+        let specimen = Specimen { height: Some(0.1), area: Some(1e-4) };
+        let options = Options { specimen, ..Options::default() };
+        let curve = curve("x", text, &options).unwrap();
+        let points: Vec<_> = curve.repeats[0].points.iter().map(|p| (p.stretch, p.stress)).collect();
+        close(&points, &[(1.0, 100.0), (1.1, 2e4), (1.2, 4e4)]);
+        assert!(curve.notes.iter().any(|note| note.contains("counts from -21.2")), "{:?}", curve.notes);
+    }
+
+    #[test]
+    fn a_fit_beside_the_data_is_no_specimen() {
+        let text = "lambda,sigma_c_data_MPa,sigma_c_fit_MPa\n1.1,0.11,9\n1.2,0.24,9\n1.5,0.6,9\n";
+        close(&pairs_of(text), &[(1.1, 1e5), (1.2, 2e5), (1.5, 4e5)]);
+    }
+
+    #[test]
+    fn columns_without_values_hide_no_others() {
+        let expected = [(1.1, 1e4), (1.2, 2e4), (1.3, 3e4)];
+        close(&pairs_of("strain,engineering stress [kPa],stress [kPa]\n0.1,,10\n0.2,,20\n0.3,,30\n"), &expected);
+        close(&pairs_of("strain,true strain,stress [kPa]\n0.1,N/A,10\n0.2,N/A,20\n0.3,N/A,30\n"), &expected);
+        close(&pairs_of("应变,应力\n-,kPa\n0.1,10\n0.2,20\n0.3,30\n"), &expected);
+        close(&pairs_of("Деформация [%];Напряжение [кПа];Stress [kPa]\n10;1;10\n20;2;20\n30;3;30\n"), &expected);
+    }
+
+    #[test]
     fn what_has_two_meanings_is_refused_with_the_option_that_settles_it() {
         for (text, part) in [
             ("0.1 0.2\n0.2 0.3\n0.3 0.4\n", "--columns"),
@@ -397,6 +474,7 @@ mod tests {
             ("strain,stress [Pa]\n0,1\n0,2\n0,3\n", "every strain is zero"),
             ("strain,stress [Pa]\n-0.2,1\n0,0\n0.2,-1\n", "against the strains"),
             ("elongation,stress [Pa]\n1,2\n3,4\n5,6\n", "% or mm"),
+            ("mean_strain,stress [kPa]\n1,-0\n0.9,10\n0.8,20\n", "line 2: \"mean_strain\" is 1 where there is no load"),
             ("strain,strain,stress [Pa],stress [Pa],stress [Pa]\n1,1,1,1,1\n2,2,2,2,2\n3,3,3,3,3\n", "make no pairs"),
         ] {
             let error = curve("x", text, &Options::default()).unwrap_err().to_string();

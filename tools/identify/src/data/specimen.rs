@@ -1,8 +1,8 @@
 //! From columns of deformation and load to strains and nominal stresses: units, the specimen's size, and measures.
 
-use super::ReadError;
-use super::column::{Column, Kind, Measure};
-use super::series::{Series, Table};
+use softanvil_records::ReadError;
+use softanvil_records::column::{Column, Kind, Measure};
+use softanvil_records::series::{Series, Table};
 
 /// Size of a specimen at rest.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -117,48 +117,39 @@ pub fn at_rest(kind: Kind) -> f64 {
     if kind == Kind::Stretch { 1.0 } else { 0.0 }
 }
 
-/// Stretches that are read: beyond them powers of the stretch leave the range of numbers.
-const LEGAL: std::ops::RangeInclusive<f64> = 0.01..=100.0;
-
-impl Measure {
-    /// The stretch at a `strain` of this measure in `line`.
-    ///
-    /// # Errors
-    /// A strain that no specimen can have.
-    pub fn stretch(self, strain: f64, line: usize) -> Result<f64, ReadError> {
-        let stretch = match self {
-            Self::Engineering => 1.0 + strain,
-            Self::True => strain.exp(),
-            Self::Lagrange => (1.0 + 2.0 * strain).max(0.0).sqrt(),
-        };
-        if LEGAL.contains(&stretch) {
-            return Ok(stretch);
-        }
-        let reason = format!(
-            "strain {strain} is refused: legal is a stretch of {} to {}, an engineering strain above -1 (is it in percent, or \
-             a stretch?)",
-            LEGAL.start(),
-            LEGAL.end()
-        );
-        Err(ReadError::line(line, reason))
+/// What a column of displacement shows of a specimen at rest, in its unit; 0 for other columns.
+///
+/// A machine counts its way from anywhere. The record begins at rest if its first load is a smaller part of the largest than
+/// its first displacement is of the largest; otherwise it begins under load, on a way that counts from 0.
+///
+/// # Errors
+/// A cell that is no number.
+pub fn displacement_at_rest(
+    table: &Table,
+    series: &Series,
+    (deformation, load): (&Column, &Column),
+    notes: &mut Vec<String>,
+) -> Result<f64, ReadError> {
+    if deformation.kind != Kind::Displacement {
+        return Ok(0.0);
     }
-
-    /// The nominal stress that is `stress` of this measure at `stretch`: P = sigma / l = S l in all three tests, because
-    /// the volume stays.
-    pub fn nominal(self, stress: f64, stretch: f64) -> f64 {
-        match self {
-            Self::Engineering => stress,
-            Self::True => stress / stretch,
-            Self::Lagrange => stress * stretch,
+    let (mut first, mut way, mut travel, mut largest) = (None, 0.0_f64, 0.0_f64, 0.0_f64);
+    for row in &series.rows {
+        if let (Some(moved), Some(load)) = (table.value(deformation, row)?, table.value(load, row)?) {
+            let (start, _) = *first.get_or_insert((moved, load));
+            way = way.max(moved.abs());
+            travel = travel.max((moved - start).abs());
+            largest = largest.max(load.abs());
         }
     }
-
-    /// Words for a strain and a stress of it.
-    pub fn names(self) -> (&'static str, &'static str) {
-        match self {
-            Self::Engineering => ("engineering", "engineering"),
-            Self::True => ("true", "true"),
-            Self::Lagrange => ("Green", "second Piola-Kirchhoff"),
-        }
+    let (start, load) = first.unwrap_or_default();
+    let under_load = load.abs() * way >= 0.5 * start.abs() * largest;
+    if start.abs() <= SMALL_START * travel || under_load {
+        return Ok(0.0);
     }
+    notes.push(format!("{} counts from {start}, where the record begins", deformation.title));
+    Ok(start)
 }
+
+/// A first displacement up to this part of the travel is noise around 0.
+const SMALL_START: f64 = 2e-3;

@@ -1,9 +1,10 @@
 //! The volume of a specimen from its lateral strains, or as a file has it.
 
-use super::ReadError;
-use super::column::{Column, Kind, Measure};
+use softanvil_records::ReadError;
+use softanvil_records::column::{Column, Kind, Measure};
+use softanvil_records::series::{Series, Table};
+
 use super::curve::Repeat;
-use super::series::{Series, Table};
 
 /// Title words of ratios, which are 1 at rest, unlike strains and changes.
 const RATIOS: [&str; 5] = ["stretch", "streckung", "lambda", "λ", "ratio"];
@@ -24,7 +25,7 @@ pub fn read(table: &Table, repeats: &[Repeat], notes: &mut Vec<String>) -> Resul
         let (Some(stretch), Some(value)) = (stretch, table.value(column, row)?) else { continue };
         let volume = volume(column, stretch, value * column.si.unwrap_or(1.0));
         if !(volume > 0.01 && volume < 100.0) {
-            let legal = "legal is what makes the volume 0.01 to 100 times that at rest; is the unit in the title?";
+            let legal = "expected what makes the volume 0.01 to 100 times that at rest; is the unit in the title?";
             return Err(ReadError::line(row.line, format!("{} = {value} is refused: {legal}", column.title)));
         }
         states.push((stretch, volume));

@@ -4,7 +4,7 @@
 
 use std::fmt::Write;
 
-use softanvil_kernel::scenario::{ElasticLaw, Material, Moduli, VolumetricBy};
+use softanvil_kernel::material::{ElasticLaw, Material, Moduli, VolumetricBy};
 
 use super::card::Card;
 use super::ls_dyna::active;

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use softanvil_kernel::scenario::Material;
+use softanvil_kernel::material::Material;
 
 use super::card::Card;
 use super::{Layer, ReadBackError, label, read_rows, rows};

@@ -1,7 +1,7 @@
 //! What a file says to its reader, and whether that is the material it was written from.
 
 use softanvil_kernel::material::Elastic;
-use softanvil_kernel::scenario::Material;
+use softanvil_kernel::material::Material;
 
 use super::ls_dyna::viscous;
 use crate::law::fit::SMALLEST_RELATIVE;
@@ -34,7 +34,7 @@ impl Card {
         // The bits of the long-term law.
         let mut long_term = *material;
         let scale = material.long_term_scale();
-        long_term.moduli = softanvil_kernel::scenario::Moduli::LongTerm;
+        long_term.moduli = softanvil_kernel::material::Moduli::LongTerm;
         for c in [
             &mut long_term.c10,
             &mut long_term.c01,
@@ -70,7 +70,7 @@ impl Card {
             let worst = (0..stretches.len()).max_by(|a, b| error(*a).total_cmp(&error(*b)));
             if let Some(k) = worst.filter(|k| error(*k) > LEGAL || error(*k).is_nan()) {
                 return Err(format!(
-                    "its digits give the {} stress at the stretch {:.3} as {:.5e} Pa instead of {:.5e} Pa (legal is a \
+                    "its digits give the {} stress at the stretch {:.3} as {:.5e} Pa instead of {:.5e} Pa (expected a \
                      difference of {} %)",
                     mode.name(),
                     stretches[k],
@@ -99,7 +99,7 @@ impl Card {
         let wrong = numbers.iter().find(|number| !alike(number));
         wrong.map_or(Ok(()), |(name, read, meant)| {
             Err(format!(
-                "its {name} is {read:.5e} instead of {meant:.5e} (legal is a difference of {} %)",
+                "its {name} is {read:.5e} instead of {meant:.5e} (expected a difference of {} %)",
                 100.0 * LEGAL
             ))
         })
@@ -111,7 +111,7 @@ mod tests {
     use super::super::{Layer, abaqus, c_source, ls_dyna, ssv};
     use super::*;
     use crate::law::{LAWS, MODES};
-    use softanvil_kernel::scenario::Moduli;
+    use softanvil_kernel::material::Moduli;
 
     fn states() -> Vec<States> {
         MODES.iter().map(|mode| (*mode, (0..40).map(|k| 0.4 + 0.05 * f64::from(k)).collect())).collect()

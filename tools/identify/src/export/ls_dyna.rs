@@ -6,7 +6,7 @@
 
 use std::fmt::Write;
 
-use softanvil_kernel::scenario::{ElasticLaw, Material, VolumetricBy};
+use softanvil_kernel::material::{ElasticLaw, Material, VolumetricBy};
 
 use super::card::Card;
 use super::{ReadBackError, prony_terms};

@@ -7,11 +7,22 @@ pub mod card;
 pub mod ls_dyna;
 pub mod ssv;
 
+use softanvil_kernel::material::Material;
 use softanvil_kernel::parameter::Kind;
-use softanvil_kernel::scenario::{Layers, Material};
+use softanvil_kernel::scenario::Layers;
 use softanvil_kernel::{PARAMETERS, Parameter, preset};
 
 /// Which layer of the anvil the material is for.
+///
+/// ```
+/// use softanvil_identify::export::{Layer, ssv};
+/// use softanvil_identify::law::Law;
+///
+/// let material = Law::find("neo_hookean").unwrap().material(&[1e5]);
+/// let values = ssv::text("skin", &material, Layer::Skin)?;
+/// assert!(values.contains("skin.c10") && !values.contains("silicone."));
+/// # Ok::<(), std::io::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Layer {
     /// Parameters `silicone.*`.

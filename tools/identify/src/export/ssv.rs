@@ -6,7 +6,7 @@ use std::io;
 
 use quick_xml::events::{BytesDecl, BytesStart, Event};
 use quick_xml::{Reader, Writer};
-use softanvil_kernel::scenario::Material;
+use softanvil_kernel::material::Material;
 
 use super::card::Card;
 use super::{Layer, ReadBackError, label, read_rows, rows};

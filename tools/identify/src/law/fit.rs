@@ -34,6 +34,20 @@ pub struct Settings {
 }
 
 /// A fitted law.
+///
+/// ```
+/// use softanvil_identify::law::fit::{Fit, Settings, Weighting};
+/// use softanvil_identify::law::{DataSet, Law, Mode};
+///
+/// // Tension of a neo-Hookean material with a shear modulus of 0.1 MPa: P = G (l - l^-2).
+/// let stretches = (1..=10).map(|i| 1.0 + 0.1 * f64::from(i));
+/// let points = stretches.map(|l| (l, 1e5 * (l - l.powi(-2)))).collect();
+/// let data = [DataSet { mode: Mode::Uniaxial, points }];
+/// let settings = Settings { weighting: Weighting::Absolute, stability_range: (0.5, 2.0), demand_stability: true };
+/// let fit = Fit::new(Law::find("neo_hookean").unwrap(), &data, &settings).unwrap();
+/// assert!((fit.shear_modulus() / 1e5 - 1.0).abs() < 1e-9);
+/// assert!(fit.is_stable && fit.statistics.rms < 1e-3);
+/// ```
 #[derive(Clone, Debug)]
 pub struct Fit {
     /// The law.

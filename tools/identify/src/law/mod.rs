@@ -16,8 +16,8 @@ pub mod statistics;
 pub mod stress;
 pub mod volume;
 
+use softanvil_kernel::material::{ElasticLaw, Material, Moduli, VolumetricBy};
 use softanvil_kernel::preset;
-use softanvil_kernel::scenario::{ElasticLaw, Material, Moduli, VolumetricBy};
 
 /// A homogeneous test of an incompressible specimen; l is the stretch of the loaded direction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -45,6 +45,16 @@ impl Mode {
 }
 
 /// Measured states of one test, in SI units.
+///
+/// ```
+/// use softanvil_identify::law::fit::predict;
+/// use softanvil_identify::law::{DataSet, Law, Mode};
+///
+/// // Pure shear of a neo-Hookean material: P = 2 C10 (l - l^-3).
+/// let test = DataSet { mode: Mode::Planar, points: vec![(1.5, 1.2e5), (2.0, 1.9e5)] };
+/// let stresses = predict(Law::find("neo_hookean").unwrap(), &[5e4], &[test]);
+/// assert!((stresses[1] - 1e5 * (2.0 - 0.125)).abs() < 1e-6);
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct DataSet {
     /// The test.
@@ -67,6 +77,15 @@ pub enum Family {
 }
 
 /// A law with a number of parameters.
+///
+/// ```
+/// use softanvil_identify::law::Law;
+///
+/// let law = Law::find("mooney_rivlin_2").unwrap();
+/// assert_eq!((law.parameters, law.unit(0)), (&["c10", "c01"][..], "Pa"));
+/// let material = law.material(&[1e5, 2e4]);
+/// assert!((material.shear_modulus_inf() - 2.4e5).abs() < 1e-6);
+/// ```
 #[derive(Debug, PartialEq)]
 pub struct Law {
     /// Name on the command line.

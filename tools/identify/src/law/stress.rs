@@ -3,9 +3,9 @@
 //! The free direction carries no stress, so the loaded one carries P = (tau_loaded - tau_free) / l, in which the
 //! pressure of the incompressible specimen drops out.
 
-use softanvil_kernel::kinematics::Kinematics;
 use softanvil_kernel::material::Elastic;
-use softanvil_kernel::vector::Scalar;
+use softanvil_kernel::number::vector::Scalar;
+use softanvil_kernel::tensor::kinematics::Kinematics;
 
 use super::Mode;
 

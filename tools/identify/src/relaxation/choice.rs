@@ -6,6 +6,17 @@ use super::prony::{Prony, Relaxation, fit};
 pub const TERMS: std::ops::RangeInclusive<usize> = 1..=5;
 
 /// Series of each number of terms.
+///
+/// ```
+/// use softanvil_identify::relaxation::choice::{Choice, TERMS};
+/// use softanvil_identify::relaxation::history::History;
+/// use softanvil_identify::relaxation::prony::Relaxation;
+///
+/// let times: Vec<f64> = (0..60).map(|i| 1e-2 * 1.2_f64.powi(i)).collect();
+/// let loads = times.iter().map(|t| 50e3 + 30e3 * (-t / 0.1).exp() + 20e3 * (-t / 10.0).exp()).collect();
+/// let choice = Choice::new(&Relaxation { times, loads, history: History::step(0.0) }, None);
+/// assert_eq!((choice.series.len(), choice.prony().terms.len()), (TERMS.count(), 2));
+/// ```
 #[derive(Clone, Debug)]
 pub struct Choice {
     /// The series, in order of their number of terms; those that are worse than the mean of the loads are left out.

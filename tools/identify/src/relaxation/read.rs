@@ -1,23 +1,23 @@
 //! Time and load of a relaxation test from a file.
 
+use softanvil_records::ReadError;
+use softanvil_records::column::{self, Column, Kind, Measure};
+use softanvil_records::series::{DYNAMIC, Series, Table};
+use softanvil_records::sheet::{self, Layout};
+
 use super::history::History;
 use super::prony::Relaxation;
 use super::ramp;
-use crate::data::ReadError;
-use crate::data::column::{self, Column, Kind, Measure};
 use crate::data::curve::{Direction, hinted};
-use crate::data::number::Decimal;
-use crate::data::series::{DYNAMIC, Series, Table};
-use crate::data::sheet;
-use crate::data::specimen::{Specimen, at_rest};
+use crate::data::specimen::{Specimen, at_rest, displacement_at_rest};
 
 /// What the file leaves open.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
     /// Titles instead of the file's.
     pub columns: Option<Vec<String>>,
-    /// Decimal sign of the numbers.
-    pub decimal: Option<Decimal>,
+    /// Layout of the file.
+    pub layout: Layout,
     /// Size of the specimen.
     pub specimen: Specimen,
     /// Measure of strains whose title names none.
@@ -46,6 +46,17 @@ pub enum Load {
 }
 
 /// A relaxation test.
+///
+/// ```
+/// use softanvil_identify::relaxation::read::{self, Load, Options};
+///
+/// let file = b"time [s],stress [kPa]\n0,100\n1,80\n10,60\n100,55\n1000,55\n";
+/// let options = Options { start: Some(0.0), ramp_time: Some(0.0), ..Options::default() };
+/// let test = read::read(file, &options, None)?;
+/// assert_eq!(test.load, Load::Stress);
+/// assert_eq!((test.relaxation.times.last(), test.relaxation.loads.last()), (Some(&1000.0), Some(&55e3)));
+/// # Ok::<(), softanvil_identify::data::ReadError>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Test {
     /// Load over time; positive.
@@ -70,10 +81,10 @@ const PER_DECADE: f64 = 100.0;
 /// # Errors
 /// What cannot be understood, or in two ways.
 pub fn read(bytes: &[u8], options: &Options, elastic: Option<&dyn Fn(f64) -> f64>) -> Result<Test, ReadError> {
-    let table = Table::new(sheet::parse(bytes, options.decimal)?, options.columns.as_deref())?;
+    let table = Table::new(sheet::parse(bytes, &options.layout)?, options.columns.as_deref())?;
     let [series] = table.series.as_slice() else {
         return Err(ReadError::file(format!(
-            "{} specimens in one file: legal is one relaxation test",
+            "{} specimens in one file: expected one relaxation test",
             table.series.len()
         )));
     };
@@ -82,7 +93,7 @@ pub fn read(bytes: &[u8], options: &Options, elastic: Option<&dyn Fn(f64) -> f64
     let start = options.start.unwrap_or_else(|| beginning(&rows, &mut notes));
     rows.iter_mut().for_each(|row| row.time -= start);
     if rows.iter().all(|row| row.load == 0.0) {
-        return Err(ReadError::file("every load is zero: legal are points of a specimen under load"));
+        return Err(ReadError::file("every load is zero: expected points of a specimen under load"));
     }
     let sign = if rows.iter().map(|row| row.load).sum::<f64>() < 0.0 { -1.0 } else { 1.0 };
     rows.iter_mut().for_each(|row| row.load *= sign);
@@ -97,6 +108,7 @@ pub fn read(bytes: &[u8], options: &Options, elastic: Option<&dyn Fn(f64) -> f64
         loaded,
         history,
     };
+    notes.extend(table.notes);
     Ok(Test { relaxation, load, stretch, notes })
 }
 
@@ -162,13 +174,23 @@ fn rows(table: &Table, series: &Series, options: &Options, notes: &mut Vec<Strin
         Some(column) => Some((column, options.specimen.strain_per_unit(table, series, column, notes)?)),
         None => None,
     };
+    let origin = match deformation {
+        Some(column) => displacement_at_rest(table, series, (column, load), notes)?,
+        None => 0.0,
+    };
+    if let (None, Some(column)) = (deformation, one(table, Kind::Displacement)?) {
+        notes.push(format!(
+            "{} is passed over: with --height, the specimen's length, it gives the strain",
+            column.title
+        ));
+    }
     let mut rows = Vec::new();
     for row in &series.rows {
         let (Some(seconds), Some(value)) = (table.value(time, row)?, table.value(load, row)?) else { continue };
         let strain = match strained {
             Some((column, factor)) => table.value(column, row)?.map(|strain| {
                 let own = if column.kind == Kind::Strain { column.measure } else { Some(Measure::Engineering) };
-                (strain * factor - at_rest(column.kind), measure(own, options.strain_measure))
+                ((strain - origin) * factor - at_rest(column.kind), measure(own, options.strain_measure))
             }),
             None => None,
         };
@@ -176,7 +198,7 @@ fn rows(table: &Table, series: &Series, options: &Options, notes: &mut Vec<Strin
         rows.push(Row { line: row.line, time, load: value * unit, kind, stress, strain });
     }
     if let Some(pair) = rows.windows(2).find(|pair| pair[1].time < pair[0].time) {
-        let reason = format!("time {} s is before that of the line above: legal is time that rises", pair[1].time);
+        let reason = format!("time {} s is before that of the line above: expected time that rises", pair[1].time);
         return Err(ReadError::line(pair[1].line, reason));
     }
     rows.dedup_by(|a, b| a.time == b.time);
@@ -243,7 +265,7 @@ fn history(
     let peak = peak(rows);
     if options.ramp_time.is_none() && peak + AFTER_PEAK > rows.len() {
         let reason = format!(
-            "the load is largest here, at {} s, with fewer than {AFTER_PEAK} points from it on: legal is a load that relaxes, or \
+            "the load is largest here, at {} s, with fewer than {AFTER_PEAK} points from it on: expected a load that relaxes, or \
              --ramp-time",
             rows[peak].time
         );
@@ -289,7 +311,7 @@ fn measured(
     let strains = || rows.iter().filter_map(|row| row.strain);
     let largest = strains().fold(0.0, |a: f64, (b, _)| if b.abs() > a.abs() { b } else { a });
     if largest == 0.0 {
-        return Err(ReadError::file("every strain is zero: legal is a column of the strain that was held"));
+        return Err(ReadError::file("every strain is zero: expected a column of the strain that was held"));
     }
     // A positive strain may be one of compression; the option tells, or the load's sign, or words.
     let sign = match options.strain {

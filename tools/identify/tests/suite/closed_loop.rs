@@ -3,7 +3,7 @@
 
 use softanvil_identify::law::fit::{Fit, Settings, Weighting};
 use softanvil_identify::law::{DataSet, Law, Mode};
-use softanvil_kernel::scenario::Material;
+use softanvil_kernel::material::Material;
 use softanvil_specimen::{Compression, compress};
 
 use crate::tolerance::CLOSED_LOOP;

@@ -12,9 +12,9 @@ use semihosting::println;
 use softanvil_firmware::{Counter, INSTRUCTIONS_PER_TICK, argument, end, flash, stack_high_water, static_ram};
 use softanvil_golden::{Checker, Record, Scene, scenes::SAMPLES_PER_RECORD};
 use softanvil_kernel::element::{CellConstants, CellHistory, HoopConstants};
-use softanvil_kernel::lanes::Deviator;
-use softanvil_kernel::real::Real;
-use softanvil_kernel::snapshot::{snapshot_size, state_digest};
+use softanvil_kernel::tensor::deviator::Deviator;
+use softanvil_kernel::number::real::Real;
+use softanvil_kernel::state::{snapshot_size, state_digest};
 use softanvil_kernel::{Constants, Model, ModelMemory, Scalars, Size, State, StateMemory, StepInput, step};
 
 /// The study's mesh: nodes with padding, nodes of the surface, blocks of cells, viscous terms. `Size::of` tells what a

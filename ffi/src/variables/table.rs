@@ -1,0 +1,214 @@
+//! The table: every variable by its reference.
+
+use softanvil_kernel::parameter::Kind;
+use softanvil_kernel::{OUTPUTS, Output, PARAMETERS, Parameter, Scenario};
+
+use super::digest::digest;
+use super::inputs::{INPUTS, Input};
+use super::profile::{POINTS, Profile};
+use super::references;
+use super::variable::{Source, ValueType, Variable};
+
+impl Variable {
+    fn of_parameter(parameter: &'static Parameter) -> Option<Self> {
+        let value = match parameter.kind {
+            Kind::Real { unit, min, max, .. } => ValueType::Real { unit, range: Some((min, max)) },
+            Kind::Choice { labels, .. } => ValueType::Enumeration { labels },
+        };
+        Some(Self {
+            reference: references::reference_of(references::PARAMETERS, parameter.name)?,
+            name: parameter.name,
+            description: parameter.description,
+            value,
+            source: Source::Parameter(parameter),
+        })
+    }
+
+    fn of_input(input: &'static Input) -> Self {
+        Self {
+            reference: input.reference,
+            name: input.row.name,
+            description: input.description,
+            value: ValueType::Real { unit: input.row.unit, range: Some(input.row.range) },
+            source: Source::Input(input),
+        }
+    }
+
+    fn of_output(output: &'static Output) -> Option<Self> {
+        Some(Self {
+            reference: references::reference_of(references::OUTPUTS, output.name)?,
+            name: output.name,
+            description: output.description,
+            value: ValueType::Real { unit: output.unit, range: None },
+            source: Source::Output(output),
+        })
+    }
+}
+
+/// Simulated time.
+static TIME: Variable = Variable {
+    reference: references::TIME,
+    name: "time",
+    description: "time of the communication point",
+    value: ValueType::Real { unit: "s", range: None },
+    source: Source::Time,
+};
+
+/// What an instance knows about its model and state besides the kernel's outputs.
+static MODEL: [Variable; 6] = [
+    Variable {
+        reference: references::KERNEL_TIME,
+        name: "model.time",
+        description: "time that the kernel has reached: that of its step nearest to time, to which all outputs belong",
+        value: ValueType::Real { unit: "s", range: None },
+        source: Source::KernelTime,
+    },
+    Variable {
+        reference: references::TIME_STEP,
+        name: "model.time_step",
+        description: "time step of the kernel, which goes to the step nearest to each communication point",
+        value: ValueType::Real { unit: "s", range: None },
+        source: Source::TimeStep,
+    },
+    Variable {
+        reference: references::ELEMENTS,
+        name: "model.elements",
+        description: "number of elements of the mesh",
+        value: ValueType::Integer,
+        source: Source::Elements,
+    },
+    Variable {
+        reference: references::SURFACE_NODES,
+        name: "model.surface_nodes",
+        description: "number of nodes along the surface of the mesh",
+        value: ValueType::Integer,
+        source: Source::SurfaceNodes,
+    },
+    Variable {
+        reference: references::CONTACT_ACTIVE,
+        name: "contact.active",
+        description: "whether the impactor touched the layer in the last step",
+        value: ValueType::Boolean,
+        source: Source::ContactActive,
+    },
+    Variable {
+        reference: references::TRACE_HASH,
+        name: "result.trace_hash",
+        description: "digest (FNV-1a, 64 bit, hexadecimal) of all force samples so far: equal runs have equal digests",
+        value: ValueType::String,
+        source: Source::TraceHash,
+    },
+];
+
+const fn profile(
+    reference: u32,
+    name: &'static str,
+    unit: &'static str,
+    shows: Profile,
+    text: &'static str,
+) -> Variable {
+    Variable { reference, name, description: text, value: ValueType::Array { unit }, source: Source::Profile(shows) }
+}
+
+/// The number of points and the profiles.
+static SURFACE: [Variable; 4] = [
+    Variable {
+        reference: references::SURFACE_POINTS,
+        name: "surface.points",
+        description: "points of the profiles surface.x, surface.height and surface.contact_pressure, spread evenly over \
+                      the surface at rest; with as many as model.surface_nodes they are its nodes",
+        value: ValueType::Size { range: POINTS },
+        source: Source::Points,
+    },
+    profile(
+        references::SURFACE_X,
+        "surface.x",
+        "m",
+        Profile::X,
+        "current distance of the points of the surface from the centre line",
+    ),
+    profile(
+        references::SURFACE_HEIGHT,
+        "surface.height",
+        "m",
+        Profile::Height,
+        "current height of the points of the surface above the top of the undeformed anvil",
+    ),
+    profile(
+        references::SURFACE_CONTACT_PRESSURE,
+        "surface.contact_pressure",
+        "Pa",
+        Profile::ContactPressure,
+        "contact pressure at the points of the surface in the last step",
+    ),
+];
+
+/// How many variables there are.
+const COUNT: usize =
+    1 + references::PARAMETERS.len() + INPUTS.len() + references::OUTPUTS.len() + MODEL.len() + SURFACE.len();
+
+/// Groups of references by their hundreds.
+const GROUPS: usize = 70;
+
+/// All variables, in ascending order of their references.
+pub struct Table {
+    pub(super) rows: [Variable; COUNT],
+    /// First row of each group of references.
+    first: [u16; GROUPS],
+    digest: u64,
+}
+
+impl Table {
+    /// The table, made from the kernel's.
+    pub fn new() -> Self {
+        let mut all = PARAMETERS
+            .iter()
+            .filter_map(Variable::of_parameter)
+            .chain(INPUTS.iter().map(Variable::of_input))
+            .chain(OUTPUTS.iter().filter_map(Variable::of_output))
+            .chain(MODEL)
+            .chain(SURFACE);
+        let mut rows = core::array::from_fn(|_| all.next().unwrap_or(TIME));
+        rows.sort_unstable_by_key(|variable: &Variable| variable.reference);
+        let first = core::array::from_fn(|group| {
+            rows.partition_point(|variable| variable.reference < references::GROUP * group as u32) as u16
+        });
+        let digest = digest(0, &rows);
+        Self { rows, first, digest }
+    }
+
+    /// Every variable.
+    pub fn rows(&self) -> &[Variable] {
+        &self.rows
+    }
+
+    /// Digest of everything that a master can know of the table, which a saved state must match.
+    pub fn digest(&self) -> u64 {
+        self.digest
+    }
+
+    /// The variable that a master calls `reference`.
+    pub fn find(&self, reference: u32) -> Option<&Variable> {
+        let first = usize::from(*self.first.get((reference / references::GROUP) as usize)?);
+        let place = first + (reference % references::GROUP) as usize;
+        match self.rows.get(place) {
+            Some(variable) if variable.reference == reference => Some(variable),
+            // None, or one behind a gap in its group.
+            _ => {
+                let row = self.rows.binary_search_by_key(&reference, |variable| variable.reference).ok()?;
+                self.rows.get(row)
+            }
+        }
+    }
+}
+
+impl Default for Table {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+/// Whether two scenarios agree in every bit.
+pub(crate) fn same_bits(a: &Scenario, b: &Scenario) -> bool {
+    PARAMETERS.iter().all(|parameter| parameter.get(a).to_bits() == parameter.get(b).to_bits())
+}

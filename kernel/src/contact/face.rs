@@ -1,0 +1,167 @@
+//! ContactWork and friction between the impactor's flat face and the surface nodes.
+//!
+//! ContactWork is a constraint, not a penalty: the forces are those that leave every touching node on the face at the end
+//! of the step, with the impactor's own reaction included (forward increment Lagrange multipliers, Carpenter, Taylor
+//! and Katona 1991; here in closed form, because the lumped masses decouple). Nothing penetrates and no energy hides in
+//! springs. A node that is caught loses the kinetic energy of its velocity relative to the face; the energy balance counts it.
+//!
+//! Friction stops a node within the limit of Coulomb's law in the same step: a sticking node has exactly no velocity.
+
+use crate::contact::friction::limited;
+use crate::impactor::Prediction;
+use crate::model::{Constants, Model};
+use crate::number::pack::{LANES, Pack, ZERO, packs, packs_mut, sum};
+use crate::number::real::Real;
+use crate::number::vector::{Simd, Vector};
+use crate::state::{ContactWork, State, StateNodes};
+
+/// Passes of the search for the touching nodes. The end position of the face rises with each, from below, by the ratio
+/// of a node's mass to the impactor's; what is left after four passes is below rounding for any impactor heavier than
+/// the layer, and momentum is exact after any number.
+const PASSES: usize = 4;
+
+/// Adds the contact forces to the forces of the surface nodes and returns what they did.
+#[inline(always)]
+pub(crate) fn contact<S: Simd>(simd: S, model: &Model, state: &mut State, prediction: &Prediction) -> ContactWork {
+    let (constants, impactor) = (&model.constants, &mut state.scalars.impactor);
+    let Some(mut surface) = Surface::of(model, &mut state.nodes) else { return ContactWork::default() };
+    surface.find_free_heights(simd, constants);
+    let face = surface.face_position(simd, constants.section_mass(), prediction);
+    let normal_force = surface.hold(simd, constants.dt, face);
+    let before = impactor.velocity_half;
+    impactor.advance(model, prediction, normal_force);
+    let [contact_dissipation, frictional_dissipation] =
+        surface.slide(simd, constants, [before, impactor.velocity_half]);
+    ContactWork { normal_force, contact_dissipation, frictional_dissipation }
+}
+
+/// The nodes at the surface, in lanes of as many numbers each; x before y.
+struct Surface<'s> {
+    mass: &'s [Pack],
+    inverse_mass: [&'s [Pack]; 2],
+    reference: [&'s [Pack]; 2],
+    displacement: [&'s [Pack]; 2],
+    velocity: [&'s [Pack]; 2],
+    force: [&'s mut [Pack]; 2],
+    /// Normal forces, N. Until they are known, the height of each node above the undeformed anvil's top at the end of a step
+    /// without contact, m; far below where it is not under the face.
+    normal: &'s mut [Pack],
+    tangential: &'s mut [Pack],
+}
+
+/// A height that no face reaches, m.
+const FAR_BELOW: Real = -1e30;
+
+impl<'s> Surface<'s> {
+    /// None if a row is too short, which the sizes of [`crate::mesh::Grid`] exclude.
+    #[inline(always)]
+    fn of(model: &'s Model, nodes: &'s mut StateNodes) -> Option<Self> {
+        let (grid, fixed) = (&model.constants.grid, &model.nodes);
+        let (top, count) = (grid.n_v * grid.stride(), grid.stride() / LANES);
+        Some(Self {
+            mass: packs(fixed.nodal_mass, top, count)?,
+            inverse_mass: [packs(fixed.inverse_mass_x, top, count)?, packs(fixed.inverse_mass_y, top, count)?],
+            reference: [packs(fixed.reference_x, top, count)?, packs(fixed.reference_y, top, count)?],
+            displacement: [packs(nodes.displacement_x, top, count)?, packs(nodes.displacement_y, top, count)?],
+            velocity: [packs(nodes.velocity_x, top, count)?, packs(nodes.velocity_y, top, count)?],
+            force: [packs_mut(nodes.force_x, top, count)?, packs_mut(nodes.force_y, top, count)?],
+            normal: packs_mut(nodes.contact_normal, 0, count)?,
+            tangential: packs_mut(nodes.contact_tangential, 0, count)?,
+        })
+    }
+
+    /// Fills `normal` with heights.
+    #[inline(always)]
+    fn find_free_heights<S: Simd>(&mut self, simd: S, constants: &Constants) {
+        let impactor = &constants.scenario.impactor;
+        let half_width = simd.splat(0.5 * impactor.face_diameter);
+        let (zero, far_below) = (simd.splat(0.0), simd.splat(FAR_BELOW));
+        for i in 0..self.normal.len() {
+            for chunk in 0..LANES / S::WIDTH {
+                let change = simd.load(&self.inverse_mass[1][i], chunk) * simd.load(&self.force[1][i], chunk);
+                let velocity = simd.load(&self.velocity[1][i], chunk) + change.mul_scalar(constants.dt);
+                let level = simd.load(&self.reference[1][i], chunk).add_scalar(-constants.top_height);
+                let height = level + simd.load(&self.displacement[1][i], chunk) + velocity.mul_scalar(constants.dt);
+                let x = simd.load(&self.reference[0][i], chunk) + simd.load(&self.displacement[0][i], chunk);
+                let from_centre = x.add_scalar(-impactor.offset);
+                let distance = from_centre.max(from_centre.mul_scalar(-1.0));
+                let under_face = distance.select_greater(half_width, far_below, height);
+                let height = simd.load(&self.mass[i], chunk).select_greater(zero, under_face, far_below);
+                simd.store(height, &mut self.normal[i], chunk);
+            }
+        }
+    }
+
+    /// Height of the face at the end of the step, m, from the free heights.
+    ///
+    /// It is the root z of M (z - z_free) = sum m_i max(0, y_i - z), a concave rising function: Newton's method climbs to
+    /// it from z_free through a shrinking set of touching nodes.
+    #[inline(always)]
+    fn face_position<S: Simd>(&self, simd: S, impactor_mass: Real, prediction: &Prediction) -> Real {
+        let mut position = prediction.position;
+        if !prediction.free {
+            return position;
+        }
+        let (zero, start) = (simd.splat(0.0), simd.splat(prediction.position));
+        for _ in 0..PASSES {
+            let (face, mut masses, mut moments) = (simd.splat(position), ZERO, ZERO);
+            for i in 0..self.normal.len() {
+                for chunk in 0..LANES / S::WIDTH {
+                    let (mass, height) = (simd.load(&self.mass[i], chunk), simd.load(&self.normal[i], chunk));
+                    simd.add(height.select_greater(face, mass, zero), &mut masses, chunk);
+                    simd.add(height.select_greater(face, mass * (height - start), zero), &mut moments, chunk);
+                }
+            }
+            position = prediction.position + sum(&moments) / (impactor_mass + sum(&masses));
+        }
+        position
+    }
+
+    /// The force that brings each penetrating node back to the face within the step; returns their sum in index order.
+    #[inline(always)]
+    fn hold<S: Simd>(&mut self, simd: S, dt: Real, face: Real) -> Real {
+        let inverse_dt_squared = 1.0 / (dt * dt);
+        let (zero, face, mut total) = (simd.splat(0.0), simd.splat(face), ZERO);
+        for i in 0..self.normal.len() {
+            for chunk in 0..LANES / S::WIDTH {
+                let height = simd.load(&self.normal[i], chunk);
+                let force = (simd.load(&self.mass[i], chunk) * (height - face)).mul_scalar(inverse_dt_squared);
+                let normal = height.select_greater(face, force, zero);
+                simd.store(normal, &mut self.normal[i], chunk);
+                simd.store(simd.load(&self.force[1][i], chunk) - normal, &mut self.force[1][i], chunk);
+                simd.add(normal, &mut total, chunk);
+            }
+        }
+        sum(&total)
+    }
+
+    /// Friction. Returns the energy that the normal forces take over their impulse, J, then that of friction; before and
+    /// after it the face has the velocities `face`, m/s.
+    #[inline(always)]
+    fn slide<S: Simd>(&mut self, simd: S, constants: &Constants, face: [Real; 2]) -> [Real; 2] {
+        let (dt, coefficient) = (constants.dt, constants.scenario.face.friction_coefficient);
+        let (inverse_dt, face) = (1.0 / dt, face[0] + face[1]);
+        let (zero, mut contact_dissipation, mut frictional_dissipation) = (simd.splat(0.0), ZERO, ZERO);
+        for i in 0..self.normal.len() {
+            for chunk in 0..LANES / S::WIDTH {
+                let (normal, mass) = (simd.load(&self.normal[i], chunk), simd.load(&self.mass[i], chunk));
+                let (x, y) = (simd.load(&self.velocity[0][i], chunk), simd.load(&self.velocity[1][i], chunk));
+                let (inverse_mass, force) =
+                    (simd.load(&self.inverse_mass[0][i], chunk), simd.load(&self.force[0][i], chunk));
+                // The force that stops the node in this step, where it can move at all.
+                let stick = ((mass * x).mul_scalar(inverse_dt) + force).mul_scalar(-1.0);
+                let limit = inverse_mass.select_greater(zero, normal.mul_scalar(coefficient), zero);
+                let friction = limited(stick, limit);
+                let force = force + friction;
+                simd.store(friction, &mut self.tangential[i], chunk);
+                simd.store(force, &mut self.force[0][i], chunk);
+                let after_x = x + (inverse_mass * force).mul_scalar(dt);
+                let acceleration = simd.load(&self.inverse_mass[1][i], chunk) * simd.load(&self.force[1][i], chunk);
+                let after_y = y + acceleration.mul_scalar(dt);
+                simd.add(normal * (y + after_y).add_scalar(-face), &mut contact_dissipation, chunk);
+                simd.add(zero - friction * (x + after_x), &mut frictional_dissipation, chunk);
+            }
+        }
+        [0.5 * dt * sum(&contact_dissipation), 0.5 * dt * sum(&frictional_dissipation)]
+    }
+}

@@ -1,0 +1,6 @@
+//! Contact with the rigid face above the layer and with the rigid core below it.
+
+pub(crate) mod face;
+mod friction;
+pub(crate) mod rigid_core;
+pub mod surface;

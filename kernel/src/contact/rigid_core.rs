@@ -1,0 +1,142 @@
+//! The rigid core: its reaction, and unilateral contact with Coulomb friction where the layer is not bonded to it.
+//!
+//! The forces are those of [`crate::contact::face`], towards a fixed surface: the normal force leaves a penetrating node on the
+//! surface at the end of the step, the tangential one stops it within the limit of Coulomb's law.
+
+use crate::contact::friction::limited;
+use crate::model::{Constants, Model};
+use crate::number::pack::{LANES, Pack, ZERO, packs, packs_mut, sum};
+use crate::number::real::Real;
+use crate::number::vector::{Simd, Vector};
+use crate::scenario::Interface;
+use crate::state::ContactWork;
+use crate::state::{State, StateNodes};
+
+/// What the core does in one step: its upward force on the section, N, and the energy it takes.
+#[inline(always)]
+pub(crate) fn react<S: Simd>(simd: S, model: &Model, state: &mut State) -> ContactWork {
+    match model.constants.scenario.core.interface {
+        // The core balances the forces on nodes that are fixed.
+        Interface::Bonded => {
+            let forces = state.nodes.force_y.get(..=model.constants.grid.n_u).unwrap_or_default();
+            ContactWork { normal_force: forces.iter().fold(0.0, |sum, force| sum - force), ..ContactWork::default() }
+        }
+        Interface::Frictional | Interface::Sliding => match Base::of(model, &mut state.nodes) {
+            Some(mut base) => base.touch(simd, model.constants),
+            None => ContactWork::default(),
+        },
+    }
+}
+
+/// The nodes at the core, in lanes of as many numbers each; x before y.
+struct Base<'s> {
+    mass: &'s [Pack],
+    inverse_mass: [&'s [Pack]; 2],
+    reference: [&'s [Pack]; 2],
+    displacement: [&'s [Pack]; 2],
+    velocity: [&'s [Pack]; 2],
+    force: [&'s mut [Pack]; 2],
+}
+
+/// Forces of the core on neighbouring nodes, N, its outward normal below them, and the velocities before the forces, m/s.
+struct Touch<V> {
+    pressure: V,
+    shear: V,
+    normal: [V; 2],
+    before: [V; 2],
+}
+
+impl<'s> Base<'s> {
+    /// None if a row is too short, which the sizes of [`crate::mesh::Grid`] exclude.
+    #[inline(always)]
+    fn of(model: &'s Model, nodes: &'s mut StateNodes) -> Option<Self> {
+        let (fixed, count) = (&model.nodes, model.constants.grid.stride() / LANES);
+        Some(Self {
+            mass: packs(fixed.nodal_mass, 0, count)?,
+            inverse_mass: [packs(fixed.inverse_mass_x, 0, count)?, packs(fixed.inverse_mass_y, 0, count)?],
+            reference: [packs(fixed.reference_x, 0, count)?, packs(fixed.reference_y, 0, count)?],
+            displacement: [packs(nodes.displacement_x, 0, count)?, packs(nodes.displacement_y, 0, count)?],
+            velocity: [packs(nodes.velocity_x, 0, count)?, packs(nodes.velocity_y, 0, count)?],
+            force: [packs_mut(nodes.force_x, 0, count)?, packs_mut(nodes.force_y, 0, count)?],
+        })
+    }
+
+    /// Adds the forces of the core to those of nodes that may slide and, unless they are on rollers, lift.
+    #[inline(always)]
+    fn touch<S: Simd>(&mut self, simd: S, constants: &Constants) -> ContactWork {
+        let (mut total, mut contact_dissipation, mut frictional_dissipation) = (ZERO, ZERO, ZERO);
+        let zero = simd.splat(0.0);
+        for i in 0..self.mass.len() {
+            for chunk in 0..LANES / S::WIDTH {
+                let Touch { pressure, shear, normal, before } = self.forces(simd, constants, i, chunk);
+                let pull = [pressure * normal[0] + shear * normal[1], pressure * normal[1] - shear * normal[0]];
+                let [force_x, force_y] =
+                    [simd.load(&self.force[0][i], chunk) + pull[0], simd.load(&self.force[1][i], chunk) + pull[1]];
+                simd.store(force_x, &mut self.force[0][i], chunk);
+                simd.store(force_y, &mut self.force[1][i], chunk);
+                let after = [
+                    before[0] + (simd.load(&self.inverse_mass[0][i], chunk) * force_x).mul_scalar(constants.dt),
+                    before[1] + (simd.load(&self.inverse_mass[1][i], chunk) * force_y).mul_scalar(constants.dt),
+                ];
+                simd.add(pull[1], &mut total, chunk);
+                let twice_mean = [before[0] + after[0], before[1] + after[1]];
+                let outwards = twice_mean[0] * normal[0] + twice_mean[1] * normal[1];
+                let along = twice_mean[0] * normal[1] - twice_mean[1] * normal[0];
+                simd.add(zero - pressure * outwards, &mut contact_dissipation, chunk);
+                simd.add(zero - shear * along, &mut frictional_dissipation, chunk);
+            }
+        }
+        let energy = |lane: Pack| 0.5 * constants.dt * sum(&lane);
+        ContactWork {
+            normal_force: sum(&total),
+            contact_dissipation: energy(contact_dissipation),
+            frictional_dissipation: energy(frictional_dissipation),
+        }
+    }
+
+    /// The forces on some nodes of lane `i`; none on padding, which has no mass.
+    #[inline(always)]
+    fn forces<S: Simd>(&self, simd: S, constants: &Constants, i: usize, chunk: usize) -> Touch<S::Vector> {
+        let (core, inverse_dt) = (&constants.scenario.core, 1.0 / constants.dt);
+        let rollers = core.interface == Interface::Sliding;
+        let (zero, mass) = (simd.splat(0.0), simd.load(&self.mass[i], chunk));
+        let inverse = [simd.load(&self.inverse_mass[0][i], chunk), simd.load(&self.inverse_mass[1][i], chunk)];
+        let before = [simd.load(&self.velocity[0][i], chunk), simd.load(&self.velocity[1][i], chunk)];
+        let (x, y) = (self.place(simd, 0, i, chunk), self.place(simd, 1, i, chunk));
+        let (normal, depth) = surface_normal(simd, constants.scenario.core_radius(), x, y);
+        let change = |axis: usize| (inverse[axis] * simd.load(&self.force[axis][i], chunk)).mul_scalar(constants.dt);
+        let free = [before[0] + change(0), before[1] + change(1)];
+        // On the centre line the normal is vertical, so the fixed direction takes no part in it.
+        let approach = depth.mul_scalar(inverse_dt) - (free[0] * normal[0] + free[1] * normal[1]);
+        let stopping = (mass * approach).mul_scalar(inverse_dt);
+        let pressure = if rollers { stopping } else { approach.select_greater(zero, stopping, zero) };
+        let along = free[0] * normal[1] - free[1] * normal[0];
+        let shear = if rollers {
+            zero
+        } else {
+            let friction =
+                limited((mass * along).mul_scalar(-inverse_dt), pressure.mul_scalar(core.friction_coefficient));
+            inverse[0].select_greater(zero, friction, zero)
+        };
+        Touch { pressure, shear, normal, before }
+    }
+
+    /// Coordinate `axis` of some nodes of lane `i`, m.
+    #[inline(always)]
+    fn place<S: Simd>(&self, simd: S, axis: usize, i: usize, chunk: usize) -> S::Vector {
+        simd.load(&self.reference[axis][i], chunk) + simd.load(&self.displacement[axis][i], chunk)
+    }
+}
+
+/// Outward normal of the core of some radius, m, below (x, y), and how deep the point lies in the core, m; of a flat one
+/// without a radius.
+#[inline(always)]
+fn surface_normal<S: Simd>(simd: S, radius: Option<Real>, x: S::Vector, y: S::Vector) -> ([S::Vector; 2], S::Vector) {
+    match radius {
+        Some(radius) => {
+            let distance = (x * x + y * y).square_root().max(simd.splat(Real::MIN_POSITIVE));
+            ([x / distance, y / distance], simd.splat(radius) - distance)
+        }
+        None => ([simd.splat(0.0), simd.splat(1.0)], y.mul_scalar(-1.0)),
+    }
+}

@@ -1,0 +1,57 @@
+//! What the surface under the face shows: contact width and pressure profile.
+
+use crate::mesh::out_of_plane;
+use crate::model::Model;
+use crate::number::real::Real;
+use crate::scenario::{Formulation, Section};
+use crate::state::StateView;
+
+/// Current position of the surface node of `column`, m; none past the last column.
+pub fn surface_position(model: &Model, state: &StateView, column: usize) -> Option<[Real; 2]> {
+    let grid = &model.constants.grid;
+    if column > grid.n_u {
+        return None;
+    }
+    let node = grid.n_v * grid.stride() + column;
+    let [x, y] = model.reference_position();
+    let [ux, uy] = state.displacement();
+    Some([x.get(node)? + ux.get(node)?, y.get(node)? + uy.get(node)?])
+}
+
+/// Half of the width over which the face touches the surface, m; 0 without contact.
+///
+/// The edge of the contact is taken midway between the last node that touches and the next.
+pub fn contact_half_width(model: &Model, state: &StateView) -> Real {
+    let forces = state.contact_force()[0].get(..=model.constants.grid.n_u).unwrap_or_default();
+    let touching = |force: &Real| *force > 0.0;
+    let Some(last) = forces.iter().rposition(touching) else { return 0.0 };
+    let edge = |column: usize, next: Option<usize>| {
+        let x = surface_position(model, state, column).map_or(0.0, |p| p[0]);
+        next.and_then(|n| surface_position(model, state, n)).map_or(x, |p| 0.5 * (x + p[0]))
+    };
+    let right = edge(last, Some(last + 1));
+    match model.constants.scenario.geometry.section {
+        Section::Half => right,
+        Section::Full => {
+            let first = forces.iter().position(touching).unwrap_or(last);
+            0.5 * (right - edge(first, first.checked_sub(1)))
+        }
+    }
+}
+
+/// Contact pressure at the surface node of `column`, Pa: its normal force over the current area that belongs to it, from
+/// midway to the node before to midway to the node after.
+pub fn contact_pressure(model: &Model, state: &StateView, column: usize) -> Option<Real> {
+    let x = surface_position(model, state, column)?[0];
+    let middle = |other: Option<usize>| {
+        other.and_then(|c| surface_position(model, state, c)).map_or(x, |position| 0.5 * (x + position[0]))
+    };
+    let (left, right) = (middle(column.checked_sub(1)), middle(Some(column + 1)));
+    let scenario = &model.constants.scenario;
+    let area = match scenario.geometry.formulation {
+        Formulation::PlaneStrain => out_of_plane(scenario, x) * (right - left),
+        Formulation::Axisymmetric => crate::number::real::consts::PI * (right * right - left * left),
+    };
+    let force = *state.contact_force()[0].get(column)?;
+    Some(if area > 0.0 { force / area } else { 0.0 })
+}

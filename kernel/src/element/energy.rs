@@ -1,0 +1,32 @@
+//! Energies of the triangles of a block of cells.
+
+use crate::number::pack::{Pack, ZERO};
+
+/// Sums over the triangles of each lane: energies of the section, J.
+#[derive(Clone, Copy, Debug)]
+pub struct ElementEnergy {
+    /// Long-term elastic energy, isochoric and volumetric.
+    pub elastic: Pack,
+    /// Energy stored in the damping springs.
+    pub slider_stored: Pack,
+    /// Work done on the viscous overstress in this step.
+    pub viscous_increment: Pack,
+    /// Energy dissipated by the sliders in this step.
+    pub slider_increment: Pack,
+    /// Energy dissipated by tearing in this step.
+    pub tear_increment: Pack,
+    /// Not an energy: 1 in lanes with a triangle whose Jacobian is not positive, or not a number; 0 in others.
+    pub inverted: Pack,
+}
+
+impl ElementEnergy {
+    /// Nothing yet.
+    pub const ZERO: Self = Self {
+        elastic: ZERO,
+        slider_stored: ZERO,
+        viscous_increment: ZERO,
+        slider_increment: ZERO,
+        tear_increment: ZERO,
+        inverted: ZERO,
+    };
+}

@@ -1,0 +1,17 @@
+//! The cells of the section: two linear triangles each.
+
+mod cell;
+pub(crate) mod cell_bound;
+mod energy;
+mod history;
+pub mod internal_force;
+mod reference_triangle;
+mod response;
+
+pub(crate) use cell::Edges;
+pub use cell::{Block, CellConstants, Corners, HoopConstants, TriangleConstants};
+pub use energy::ElementEnergy;
+pub use history::{CellHistory, TriangleHistory};
+pub(crate) use internal_force::cell_kinematics;
+pub use internal_force::internal_force;
+pub(crate) use reference_triangle::Triangle;

@@ -1,0 +1,15 @@
+//! What can go wrong, one enum per operation. Every message names the value, its unit and what is legal.
+
+mod memory;
+mod model;
+mod parameter;
+mod scenario;
+mod snapshot;
+mod step;
+
+pub use memory::MemoryError;
+pub use model::ModelError;
+pub use parameter::{NoEffect, ParameterError};
+pub use scenario::ScenarioError;
+pub use snapshot::SnapshotError;
+pub use step::StepError;

@@ -1,0 +1,46 @@
+//! Snapshots that are refused.
+
+use thiserror::Error;
+
+use super::memory::MemoryError;
+
+/// Why a saved state was refused.
+///
+/// ```
+/// use softanvil_kernel::{Simulation, SnapshotError, preset};
+///
+/// let saved = Simulation::new(&preset::study())?.save()?;
+/// let mut heavier = preset::study();
+/// heavier.impactor.mass = 6.0;
+/// let mut other = Simulation::new(&heavier)?;
+/// assert_eq!(other.restore(&saved), Err(SnapshotError::Foreign));
+/// let (given, needed) = (saved.len() - 1, saved.len());
+/// assert_eq!(other.restore(&saved[1..]), Err(SnapshotError::Length { given, needed }));
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
+pub enum SnapshotError {
+    /// The buffer is not as long as the snapshot of this model.
+    #[error("the snapshot buffer has {given} bytes: expected exactly {needed}")]
+    Length {
+        /// Bytes given.
+        given: usize,
+        /// Bytes needed.
+        needed: usize,
+    },
+    /// The bytes are not a snapshot of this format version.
+    #[error("the bytes are not a snapshot of this version")]
+    Format,
+    /// The snapshot belongs to a different model.
+    #[error("the snapshot belongs to a different model")]
+    Foreign,
+    /// The checksum does not match.
+    #[error("the snapshot's checksum does not match its content")]
+    Corrupt,
+    /// The state has failed; there is nothing worth saving.
+    #[error("the state has failed and cannot be saved: reset or restore it first")]
+    Failed,
+    /// There is too little memory.
+    #[error(transparent)]
+    Memory(#[from] MemoryError),
+}

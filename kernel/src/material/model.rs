@@ -1,0 +1,63 @@
+//! All laws of a layer together.
+
+use crate::material::{Elastic, Material, Maxwell, Prony, Slider, Tear, Volumetric};
+use crate::number::real::Real;
+use crate::number::vector::{Simd, Vector};
+use crate::tensor::stretch::IsochoricStretch;
+
+/// The laws of one layer with everything precomputed that does not change.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MaterialModel {
+    /// EnergyDensity, kg/m3.
+    pub density: Real,
+    /// Long-term isochoric elasticity.
+    pub elastic: Elastic,
+    /// Pressure.
+    pub volumetric: Volumetric,
+    /// Quasi-linear viscous overstress.
+    pub prony: Prony,
+    /// Additive viscous overstress.
+    pub maxwell: Maxwell,
+    /// Frequency-independent damping.
+    pub slider: Slider,
+    /// Loss of all these beyond a stretch.
+    pub tear: Tear,
+    /// Shear modulus at rest before any relaxation, of elasticity, overstress and damping together, Pa.
+    pub shear_modulus_0: Real,
+}
+
+impl MaterialModel {
+    /// The laws of `material` for steps of `dt` s.
+    pub fn new(material: &Material, dt: Real) -> Self {
+        let (elastic, prony, maxwell) = (Elastic::new(material), Prony::new(material, dt), Maxwell::new(material, dt));
+        let slider = Slider::new(material.slider_stiffness, material.slider_yield_stress);
+        let (quasi_linear, additive) = (1.0 + prony.overstress(), maxwell.shear_modulus() + slider.stiffness());
+        Self {
+            density: material.density,
+            elastic,
+            volumetric: Volumetric::new(material),
+            prony,
+            maxwell,
+            slider,
+            tear: Tear::new(material),
+            shear_modulus_0: elastic.shear_modulus() * quasi_linear + additive,
+        }
+    }
+
+    /// Entries of viscous history per block of triangles: the Prony terms, then the Maxwell terms.
+    pub fn n_term(&self) -> usize {
+        self.prony.n_term() + self.maxwell.n_term()
+    }
+
+    /// A majorant of the shear tangent of elasticity, overstress and damping together, Pa.
+    ///
+    /// All viscous terms count as unrelaxed, and nothing as torn.
+    #[inline(always)]
+    pub fn shear_tangent<S: Simd>(&self, simd: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
+        let elastic = self.elastic.shear_tangent(simd, stretch);
+        elastic
+            .mul_scalar(1.0 + self.prony.overstress())
+            .add_scalar(self.maxwell.shear_modulus())
+            .add_scalar(self.slider.stiffness())
+    }
+}

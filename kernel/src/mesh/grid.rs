@@ -1,0 +1,115 @@
+//! The structured mesh of the section: rows of cells from the core (v = 0) to the surface, columns from the centre
+//! line (u = 0) outwards, or from left to right in a full section.
+//!
+//! The topology is implicit: cell (u, v) has the corners (u, v), (u + 1, v), (u + 1, v + 1), (u, v + 1), numbered 0 to
+//! 3 in this order, and is split into two triangles by a diagonal ([`triangles`] tells which). Blocks
+//! of [`LANES`] cells lie along a row, so that the data of neighbouring cells are neighbours in memory and the element
+//! loop needs no index table. A row is padded to whole blocks with cells of no volume and nodes of no mobility.
+
+use crate::error::ModelError;
+use crate::number::math;
+use crate::number::pack::LANES;
+use crate::number::real::Real;
+use crate::scenario::{Formulation, Layers, Scenario, Section, Shape};
+
+/// Largest number of cells of a mesh.
+pub const MAX_CELLS: usize = 1 << 20;
+
+/// Counts and strides of the structured mesh.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Grid {
+    /// Cells along a row, outwards from the centre line or, in a full section, from left to right.
+    pub n_u: usize,
+    /// Column of the nodes on the centre line.
+    pub centre: usize,
+    /// Rows of cells, from the core to the surface.
+    pub n_v: usize,
+    /// Rows of the silicone; the skin has the others.
+    pub n_v_silicone: usize,
+    /// Whether the cells are rings.
+    pub axisymmetric: bool,
+}
+
+impl Grid {
+    /// The grid whose cells come nearest to the scenario's element size, each layer with at least one row.
+    ///
+    /// # Errors
+    /// An element size that asks for more than [`MAX_CELLS`] cells.
+    pub fn new(scenario: &Scenario) -> Result<Self, ModelError> {
+        let geometry = &scenario.geometry;
+        let thickness = geometry.layer_thickness();
+        let width = match geometry.shape {
+            Shape::Round => HALF_PI * (geometry.core_radius + 0.5 * thickness),
+            Shape::Block => 0.5 * geometry.block_width,
+        };
+        let count = |length: Real| math::max(1.0, math::round(length / scenario.mesh.element_size));
+        let [silicone, skin] = match geometry.layers {
+            Layers::One => [count(thickness), 0.0],
+            Layers::Two => [count(geometry.silicone_thickness), count(geometry.skin_thickness)],
+        };
+        let halves = if geometry.section == Section::Full { 2.0 } else { 1.0 };
+        let cells = halves * count(width) * (silicone + skin);
+        if cells > MAX_CELLS as Real {
+            return Err(ModelError::TooManyCells { cells, max: MAX_CELLS });
+        }
+        let half = count(width) as usize;
+        let n_v_silicone = silicone as usize;
+        let n_v = n_v_silicone + skin as usize;
+        let axisymmetric = geometry.formulation == Formulation::Axisymmetric;
+        Ok(match geometry.section {
+            Section::Half => Self { n_u: half, centre: 0, n_v, n_v_silicone, axisymmetric },
+            Section::Full => Self { n_u: 2 * half, centre: half, n_v, n_v_silicone, axisymmetric },
+        })
+    }
+
+    /// Blocks that hold a row of cells.
+    pub fn blocks_per_row(&self) -> usize {
+        self.n_u.div_ceil(LANES)
+    }
+
+    /// Blocks of the whole mesh.
+    pub fn n_block(&self) -> usize {
+        self.blocks_per_row() * self.n_v
+    }
+
+    /// Blocks of the silicone, which are the first ones.
+    pub fn n_block_silicone(&self) -> usize {
+        self.blocks_per_row() * self.n_v_silicone
+    }
+
+    /// Nodes from one row to the next, padding included: whole lanes, and one node more than cells.
+    pub fn stride(&self) -> usize {
+        self.blocks_per_row() * LANES + LANES
+    }
+
+    /// Row of a block, and its place in the row.
+    pub fn place(&self, block: usize) -> [usize; 2] {
+        let per_row = self.blocks_per_row().max(1);
+        [block / per_row, block % per_row]
+    }
+
+    /// First node below and first node above the block at `place` of row `row`.
+    pub fn first_nodes(&self, [row, place]: [usize; 2]) -> [usize; 2] {
+        let lower = row * self.stride() + place * LANES;
+        [lower, lower + self.stride()]
+    }
+
+    /// Nodes of the whole mesh, padding included.
+    pub fn n_node(&self) -> usize {
+        self.stride() * (self.n_v + 1)
+    }
+
+    /// Triangles of the whole mesh, padding excluded.
+    pub fn n_elem(&self) -> usize {
+        2 * self.n_u * self.n_v
+    }
+
+    /// Index of the triangle `t` (0 or 1) of lane `l` in block `block`, counted row by row without padding.
+    pub fn element_index(&self, block: usize, l: usize, t: usize) -> u32 {
+        let row = block / self.blocks_per_row().max(1);
+        let column = (block % self.blocks_per_row().max(1)) * LANES + l;
+        (2 * (row * self.n_u + column) + t) as u32
+    }
+}
+
+const HALF_PI: Real = crate::number::real::consts::FRAC_PI_2;

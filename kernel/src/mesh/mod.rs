@@ -1,0 +1,9 @@
+//! The structured mesh of the section.
+
+mod cell;
+mod grid;
+mod section;
+
+pub use cell::{CORNERS, triangles};
+pub use grid::{Grid, MAX_CELLS};
+pub use section::{out_of_plane, reference_position};

@@ -1,0 +1,96 @@
+//! The scalar constants of a model.
+
+use crate::cfc::Coefficients;
+use crate::material::MaterialModel;
+use crate::mesh::Grid;
+use crate::model::Size;
+use crate::number::math;
+use crate::number::real::{self, Real};
+use crate::sampling::SAMPLING_RATE;
+use crate::scenario::{MAX_LAYERS, Scenario};
+
+/// The scalar constants of a model.
+///
+/// ```
+/// use softanvil_kernel::{Simulation, preset};
+///
+/// let anvil = Simulation::new(&preset::study())?;
+/// let constants = anvil.constants();
+/// // A millisecond has twenty sampling intervals of 50 us, each a whole number of steps.
+/// let steps = constants.steps_in(1e-3);
+/// assert_eq!(steps, 20 * u64::from(constants.steps_per_sample));
+/// assert_eq!(constants.time(steps), 1e-3);
+/// assert!((steps as f64 * constants.dt - 1e-3).abs() < 1e-15);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Constants {
+    /// The scenario that the model was built from.
+    pub scenario: Scenario,
+    /// Counts and strides of the mesh.
+    pub grid: Grid,
+    /// Sizes of the memory of model and state.
+    pub size: Size,
+    /// Fixed time step, s.
+    pub dt: Real,
+    /// Smallest principal stretch in the section that the step was chosen for; 1 where the step was given.
+    pub design_stretch: Real,
+    /// Steps in a sampling interval; `dt` times it is [`crate::SAMPLING_INTERVAL`].
+    pub steps_per_sample: u32,
+    /// Channel filter of the contact force.
+    pub channel: Coefficients,
+    /// Material models of silicone and skin.
+    pub laws: [MaterialModel; MAX_LAYERS],
+    /// Forces of the whole anvil per force of the meshed section: 2 in plane strain, which meshes one half.
+    pub symmetry_factor: Real,
+    /// Height of the undeformed anvil's top above the origin, m.
+    pub top_height: Real,
+    /// Fingerprint of the scenario and of the positions of the nodes at rest, which a snapshot must match.
+    pub fingerprint: u64,
+}
+
+impl Constants {
+    /// Goes over to steps of `dt` s, `steps_per_sample` of them in a sampling interval.
+    pub(crate) fn set_step(&mut self, dt: Real, steps_per_sample: u32) {
+        (self.dt, self.steps_per_sample) = (dt, steps_per_sample);
+        for (laws, layer) in self.laws.iter_mut().zip(self.scenario.layers()) {
+            *laws = MaterialModel::new(layer.material, dt);
+        }
+    }
+
+    /// Mass of the impactor that belongs to the meshed section, kg.
+    pub fn section_mass(&self) -> Real {
+        self.scenario.impactor.mass / self.symmetry_factor
+    }
+
+    /// Material model of a block of cells.
+    pub fn laws_of(&self, block: usize) -> &MaterialModel {
+        let [silicone, skin] = &self.laws;
+        if block < self.grid.n_block_silicone() { silicone } else { skin }
+    }
+
+    /// Entries of viscous history per triangle: those of the layer that has more.
+    pub fn n_term(&self) -> usize {
+        self.laws.iter().fold(0, |most, laws| most.max(laws.n_term()))
+    }
+
+    /// Simulated time after `step_index` steps, s: whole sampling intervals and the steps beyond them.
+    pub fn time(&self, step_index: u64) -> Real {
+        let per_sample = u64::from(self.steps_per_sample).max(1);
+        // Signed, since processors turn only signed integers into floats at once.
+        let (samples, steps) = ((step_index / per_sample) as i64, (step_index % per_sample) as i64);
+        // A quotient, so that the time of a sample is the double nearest to it.
+        samples as Real / SAMPLING_RATE + steps as Real * self.dt
+    }
+
+    /// Steps that cover `duration` s, rounded up to whole sampling intervals.
+    pub fn steps_in(&self, duration: Real) -> u64 {
+        // The rate is a whole number, the interval is rounded.
+        let samples = duration * SAMPLING_RATE;
+        let nearest = math::round(samples);
+        // A duration within rounding of a whole number of samples counts as that number.
+        let is_whole = math::abs(samples - nearest) <= real::SAME_DURATION * samples;
+        let samples = if is_whole { nearest } else { math::ceil(samples) };
+        samples as u64 * u64::from(self.steps_per_sample)
+    }
+}

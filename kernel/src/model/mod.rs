@@ -1,0 +1,13 @@
+//! [`Model`]: everything about a simulation that does not change, in memory that the caller lends.
+
+mod constants;
+mod memory;
+mod size;
+mod view;
+
+pub use constants::Constants;
+pub use memory::ModelMemory;
+pub(crate) use memory::{ModelArrays, split_row, take};
+pub(crate) use size::MODEL_NODE_FIELDS;
+pub use size::Size;
+pub use view::Model;

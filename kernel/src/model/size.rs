@@ -1,0 +1,69 @@
+//! Sizes of the memory that the caller lends to a model and a state, known before anything is built.
+
+use crate::error::ModelError;
+use crate::mesh::Grid;
+use crate::scenario::Scenario;
+
+/// Numbers per node in a model: height of rest, inverse masses along x and y, mass, and x of rest.
+pub(crate) const MODEL_NODE_FIELDS: usize = 5;
+/// Numbers per node in a state: displacement, velocity and force, two components each.
+pub(crate) const STATE_NODE_FIELDS: usize = 6;
+/// Numbers per surface node in a state: normal and tangential contact force.
+pub(crate) const SURFACE_FIELDS: usize = 2;
+
+/// Items of each kind that a model and its states need.
+///
+/// ```
+/// use softanvil_kernel::{Size, preset};
+///
+/// let size = Size::of(&preset::study())?;
+/// // The history of two triangles a cell for every Prony term, and no hoops in plane strain.
+/// let terms = preset::study().silicone.n_viscous_term();
+/// assert_eq!((size.state_viscous, size.model_hoops), (2 * terms * size.state_cells, 0));
+///
+/// // Half the edge length makes about four times the cells.
+/// let mut finer = preset::study();
+/// finer.mesh.element_size *= 0.5;
+/// let ratio = Size::of(&finer)?.state_cells as f64 / size.state_cells as f64;
+/// assert!(ratio > 3.0 && ratio < 5.0);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Size {
+    /// Numbers for the nodes of a model.
+    pub model_nodes: usize,
+    /// Blocks of element constants of a model.
+    pub model_cells: usize,
+    /// Blocks of hoop constants of a model (none in plane strain).
+    pub model_hoops: usize,
+    /// Numbers for the nodes of a state.
+    pub state_nodes: usize,
+    /// Blocks of element history of a state.
+    pub state_cells: usize,
+    /// Blocks of viscous history of a state.
+    pub state_viscous: usize,
+}
+
+impl Size {
+    /// What `scenario` needs.
+    ///
+    /// # Errors
+    /// A scenario that is refused, or too many cells.
+    pub fn of(scenario: &Scenario) -> Result<Self, ModelError> {
+        scenario.validate()?;
+        Ok(Self::of_grid(scenario, &Grid::new(scenario)?))
+    }
+
+    /// What a legal `scenario` needs on its `grid`.
+    pub(crate) fn of_grid(scenario: &Scenario, grid: &Grid) -> Self {
+        let terms = scenario.layers().iter().fold(0, |most, layer| most.max(layer.material.n_viscous_term()));
+        Self {
+            model_nodes: MODEL_NODE_FIELDS * grid.n_node(),
+            model_cells: grid.n_block(),
+            model_hoops: if grid.axisymmetric { grid.n_block() } else { 0 },
+            state_nodes: STATE_NODE_FIELDS * grid.n_node() + SURFACE_FIELDS * grid.stride(),
+            state_cells: grid.n_block(),
+            state_viscous: 2 * terms * grid.n_block(),
+        }
+    }
+}

@@ -1,0 +1,200 @@
+//! Vectors: as many neighbours of a [`Pack`] as one register of the processor holds.
+//!
+//! The element loop is written once, for any [`Simd`]; compilers turn loops over lanes into vectors only where
+//! they see fit. Every operation works lane by lane and rounds as IEEE 754 says, so the width changes no bit.
+
+use core::ops::{Add, Div, Mul, Sub};
+
+use crate::number::math;
+use crate::number::pack::{LANES, Pack, ZERO};
+use crate::number::real::{self, Bits, FRACTION_BITS, Real};
+
+/// The bits of 1.
+pub(crate) const ONE: Bits = (1.0 as Real).to_bits();
+
+/// Half the distance of the bits of a number and of its double.
+pub(crate) const HALF_OCTAVE: Bits = 1 << (FRACTION_BITS - 1);
+
+/// From here on, neighbouring numbers are one apart, and the low bits count them.
+pub(crate) const INTEGERS: Real = ((1 as Bits) << FRACTION_BITS) as Real;
+
+/// The exponent of 1 as it stands in the bits, above [`INTEGERS`].
+pub(crate) const BIASED_INTEGERS: Real = INTEGERS + (ONE >> FRACTION_BITS) as Real;
+
+/// What rounds a smaller number to an integer when it is added: the integer stands in the low bits of the sum.
+pub const ROUNDING: Real = 1.5 * INTEGERS;
+
+/// Numbers of neighbouring cells.
+pub trait Vector: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> {
+    /// Adds the same number to each.
+    fn add_scalar(self, number: Real) -> Self;
+
+    /// Multiplies each by the same number.
+    fn mul_scalar(self, number: Real) -> Self;
+
+    /// `then` where this is larger than `other`, `otherwise` elsewhere and where either is not a number.
+    fn select_greater(self, other: Self, then: Self, otherwise: Self) -> Self;
+
+    /// The larger number where this and `other` are numbers, `other` elsewhere.
+    fn max(self, other: Self) -> Self;
+
+    /// Square root, rounded as IEEE 754 says.
+    fn square_root(self) -> Self;
+
+    /// Each moved on by one place, the first from the end of `before`.
+    fn shift(self, before: Self) -> Self;
+
+    /// [`real::INVERSE_CBRT_MAGIC`] and a third of the bits from these to [`real::CBRT_END`].
+    fn guess_inverse_cbrt(self) -> Self;
+
+    /// An integer k near the binary logarithm of this over `other`, and 2^k. It is the difference of the bits, which are
+    /// that logarithm to a line between powers of two, rounded to whole exponents; 0 for numbers next to each other.
+    fn binary_exponent(self, other: Self) -> [Self; 2];
+
+    /// 2^k and 2^-k for this = [`ROUNDING`] + k with an integer k of at most [`real::LARGEST_EXPONENT`].
+    fn powers_of_two(self) -> [Self; 2];
+}
+
+/// The vectors of an instruction set.
+///
+/// Everything between a token of a wide set and its instructions must be inlined, which closures and the methods of arrays
+/// that take them are not for certain: the code of the element loop is made of functions that say so, and of plain loops.
+pub trait Simd: Copy {
+    /// A register.
+    type Vector: Vector;
+    /// Numbers in it, a divisor of [`LANES`].
+    const WIDTH: usize;
+
+    /// The same number everywhere.
+    fn splat(self, number: Real) -> Self::Vector;
+
+    /// The `chunk`-th vector of a lane.
+    fn load(self, lane: &Pack, chunk: usize) -> Self::Vector;
+
+    /// Writes the `chunk`-th vector of a lane.
+    fn store(self, vector: Self::Vector, lane: &mut Pack, chunk: usize);
+
+    /// Adds to the `chunk`-th vector of a lane.
+    #[inline(always)]
+    fn add(self, vector: Self::Vector, lane: &mut Pack, chunk: usize) {
+        self.store(self.load(lane, chunk) + vector, lane, chunk);
+    }
+
+    /// The `chunk`-th vectors of a pair of lanes.
+    #[inline(always)]
+    fn load_pair(self, pair: &[Pack; 2], chunk: usize) -> [Self::Vector; 2] {
+        [self.load(&pair[0], chunk), self.load(&pair[1], chunk)]
+    }
+
+    /// Applies a function without vector instructions to each of the neighbours.
+    #[inline(always)]
+    fn map<const I: usize, const O: usize>(
+        self,
+        inputs: [Self::Vector; I],
+        function: impl Fn([Real; I]) -> [Real; O],
+    ) -> [Self::Vector; O] {
+        let (mut given, mut results) = ([ZERO; I], [ZERO; O]);
+        for i in 0..I {
+            self.store(inputs[i], &mut given[i], 0);
+        }
+        for l in 0..Self::WIDTH.min(LANES) {
+            let mut numbers = [0.0; I];
+            for i in 0..I {
+                numbers[i] = given[i][l];
+            }
+            let result = function(numbers);
+            for o in 0..O {
+                results[o][l] = result[o];
+            }
+        }
+        let mut vectors = [self.splat(0.0); O];
+        for o in 0..O {
+            vectors[o] = self.load(&results[o], 0);
+        }
+        vectors
+    }
+}
+
+impl Vector for Real {
+    #[inline(always)]
+    fn add_scalar(self, number: Real) -> Self {
+        self + number
+    }
+
+    #[inline(always)]
+    fn mul_scalar(self, number: Real) -> Self {
+        self * number
+    }
+
+    #[inline(always)]
+    fn select_greater(self, other: Self, then: Self, otherwise: Self) -> Self {
+        if self > other { then } else { otherwise }
+    }
+
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        math::max(self, other)
+    }
+
+    #[inline(always)]
+    fn square_root(self) -> Self {
+        math::sqrt(self)
+    }
+
+    #[inline(always)]
+    fn shift(self, before: Self) -> Self {
+        before
+    }
+
+    #[inline(always)]
+    fn guess_inverse_cbrt(self) -> Self {
+        let left = real::CBRT_END.wrapping_sub(self.to_bits());
+        Self::from_bits(real::INVERSE_CBRT_MAGIC.wrapping_add(real::third(left)))
+    }
+
+    #[inline(always)]
+    fn binary_exponent(self, other: Self) -> [Self; 2] {
+        let bits = self.to_bits().wrapping_sub(other.to_bits()).wrapping_add(ONE + HALF_OCTAVE);
+        let exponent = bits >> FRACTION_BITS;
+        let integer = Self::from_bits(exponent | INTEGERS.to_bits());
+        [integer - BIASED_INTEGERS, Self::from_bits(exponent << FRACTION_BITS)]
+    }
+
+    #[inline(always)]
+    fn powers_of_two(self) -> [Self; 2] {
+        let exponent = self.to_bits() << FRACTION_BITS;
+        [Self::from_bits(ONE.wrapping_add(exponent)), Self::from_bits(ONE.wrapping_sub(exponent))]
+    }
+}
+
+/// One number at a time: for processors whose vectors are not used.
+#[derive(Clone, Copy, Debug)]
+pub struct Scalar;
+
+impl Simd for Scalar {
+    type Vector = Real;
+    const WIDTH: usize = 1;
+
+    #[inline(always)]
+    fn splat(self, number: Real) -> Real {
+        number
+    }
+
+    #[inline(always)]
+    fn load(self, lane: &Pack, chunk: usize) -> Real {
+        lane[chunk % LANES]
+    }
+
+    #[inline(always)]
+    fn store(self, vector: Real, lane: &mut Pack, chunk: usize) {
+        lane[chunk % LANES] = vector;
+    }
+}
+
+/// Work that is compiled once per instruction set.
+pub(crate) trait Work {
+    /// What it gives.
+    type Output;
+    /// Does it with vectors of this set; must be inlined, so that it takes on the instruction set of the caller.
+    fn run<S: Simd>(self, simd: S) -> Self::Output;
+}

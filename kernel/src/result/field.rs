@@ -1,0 +1,211 @@
+//! [`FIELDS`]: the single table of what a simulation tells about every node, surface node and triangle.
+
+use crate::contact::surface;
+use crate::model::Model;
+use crate::number::real::Real;
+use crate::result::stress::{Stress, cauchy_stress, principal_stretch};
+use crate::state::StateView;
+
+/// Where the values of a field live.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// At the nodes: rows from the core to the surface, columns from the first edge of the section to the last.
+    Node,
+    /// At the nodes of the surface: one row.
+    Surface,
+    /// In the triangles: rows from the core to the surface, two columns per cell.
+    Element,
+}
+
+/// Numbers of one component of a field that lie in memory: the one at (row, column) is `data[row * row_stride + column]`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Strided<'a> {
+    /// The numbers, with padding between rows.
+    pub data: &'a [Real],
+    /// Numbers from one row to the next.
+    pub row_stride: usize,
+}
+
+/// Where the numbers of a field come from.
+#[derive(Clone, Copy)]
+pub enum Source {
+    /// They lie in memory, an array per component.
+    Stored(for<'a> fn(&Model<'a>, &StateView<'a>) -> [&'a [Real]; 2]),
+    /// They are computed from row, column and component.
+    Computed(fn(&Model, &StateView, usize, usize, usize) -> Option<Real>),
+}
+
+/// One row of the table.
+///
+/// ```
+/// use softanvil_kernel::{Field, Simulation, StepInput, preset};
+///
+/// let mut anvil = Simulation::new(&preset::study())?;
+/// anvil.run(4e-3, &StepInput::default())?;
+/// let pressure = Field::find("surface.contact_pressure").unwrap();
+/// let along_surface: Vec<f64> = anvil.with(|model, state| {
+///     let [_, columns] = pressure.shape(model);
+///     let state = state.as_view();
+///     (0..columns).filter_map(|column| pressure.value(model, &state, 0, column, 0)).collect()
+/// })?;
+/// // The face presses the top of the round anvil, and not its side.
+/// assert!(along_surface[0] > 0.0);
+/// assert_eq!(along_surface.last(), Some(&0.0));
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+pub struct Field {
+    /// Name, such as "node.displacement".
+    pub name: &'static str,
+    /// SI unit.
+    pub unit: &'static str,
+    /// Meaning, one line.
+    pub description: &'static str,
+    /// Where the values live.
+    pub place: Place,
+    /// Numbers per value.
+    pub components: usize,
+    /// Where the numbers come from.
+    pub source: Source,
+}
+
+const fn stored(
+    name: &'static str,
+    unit: &'static str,
+    place: Place,
+    source: for<'a> fn(&Model<'a>, &StateView<'a>) -> [&'a [Real]; 2],
+    description: &'static str,
+) -> Field {
+    Field { name, unit, description, place, components: 2, source: Source::Stored(source) }
+}
+
+const fn computed(
+    name: &'static str,
+    unit: &'static str,
+    place: Place,
+    components: usize,
+    source: fn(&Model, &StateView, usize, usize, usize) -> Option<Real>,
+    description: &'static str,
+) -> Field {
+    Field { name, unit, description, place, components, source: Source::Computed(source) }
+}
+
+/// Every field.
+pub static FIELDS: [Field; 12] = [
+    stored(
+        "node.reference_position",
+        "m",
+        Place::Node,
+        |model, _| [model.nodes.reference_x, model.nodes.reference_y],
+        "position at rest, x outwards from the centre line and y upwards from the centre of the core",
+    ),
+    computed("node.position", "m", Place::Node, 2, position, "current position, x and y"),
+    stored("node.displacement", "m", Place::Node, |_, state| state.displacement(), "displacement from rest, x and y"),
+    stored("node.velocity", "m/s", Place::Node, |_, state| state.velocity(), "velocity half a step back, x and y"),
+    stored(
+        "node.force",
+        "N",
+        Place::Node,
+        |_, state| state.force(),
+        "force in the last step on the meshed section, contact and friction included, x and y",
+    ),
+    stored(
+        "surface.contact_force",
+        "N",
+        Place::Surface,
+        |_, state| state.contact_force(),
+        "force of the face in the last step on the meshed section, pressing and, outwards, by friction",
+    ),
+    computed(
+        "surface.contact_pressure",
+        "Pa",
+        Place::Surface,
+        1,
+        |model, state, _, column, _| surface::contact_pressure(model, state, column),
+        "contact pressure in the last step, over the area halfway to the neighbouring nodes",
+    ),
+    computed(
+        "element.pressure",
+        "Pa",
+        Place::Element,
+        1,
+        |model, state, row, column, _| Stress::of(model, state, row, column).map(|stress| -stress.mean),
+        "hydrostatic pressure of the last step, positive in compression",
+    ),
+    computed(
+        "element.von_mises_stress",
+        "Pa",
+        Place::Element,
+        1,
+        |model, state, row, column, _| Stress::of(model, state, row, column).map(|stress| stress.von_mises()),
+        "von Mises stress of the last step, viscous and damping parts included",
+    ),
+    computed(
+        "element.principal_stress",
+        "Pa",
+        Place::Element,
+        3,
+        |model, state, row, column, c| Stress::of(model, state, row, column)?.principal().get(c).copied(),
+        "principal Cauchy stresses of the last step: larger and smaller in the section, then out of its plane",
+    ),
+    computed(
+        "element.cauchy_stress",
+        "Pa",
+        Place::Element,
+        4,
+        |model, state, row, column, c| cauchy_stress(model, state, row, column)?.get(c).copied(),
+        "Cauchy stress of the last step, positive in tension: xx, yy, xy, and zz out of the section",
+    ),
+    computed(
+        "element.principal_stretch",
+        "1",
+        Place::Element,
+        3,
+        |model, state, row, column, c| principal_stretch(model, state, row, column)?.get(c).copied(),
+        "principal stretches of the last step: larger and smaller in the section, then out of its plane",
+    ),
+];
+
+impl Field {
+    /// Rows and columns of the field in `model`.
+    pub fn shape(&self, model: &Model) -> [usize; 2] {
+        let grid = &model.constants.grid;
+        match self.place {
+            Place::Node => [grid.n_v + 1, grid.n_u + 1],
+            Place::Surface => [1, grid.n_u + 1],
+            Place::Element => [grid.n_v, 2 * grid.n_u],
+        }
+    }
+
+    /// The numbers of a component in memory; none for a computed field.
+    pub fn strided<'a>(&self, model: &Model<'a>, state: &StateView<'a>, component: usize) -> Option<Strided<'a>> {
+        let Source::Stored(source) = self.source else { return None };
+        let data = source(model, state).get(component).copied()?;
+        Some(Strided { data, row_stride: model.constants.grid.stride() })
+    }
+
+    /// One number; none outside the shape.
+    pub fn value(&self, model: &Model, state: &StateView, row: usize, column: usize, component: usize) -> Option<Real> {
+        let [rows, columns] = self.shape(model);
+        if row >= rows || column >= columns || component >= self.components {
+            return None;
+        }
+        match self.source {
+            Source::Stored(source) => {
+                let index = row * model.constants.grid.stride() + column;
+                source(model, state).get(component)?.get(index).copied()
+            }
+            Source::Computed(source) => source(model, state, row, column, component),
+        }
+    }
+
+    /// The field of this name.
+    pub fn find(name: &str) -> Option<&'static Self> {
+        FIELDS.iter().find(|field| field.name == name)
+    }
+}
+
+fn position(model: &Model, state: &StateView, row: usize, column: usize, component: usize) -> Option<Real> {
+    let node = row * model.constants.grid.stride() + column;
+    let (rest, displacement) = (model.reference_position(), state.displacement());
+    Some(rest.get(component)?.get(node)? + displacement.get(component)?.get(node)?)
+}

@@ -1,0 +1,8 @@
+//! What can be read from a simulation: the tables of outputs and fields, and the stresses behind them.
+
+mod field;
+mod output;
+pub mod stress;
+
+pub use field::{FIELDS, Field, Place, Source, Strided};
+pub use output::{OUTPUTS, Output};

@@ -1,0 +1,293 @@
+//! The description of one drop test: geometry, impactor, material, interfaces, mesh, time.
+//!
+//! A [`Scenario`] is plain data. Every field is a row of [`crate::scenario::parameter::PARAMETERS`], which holds its name,
+//! unit, legal range and meaning; [`Scenario::validate`] checks the rows and what several fields say together.
+
+use strum::{FromRepr, VariantNames};
+
+use crate::material::Material;
+use crate::number::math;
+use crate::number::real::Real;
+
+/// Everything that defines a simulation, in SI units.
+///
+/// ```
+/// use softanvil_kernel::preset;
+///
+/// let mut scenario = preset::study();
+/// scenario.geometry.silicone_thickness = 20e-3;
+/// scenario.impactor.mass = 4.0;
+/// scenario.impactor = scenario.impactor.with_energy(8.0);
+/// scenario.validate()?;
+/// assert_eq!(scenario.impactor.start_speed(), 2.0);
+/// scenario.impactor.face_diameter = 10e-3;
+/// let refused = scenario.validate().unwrap_err().to_string();
+/// assert!(refused.starts_with("impactor.face_diameter = 0.01 m is refused: expected at least "));
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scenario {
+    /// Shape and size of the anvil.
+    pub geometry: Geometry,
+    /// The drop mass.
+    pub impactor: Impactor,
+    /// Material of the silicone.
+    pub silicone: Material,
+    /// Material of the skin where [`Geometry::layers`] gives it one of its own.
+    pub skin: Material,
+    /// Interface between layer and core.
+    pub core: CoreInterface,
+    /// Interface between impactor and layer.
+    pub face: FaceInterface,
+    /// Spatial discretisation.
+    pub mesh: Mesh,
+    /// Temporal discretisation and simulated time.
+    pub time: Time,
+    /// How the numbers of the test are read from the force.
+    pub measurement: Measurement,
+}
+
+/// Shape of the section.
+#[derive(Clone, Copy, Debug, FromRepr, PartialEq, Eq, VariantNames)]
+#[strum(serialize_all = "snake_case")]
+pub enum Shape {
+    /// A layer on a round core: half a cylinder in plane strain, half a sphere when axisymmetric.
+    Round,
+    /// A flat block on a flat core, for material and verification tests.
+    Block,
+}
+
+/// Kinematics of the section.
+#[derive(Clone, Copy, Debug, FromRepr, PartialEq, Eq, VariantNames)]
+#[strum(serialize_all = "snake_case")]
+pub enum Formulation {
+    /// No strain out of the section, whose thickness is the chord of the face (limited to the length).
+    PlaneStrain,
+    /// The section turned about its centre line.
+    Axisymmetric,
+}
+
+/// Layers of different material.
+#[derive(Clone, Copy, Debug, FromRepr, PartialEq, Eq, VariantNames)]
+#[strum(serialize_all = "snake_case")]
+pub enum Layers {
+    /// The silicone's material through the whole thickness: the study's simplification.
+    One,
+    /// A skin with a material, and rows of the mesh, of its own.
+    Two,
+}
+
+/// Most layers of different material.
+pub const MAX_LAYERS: usize = 2;
+
+/// A layer of the anvil.
+#[derive(Clone, Copy, Debug)]
+pub struct Layer<'a> {
+    /// Group of its parameters.
+    pub name: &'static str,
+    /// Its material.
+    pub material: &'a Material,
+}
+
+/// How much of the section is meshed.
+#[derive(Clone, Copy, Debug, FromRepr, PartialEq, Eq, VariantNames)]
+#[strum(serialize_all = "snake_case")]
+pub enum Section {
+    /// The right half, with a centre line that moves only vertically.
+    Half,
+    /// Both halves (plane strain).
+    Full,
+}
+
+/// Shape and size of the anvil.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Geometry {
+    /// Round or block.
+    pub shape: Shape,
+    /// Plane strain or axisymmetric.
+    pub formulation: Formulation,
+    /// One material, or two.
+    pub layers: Layers,
+    /// Half or full section.
+    pub section: Section,
+    /// Radius of the rigid core of a round anvil, m.
+    pub core_radius: Real,
+    /// Thickness of the silicone, m; of the whole layer where there is one.
+    pub silicone_thickness: Real,
+    /// Thickness of the skin on top of it where there are two layers, m.
+    pub skin_thickness: Real,
+    /// Largest out-of-plane thickness in plane strain, m.
+    pub length: Real,
+    /// Full width (plane strain) or diameter (axisymmetric) of a block, m.
+    pub block_width: Real,
+}
+
+impl Geometry {
+    /// Thickness of the whole soft layer, m.
+    pub fn layer_thickness(&self) -> Real {
+        match self.layers {
+            Layers::One => self.silicone_thickness,
+            Layers::Two => self.silicone_thickness + self.skin_thickness,
+        }
+    }
+}
+
+/// How the impactor moves.
+#[derive(Clone, Copy, Debug, FromRepr, PartialEq, Eq, VariantNames)]
+#[strum(serialize_all = "snake_case")]
+pub enum Motion {
+    /// A free mass that falls.
+    Drop,
+    /// The position is given from outside at every step.
+    Driven,
+    /// Down at a speed to a depth, then hold; see [`crate::scenario::prescribed`].
+    Prescribed,
+}
+
+/// Which of the three numbers states the drop.
+#[derive(Clone, Copy, Debug, FromRepr, PartialEq, Eq, VariantNames)]
+#[strum(serialize_all = "snake_case")]
+pub enum DropBy {
+    /// [`Impactor::drop_height`].
+    Height,
+    /// [`Impactor::drop_energy`].
+    Energy,
+    /// [`Impactor::drop_speed`].
+    Speed,
+}
+
+/// The drop mass: rigid, flat, one vertical degree of freedom.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Impactor {
+    /// Free, driven or prescribed.
+    pub motion: Motion,
+    /// Mass, kg.
+    pub mass: Real,
+    /// Diameter of the flat face, m.
+    pub face_diameter: Real,
+    /// Distance of the face's centre from the centre line, m, to the right (full section).
+    pub offset: Real,
+    /// Height of the face above the anvil at the start, m.
+    pub gap: Real,
+    /// Acceleration of gravity on the impactor, m/s2.
+    pub gravity: Real,
+    /// Which of the next three counts.
+    pub drop_by: DropBy,
+    /// Free fall before the start, m: speed sqrt(2 g h).
+    pub drop_height: Real,
+    /// Kinetic energy at the start, J.
+    pub drop_energy: Real,
+    /// Speed at the start, m/s.
+    pub drop_speed: Real,
+    /// Speed of the prescribed motion, m/s, downwards.
+    pub prescribed_speed: Real,
+    /// Depth below the undeformed anvil at which it ends, m.
+    pub prescribed_depth: Real,
+    /// Time over which its speed rises at the start and falls at the end, s.
+    pub prescribed_rise: Real,
+}
+
+impl Impactor {
+    /// Downward speed at the start, m/s, from whichever of height, energy and speed is chosen.
+    pub fn start_speed(&self) -> Real {
+        match self.drop_by {
+            DropBy::Height => math::sqrt(2.0 * self.gravity * self.drop_height),
+            DropBy::Energy => math::sqrt(2.0 * self.drop_energy / self.mass),
+            DropBy::Speed => self.drop_speed,
+        }
+    }
+
+    /// The same mass dropped with a kinetic energy of `energy` J.
+    pub fn with_energy(self, energy: Real) -> Self {
+        Self { drop_by: DropBy::Energy, drop_energy: energy, ..self }
+    }
+}
+
+/// How the layer sits on the core.
+#[derive(Clone, Copy, Debug, FromRepr, PartialEq, Eq, VariantNames)]
+#[strum(serialize_all = "snake_case")]
+pub enum Interface {
+    /// Glued: no relative motion.
+    Bonded,
+    /// Unilateral contact with Coulomb friction.
+    Frictional,
+    /// Neither lifts nor rubs: rollers.
+    Sliding,
+}
+
+/// Interface between layer and core.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CoreInterface {
+    /// Bonded or frictional.
+    pub interface: Interface,
+    /// Coulomb coefficient of a frictional interface.
+    pub friction_coefficient: Real,
+}
+
+/// Interface between impactor and layer.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FaceInterface {
+    /// Coulomb coefficient under the impactor.
+    pub friction_coefficient: Real,
+}
+
+/// Spatial discretisation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mesh {
+    /// Edge length that the structured mesh aims at, m.
+    pub element_size: Real,
+}
+
+/// Which of the two numbers states the time step.
+#[derive(Clone, Copy, Debug, FromRepr, PartialEq, Eq, VariantNames)]
+#[strum(serialize_all = "snake_case")]
+pub enum StepBy {
+    /// [`Time::safety_factor`] times the stability limit of the stiffest expected state.
+    SafetyFactor,
+    /// [`Time::step`].
+    Given,
+}
+
+/// Temporal discretisation and simulated time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Time {
+    /// Which of the next two counts.
+    pub step_by: StepBy,
+    /// Fraction of the stability limit.
+    pub safety_factor: Real,
+    /// Requested step, s; the largest whole divisor of the sampling interval not above it is used.
+    pub step: Real,
+    /// Part of the layer's thickness that a driven face is expected to press it by at most; the step is chosen for it.
+    pub design_compression: Real,
+    /// Simulated time that a run covers unless told otherwise, s.
+    pub duration: Real,
+}
+
+/// How the numbers of the test are read from the force.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Measurement {
+    /// Force that begins and ends the impact duration, N.
+    pub force_threshold: Real,
+    /// Channel frequency class of the filtered force (SAE J211, ISO 6487), Hz.
+    pub channel_class: Real,
+}
+
+impl Scenario {
+    /// The layers from the core to the surface; one material through the whole thickness counts for both.
+    pub fn layers(&self) -> [Layer<'_>; MAX_LAYERS] {
+        let silicone = Layer { name: "silicone", material: &self.silicone };
+        let skin = match self.geometry.layers {
+            Layers::One => silicone,
+            Layers::Two => Layer { name: "skin", material: &self.skin },
+        };
+        [silicone, skin]
+    }
+
+    /// Radius of the curved core surface, m; none for a flat one.
+    pub(crate) fn core_radius(&self) -> Option<Real> {
+        match self.geometry.shape {
+            Shape::Round => Some(self.geometry.core_radius),
+            Shape::Block => None,
+        }
+    }
+}

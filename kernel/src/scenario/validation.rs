@@ -1,0 +1,76 @@
+//! What a scenario has to be: each value in its range, and all of them together.
+
+use crate::error::ScenarioError;
+use crate::material::ElasticLaw;
+use crate::number::math;
+use crate::number::real::Real;
+use crate::scenario::parameter::PARAMETERS;
+use crate::scenario::{Formulation, Layer, Layers, Scenario, Section, Shape};
+
+impl Scenario {
+    /// Checks every parameter against its legal range, then what several parameters say together.
+    ///
+    /// # Errors
+    /// The first refused value, by name, with its unit and legal range.
+    pub fn validate(&self) -> Result<(), ScenarioError> {
+        for parameter in PARAMETERS {
+            parameter.check(parameter.get(self))?;
+        }
+        self.layers().iter().try_for_each(Layer::validate)?;
+        self.validate_geometry()
+    }
+
+    fn validate_geometry(&self) -> Result<(), ScenarioError> {
+        let geometry = &self.geometry;
+        if geometry.layers == Layers::Two && geometry.skin_thickness < MIN_SKIN {
+            return Err(ScenarioError::SkinTooThin { thickness: geometry.skin_thickness, minimum: MIN_SKIN });
+        }
+        let outer = geometry.core_radius + geometry.layer_thickness();
+        let chord_ends = geometry.shape == Shape::Round && geometry.formulation == Formulation::PlaneStrain;
+        let reach = FACE_MARGIN * outer + math::abs(self.impactor.offset);
+        if geometry.section == Section::Full && geometry.formulation == Formulation::Axisymmetric {
+            return Err(ScenarioError::FullAxisymmetric);
+        }
+        if geometry.section == Section::Half && self.impactor.offset != 0.0 {
+            return Err(ScenarioError::OffsetOfHalf { offset: self.impactor.offset });
+        }
+        if chord_ends && 0.5 * self.impactor.face_diameter < reach {
+            let minimum = 2.0 * reach;
+            return Err(ScenarioError::FaceTooSmall { diameter: self.impactor.face_diameter, minimum });
+        }
+        Ok(())
+    }
+}
+
+impl Layer<'_> {
+    fn validate(&self) -> Result<(), ScenarioError> {
+        let (layer, material) = (self.name, self.material);
+        if material.prony_g_inf() <= 0.0 {
+            return Err(ScenarioError::PronySum { layer, sum: 1.0 - material.prony_g_inf() });
+        }
+        let modulus = material.shear_modulus_inf();
+        if modulus <= 0.0 {
+            return Err(ScenarioError::ShearModulus { layer, coefficients: coefficients(material.law), modulus });
+        }
+        let stretch = material.tear_stretch;
+        if stretch > 0.0 && stretch < 1.0 {
+            return Err(ScenarioError::TearStretch { layer, stretch });
+        }
+        Ok(())
+    }
+}
+
+/// Thinnest skin with a material of its own, m: as thin as the smallest element.
+const MIN_SKIN: Real = 1e-5;
+
+/// The face's chord is the thickness of the section, so the face must reach past the anvil's side by this factor.
+const FACE_MARGIN: Real = 1.02;
+
+/// What gives the shear modulus at rest.
+fn coefficients(law: ElasticLaw) -> &'static str {
+    match law {
+        ElasticLaw::NeoHookean | ElasticLaw::Yeoh => "c10 gives",
+        ElasticLaw::MooneyRivlin => "c10 and c01 give",
+        ElasticLaw::Ogden => "ogden_mu_1 to _3 and ogden_alpha_1 to _3 give",
+    }
+}

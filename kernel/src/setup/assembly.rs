@@ -1,0 +1,166 @@
+//! From a scenario to the arrays of a model: cells, masses, supports.
+
+use crate::cfc::Coefficients;
+use crate::element::{CellConstants, HoopConstants, Triangle};
+use crate::error::{ModelError, ScenarioError};
+use crate::material::MaterialModel;
+use crate::mesh::{CORNERS, Grid, triangles};
+use crate::model::Constants;
+use crate::model::{MODEL_NODE_FIELDS, ModelArrays, Size, split_row};
+use crate::number::digest::Digest;
+use crate::number::pack::LANES;
+use crate::number::real::Real;
+use crate::sampling::SAMPLING_INTERVAL;
+use crate::scenario::parameter::PARAMETERS;
+use crate::scenario::{Formulation, Interface, Scenario, Section};
+
+/// Fills `arrays` with the model of `scenario` whose nodes rest at `position(u, v)`, m, and gives its constants, for steps
+/// of a sampling interval until [`Constants::set_step`] says otherwise; without a [`fingerprint`].
+///
+/// # Errors
+/// A cell without area, too little memory, or a channel that is refused.
+pub(crate) fn assemble(
+    scenario: &Scenario,
+    grid: Grid,
+    position: &dyn Fn(usize, usize) -> [Real; 2],
+    arrays: &mut ModelArrays,
+) -> Result<Constants, ModelError> {
+    let size = Size::of_grid(scenario, &grid);
+    let ModelArrays { nodes, cells, hoops } = arrays.first(&size)?;
+    build_cells(scenario, &grid, position, cells, hoops)?;
+    build_nodes(scenario, &grid, position, cells, nodes);
+    let channel = Coefficients::new(scenario.measurement.channel_class, SAMPLING_INTERVAL);
+    Ok(Constants {
+        scenario: *scenario,
+        grid,
+        size,
+        dt: SAMPLING_INTERVAL,
+        design_stretch: 1.0,
+        steps_per_sample: 1,
+        channel: channel.map_err(ScenarioError::Parameter)?,
+        laws: scenario.layers().map(|layer| MaterialModel::new(layer.material, SAMPLING_INTERVAL)),
+        symmetry_factor: symmetry_factor(scenario),
+        top_height: position(grid.centre, grid.n_v)[1],
+        fingerprint: 0,
+    })
+}
+
+/// Digest of the parameters and of where the nodes of the filled `nodes` rest, which need not follow from them.
+pub(crate) fn fingerprint(scenario: &Scenario, grid: &Grid, nodes: &[Real]) -> u64 {
+    let mut digest = Digest::new();
+    for parameter in PARAMETERS {
+        digest.number(parameter.get(scenario));
+    }
+    nodes.iter().take(REFERENCE_FIELDS * grid.n_node()).for_each(|coordinate| digest.number(*coordinate));
+    digest.value()
+}
+
+/// Coordinates at rest come first among the numbers of the nodes: x, then y.
+const REFERENCE_FIELDS: usize = 2;
+
+/// Forces of the whole anvil per force of what is meshed.
+fn symmetry_factor(scenario: &Scenario) -> Real {
+    match (scenario.geometry.formulation, scenario.geometry.section) {
+        (Formulation::PlaneStrain, Section::Half) => 2.0,
+        _ => 1.0,
+    }
+}
+
+fn build_cells(
+    scenario: &Scenario,
+    grid: &Grid,
+    position: &dyn Fn(usize, usize) -> [Real; 2],
+    cells: &mut [CellConstants],
+    hoops: &mut [HoopConstants],
+) -> Result<(), ModelError> {
+    let blocks = grid.blocks_per_row().max(1);
+    cells.fill(CellConstants::ZERO);
+    hoops.fill(HoopConstants::ZERO);
+    for (block, cell) in cells.iter_mut().enumerate() {
+        for l in 0..LANES {
+            let (u, v) = ((block % blocks) * LANES + l, block / blocks);
+            if u >= grid.n_u {
+                continue;
+            }
+            let corners = CORNERS.map(|(du, dv)| position(u + du, v + dv));
+            let nodes = triangles(grid, u, v);
+            cell.diagonal[l] = if nodes[0] == RISING { 1.0 } else { 0.0 };
+            let pair = nodes.map(|nodes| Triangle::new(scenario, &corners, nodes));
+            let volume = pair[0].volume + pair[1].volume;
+            for (t, triangle) in pair.iter().enumerate() {
+                if triangle.volume.is_nan() || triangle.volume <= 0.0 {
+                    return Err(ModelError::NoArea { element: grid.element_index(block, l, t) });
+                }
+                triangle.store(l, &mut cell.triangle[t], volume);
+                if let Some(hoop) = hoops.get_mut(block) {
+                    for a in 0..4 {
+                        hoop.weight[t][a][l] = triangle.hoop[a];
+                    }
+                }
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Corners of the first triangle of a cell whose diagonal rises.
+const RISING: [usize; 3] = [0, 1, 2];
+
+fn build_nodes(
+    scenario: &Scenario,
+    grid: &Grid,
+    position: &dyn Fn(usize, usize) -> [Real; 2],
+    cells: &[CellConstants],
+    mut nodes: &mut [Real],
+) {
+    nodes.fill(0.0);
+    let n = grid.n_node();
+    let [x, y, inverse_x, inverse_y, mass]: [&mut [Real]; MODEL_NODE_FIELDS] =
+        core::array::from_fn(|_| split_row(&mut nodes, n).unwrap_or_default());
+    lump_mass(scenario, grid, cells, mass);
+    for v in 0..=grid.n_v {
+        for u in 0..=grid.n_u {
+            let node = v * grid.stride() + u;
+            let fixed = fixed_directions(scenario, u, v);
+            let [px, py] = position(u, v);
+            put(x, node, px);
+            put(y, node, py);
+            let inverse_mass = 1.0 / mass.get(node).copied().unwrap_or_default();
+            put(inverse_x, node, if fixed[0] { 0.0 } else { inverse_mass });
+            put(inverse_y, node, if fixed[1] { 0.0 } else { inverse_mass });
+        }
+    }
+}
+
+/// Sets one number; nothing past the end, which the sizes exclude.
+fn put(row: &mut [Real], node: usize, value: Real) {
+    if let Some(place) = row.get_mut(node) {
+        *place = value;
+    }
+}
+
+/// The centre line of a half section moves only along y; a bonded core not at all.
+fn fixed_directions(scenario: &Scenario, u: usize, v: usize) -> [bool; 2] {
+    let bonded = v == 0 && scenario.core.interface == Interface::Bonded;
+    let centre = u == 0 && scenario.geometry.section == Section::Half;
+    [centre || bonded, bonded]
+}
+
+/// A quarter of each cell's mass to each of its corners, whichever way its diagonal runs: even masses have the lowest
+/// highest frequency.
+fn lump_mass(scenario: &Scenario, grid: &Grid, cells: &[CellConstants], mass: &mut [Real]) {
+    let [silicone, skin] = scenario.layers().map(|layer| layer.material.density);
+    for v in 0..grid.n_v {
+        let density = if v < grid.n_v_silicone { silicone } else { skin };
+        for u in 0..grid.n_u {
+            let Some(cell) = cells.get(v * grid.blocks_per_row() + u / LANES) else { continue };
+            let [a, b] = &cell.triangle;
+            let quarter = 0.25 * density * (a.reference_volume[u % LANES] + b.reference_volume[u % LANES]);
+            for (du, dv) in CORNERS {
+                if let Some(mass) = mass.get_mut((v + dv) * grid.stride() + u + du) {
+                    *mass += quarter;
+                }
+            }
+        }
+    }
+}

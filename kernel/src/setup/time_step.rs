@@ -1,0 +1,104 @@
+//! The fixed time step: chosen once, from a trial of this very scenario.
+//!
+//! A cell that is pressed bears a smaller step than at rest, by how much depends on the law and on how far the scenario
+//! presses it, which no formula says beforehand. A trial (`trial.rs`) on a coarse mesh with a step that follows its
+//! limit tells the ratio of the smallest limit to that at rest; times the limit at rest of the mesh itself and
+//! the safety factor it gives the step. Where the ratio is small, a coarse mesh says too little of the cells that are
+//! pressed most, and the trial is repeated on the mesh itself.
+
+use crate::error::ModelError;
+use crate::mesh::{Grid, reference_position};
+use crate::model::Constants;
+use crate::model::ModelArrays;
+use crate::number::math;
+use crate::number::real::{self, Real};
+use crate::sampling::{MAX_STEPS_PER_SAMPLE, SAMPLING_INTERVAL, SMALLEST_STEP};
+use crate::scenario::{Scenario, StepBy};
+use crate::setup::assembly::{assemble, fingerprint};
+use crate::setup::trial::{self, Forecast};
+use crate::state::StateMemory;
+use crate::step::Cells;
+
+/// Rows of cells of the coarse mesh: the fewest that show a maximum of compression between core and face.
+const COARSE_ROWS: Real = 3.0;
+
+/// The trial is repeated on the mesh itself where the limit falls below this part of that at rest.
+const REPEAT_BELOW: Real = 0.6;
+
+/// What a drop may leave of the limit that its trial has found: meshes and steps differ, and a layer may fold on the way up.
+const MARGIN: Real = 0.9;
+
+/// The same again for every factor of e that the limit has fallen by: of a layer pressed flat a trial says less.
+const MARGIN_POWER: Real = 0.03;
+
+/// Fills `arrays` with the model of `scenario`, whose nodes rest at `position(u, v)`, m, and gives its constants with the
+/// step chosen. A trial runs in the memory of a `state`.
+///
+/// # Errors
+/// As [`assemble`]; a stable step that is too small to offer, or a given step above the limit at rest.
+pub(crate) fn with_chosen_step(
+    scenario: &Scenario,
+    position: &dyn Fn(usize, usize) -> [Real; 2],
+    arrays: &mut ModelArrays,
+    state: &mut StateMemory,
+) -> Result<Constants, ModelError> {
+    let grid = Grid::new(scenario)?;
+    let forecast = match scenario.time.step_by {
+        StepBy::SafetyFactor => Some(foresee(scenario, &grid, position, arrays, state)?),
+        StepBy::Given => None,
+    };
+    let mut constants = assemble(scenario, grid, position, arrays)?;
+    let at_rest = Cells::new(&constants, arrays).limit_at_rest();
+    let step = match forecast {
+        Some(forecast) => scenario.time.safety_factor * margin(forecast.ratio) * forecast.ratio * at_rest,
+        None if scenario.time.step > at_rest => {
+            return Err(ModelError::StepTooLarge { step: scenario.time.step, limit: at_rest });
+        }
+        None => scenario.time.step,
+    };
+    let count = steps_per_sample(step)?;
+    constants.set_step(SAMPLING_INTERVAL / count as Real, count);
+    constants.fingerprint = fingerprint(scenario, &grid, arrays.nodes);
+    constants.design_stretch = forecast.map_or(1.0, |forecast| forecast.stretch);
+    Ok(constants)
+}
+
+/// What a trial of the scenario finds, on a coarse mesh and, if that is not enough, on its own. Apart, so that its numbers
+/// leave the stack before the model's come.
+#[inline(never)]
+fn foresee(
+    scenario: &Scenario,
+    grid: &Grid,
+    position: &dyn Fn(usize, usize) -> [Real; 2],
+    arrays: &mut ModelArrays,
+    state: &mut StateMemory,
+) -> Result<Forecast, ModelError> {
+    let (mut tried, motion) = trial::of(scenario);
+    let size = scenario.geometry.layer_thickness() / COARSE_ROWS;
+    tried.mesh.element_size = math::max(size, scenario.mesh.element_size);
+    let coarse = Grid::new(&tried)?;
+    if coarse != *grid {
+        let rest = |u, v| reference_position(&tried, &coarse, u, v);
+        let forecast = trial::run(&tried, &motion, coarse, &rest, arrays, state)?;
+        if forecast.ratio >= REPEAT_BELOW {
+            return Ok(forecast);
+        }
+    }
+    tried.mesh.element_size = scenario.mesh.element_size;
+    trial::run(&tried, &motion, *grid, position, arrays, state)
+}
+
+/// Part of the limit that is kept where a trial has found `ratio`.
+fn margin(ratio: Real) -> Real {
+    MARGIN * math::exp(MARGIN_POWER * math::ln(ratio))
+}
+
+/// Steps per sampling interval: as few as are not longer than `step`, s.
+fn steps_per_sample(step: Real) -> Result<u32, ModelError> {
+    // A step that is a whole divisor but for `SAME` counts as that divisor.
+    let count = math::max(1.0, math::ceil(SAMPLING_INTERVAL / step * (1.0 - real::SAME)));
+    if count > MAX_STEPS_PER_SAMPLE as Real {
+        return Err(ModelError::StepTooSmall { step, smallest: SMALLEST_STEP });
+    }
+    Ok(count as u32)
+}

@@ -1,0 +1,200 @@
+//! A trial of a scenario with a step that follows its limit: from the first touch to the deepest point, to find how far the
+//! limit falls.
+//!
+//! A drop begins at the surface with the speed that the mass has there, and ends where it turns. A driven or prescribed
+//! face goes down to the depth it is expected at, slowly against the waves in the layer.
+
+use crate::error::{ModelError, StepError};
+use crate::impactor::StepInput;
+use crate::mesh::Grid;
+use crate::model::ModelArrays;
+use crate::model::{Constants, Model};
+use crate::number::instruction_set::InstructionSet;
+use crate::number::math;
+use crate::number::real::Real;
+use crate::sampling::SMALLEST_STEP;
+use crate::scenario::{DropBy, Impactor, Motion, Scenario};
+use crate::setup::assembly::assemble;
+use crate::state::State;
+use crate::state::StateMemory;
+use crate::step::advance_once;
+use crate::step::{Cells, Critical};
+
+/// What a trial has found.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Forecast {
+    /// Smallest limit of the step over that at rest.
+    pub ratio: Real,
+    /// Smallest principal stretch in the section of the cell that had it.
+    pub stretch: Real,
+}
+
+/// Most steps between two looks at all cells. The monitor looks at some of them in each step.
+const MAX_STRIDE: Real = 16.0;
+
+/// Part of the layer's thickness that the face may travel between two looks, so that no limit falls far in between.
+const TRAVEL: Real = 0.02;
+
+/// Most steps of a trial, so that its work is bounded whatever the scenario; what it has found until then counts.
+const MAX_STEPS: usize = 1 << 17;
+
+/// Part of the limit that the step follows it at: what is left is more than the limit falls between two looks.
+const FOLLOWED: Real = 0.9;
+
+/// Speed of a pressing face over that of shear waves in the relaxed layer.
+const PRESS_SPEED: Real = 0.05;
+
+/// Deepest that a face is taken to press, as a part of the layer's thickness.
+const DEEPEST: Real = 0.95;
+
+/// The scenario of a trial of `scenario`, and how its impactor moves.
+pub(crate) fn of(scenario: &Scenario) -> (Scenario, TrialMotion) {
+    let (motion, mut trial) = (TrialMotion::new(scenario), *scenario);
+    trial.impactor.gap = 0.0;
+    match motion {
+        TrialMotion::Drop { speed } => {
+            (trial.impactor.drop_by, trial.impactor.drop_speed) = (DropBy::Speed, speed);
+        }
+        TrialMotion::Press { .. } => trial.impactor.motion = Motion::Driven,
+    }
+    (trial, motion)
+}
+
+/// Runs the trial `scenario`, whose impactor moves by `motion`, on its `grid`, whose nodes rest at `position(u, v)`, m.
+///
+/// # Errors
+/// As [`assemble`], and too little memory for a state.
+#[inline(never)]
+pub(crate) fn run(
+    scenario: &Scenario,
+    motion: &TrialMotion,
+    grid: Grid,
+    position: &dyn Fn(usize, usize) -> [Real; 2],
+    arrays: &mut ModelArrays,
+    state: &mut StateMemory,
+) -> Result<Forecast, ModelError> {
+    let constants = assemble(scenario, grid, position, arrays)?;
+    let arrays = arrays.first(&constants.size)?;
+    let at_rest = Cells::new(&constants, &arrays).limit_at_rest();
+    let mut trial = Trial { smallest: at_rest, stretch: 1.0, constants };
+    trial.constants.set_step(FOLLOWED * at_rest, 1);
+    State::new(&trial.model(&arrays), state.lend())?;
+    let (mut time, mut steps) = (0.0, 0);
+    while steps < MAX_STEPS {
+        let model = trial.model(&arrays);
+        let mut view = State::view(&model, state.lend())?;
+        let stride = stride(&model, &view);
+        let stopped = march(&model, &mut view, motion, stride, &mut time);
+        steps += stride;
+        let ended = motion.has_ended(&trial.constants, &view, time);
+        trial.look(&arrays, state, stopped);
+        if ended || stopped.is_some_and(|error| matches!(error, StepError::Inverted { .. })) {
+            break;
+        }
+        if trial.smallest < SMALLEST_STEP {
+            break;
+        }
+    }
+    Ok(Forecast { ratio: trial.smallest / at_rest, stretch: trial.stretch })
+}
+
+/// A trial on its way.
+struct Trial {
+    constants: Constants,
+    /// Smallest limit so far, s.
+    smallest: Real,
+    /// Smallest principal stretch of the cell that had it.
+    stretch: Real,
+}
+
+impl Trial {
+    fn model<'m>(&'m self, arrays: &'m ModelArrays) -> Model<'m> {
+        Model::view(&self.constants, arrays.nodes, arrays.cells, arrays.hoops)
+    }
+
+    /// Looks at all cells, and at what the monitor may have found; goes on with a smaller step where the limit has fallen.
+    fn look(&mut self, arrays: &ModelArrays, state: &StateMemory, stopped: Option<StepError>) {
+        let found = Cells::new(&self.constants, arrays)
+            .critical(&|block| state.cells.get(block), self.smallest * self.smallest);
+        if let Some(Critical { limit_squared, stretch, .. }) = found {
+            (self.smallest, self.stretch) = (math::sqrt(limit_squared), stretch);
+        }
+        let step = FOLLOWED * self.smallest;
+        if step < self.constants.dt || stopped.is_some() {
+            self.constants.set_step(step, 1);
+        }
+    }
+}
+
+/// Steps to the next look.
+fn stride(model: &Model, state: &State) -> usize {
+    let travel = math::abs(state.scalars.impactor.velocity_half) * model.constants.dt;
+    let most = TRAVEL * model.constants.scenario.geometry.layer_thickness();
+    // A quotient of any size or none ends in range.
+    if most >= MAX_STRIDE * travel { MAX_STRIDE as usize } else { 1 + (most / travel) as usize }
+}
+
+/// Makes some steps; gives the error that stops them.
+fn march(model: &Model, state: &mut State, motion: &TrialMotion, steps: usize, time: &mut Real) -> Option<StepError> {
+    for _ in 0..steps {
+        *time += model.constants.dt;
+        let driven_position = Some(motion.position(*time));
+        let input = StepInput { driven_position, ..StepInput::default() };
+        if let Err(error) = advance_once(InstructionSet::best(), model, state, &input) {
+            return Some(error);
+        }
+    }
+    None
+}
+
+/// How the impactor moves in a trial.
+pub(crate) enum TrialMotion {
+    /// Falls from the surface with this speed, m/s.
+    Drop { speed: Real },
+    /// Is pressed to this depth, m, at this speed, m/s.
+    Press { depth: Real, speed: Real },
+}
+
+impl TrialMotion {
+    fn new(scenario: &Scenario) -> Self {
+        let (impactor, thickness) = (&scenario.impactor, scenario.geometry.layer_thickness());
+        let depth = match impactor.motion {
+            Motion::Drop => return Self::Drop { speed: touching_speed(impactor) },
+            Motion::Driven => scenario.time.design_compression * thickness,
+            Motion::Prescribed => impactor.prescribed_depth,
+        };
+        let depth = if depth < DEEPEST * thickness { depth } else { DEEPEST * thickness };
+        let slowest = scenario
+            .layers()
+            .map(|layer| layer.material)
+            .map(|material| math::sqrt(material.shear_modulus_inf() / material.density));
+        let waves = if slowest[0] < slowest[1] { slowest[0] } else { slowest[1] };
+        Self::Press { depth, speed: PRESS_SPEED * waves }
+    }
+
+    /// Height of a pressing face `time` s after its start, m.
+    fn position(&self, time: Real) -> Real {
+        match *self {
+            Self::Drop { .. } => 0.0,
+            Self::Press { depth, speed } if speed * time < depth => -(speed * time),
+            Self::Press { depth, .. } => -depth,
+        }
+    }
+
+    /// Whether the mass has turned, or passed the layer without a touch; or whether the face is at its depth.
+    fn has_ended(&self, constants: &Constants, state: &State, time: Real) -> bool {
+        let impactor = &state.scalars.impactor;
+        match *self {
+            Self::Drop { .. } => {
+                impactor.velocity_half >= 0.0 || impactor.deformation() > constants.scenario.geometry.layer_thickness()
+            }
+            Self::Press { depth, speed } => speed * time >= depth,
+        }
+    }
+}
+
+/// Speed of a falling mass where it meets the undeformed surface, m/s.
+fn touching_speed(impactor: &Impactor) -> Real {
+    let start = impactor.start_speed();
+    math::sqrt(start * start + 2.0 * impactor.gravity * impactor.gap)
+}

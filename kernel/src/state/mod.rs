@@ -1,0 +1,22 @@
+//! [`State`]: everything about a simulation that changes, in memory that the caller lends.
+
+mod arrays;
+mod energy;
+mod memory;
+mod metrics;
+mod nodes;
+mod sampler;
+mod scalars;
+mod snapshot;
+mod view;
+
+pub use arrays::State;
+pub use energy::EnergyBalance;
+pub(crate) use energy::{ContactWork, ENERGY_WORDS, StepWork};
+pub use memory::StateMemory;
+pub use metrics::Metrics;
+pub(crate) use nodes::{Rows, StateNodes, corners};
+pub use sampler::{Forces, Sample, Sampler};
+pub use scalars::Scalars;
+pub use snapshot::{restore, save, snapshot_size, state_digest, write_words};
+pub use view::{StateContent, StateView};

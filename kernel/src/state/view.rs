@@ -1,0 +1,144 @@
+//! [`StateView`]: a state that is only read, over memory that others may read at the same time.
+
+use crate::element::CellHistory;
+use crate::error::MemoryError;
+use crate::model::Model;
+use crate::number::real::Real;
+use crate::state::{Scalars, State};
+use crate::tensor::deviator::Deviator;
+
+/// A state to read from.
+///
+/// ```
+/// use softanvil_kernel::{Simulation, StepInput, preset};
+///
+/// let mut anvil = Simulation::new(&preset::study())?;
+/// anvil.run(4e-3, &StepInput::default())?;
+/// // The force on the impactor is that of the surface nodes, of the meshed half and of the other.
+/// let force = anvil.with(|model, state| {
+///     let [pressing, _] = state.as_view().contact_force();
+///     model.constants.section_factor * pressing.iter().sum::<f64>()
+/// })?;
+/// assert!(force > 100.0);
+/// assert!((force / anvil.scalars().force.contact - 1.0).abs() < 1e-12);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[derive(Clone, Copy)]
+pub struct StateView<'a> {
+    /// The numbers that are not arrays.
+    pub scalars: &'a Scalars,
+    /// Displacement, velocity and force of the nodes, then the contact forces of the surface, x before y; see [`State`].
+    pub(crate) arrays: [&'a [Real]; 8],
+    pub(crate) cells: &'a [CellHistory],
+    pub(crate) viscous: &'a [Deviator],
+}
+
+/// Memory of a state as [`crate::StateMemory`] lends it, to read from.
+///
+/// ```
+/// use softanvil_kernel::element::CellHistory;
+/// use softanvil_kernel::lanes::Deviator;
+/// use softanvil_kernel::{Field, Scalars, Simulation, State, StateContent, StateMemory, StateView, preset};
+///
+/// let mut anvil = Simulation::new(&preset::study())?;
+/// let gap = anvil.constants().scenario.impactor.gap;
+/// anvil.with(|model, _| {
+///     let size = &model.constants.size;
+///     let (mut scalars, mut nodes) = (Scalars::BLANK, vec![0.0; size.state_nodes]);
+///     let mut cells = vec![CellHistory::REST; size.state_cells];
+///     let mut viscous = vec![Deviator::ZERO; size.state_viscous];
+///     let memory = StateMemory { scalars: &mut scalars, nodes: &mut nodes, cells: &mut cells, viscous: &mut viscous };
+///     State::new(model, memory)?;
+///     // Whoever lent the memory has it back and reads the state in it.
+///     let content = StateContent { nodes: &nodes, cells: &cells, viscous: &viscous };
+///     let view = StateView::new(model, &scalars, content)?;
+///     assert_eq!(view.scalars.impactor.position, gap);
+///     let velocity = Field::find("node.velocity").unwrap();
+///     assert_eq!(velocity.value(model, &view, 0, 0, 1), Some(0.0));
+///     Ok::<_, softanvil_kernel::MemoryError>(())
+/// })??;
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[derive(Clone, Copy)]
+pub struct StateContent<'a> {
+    /// At least [`crate::Size::state_nodes`] numbers.
+    pub nodes: &'a [Real],
+    /// At least [`crate::Size::state_cells`] blocks.
+    pub cells: &'a [CellHistory],
+    /// At least [`crate::Size::state_viscous`] blocks.
+    pub viscous: &'a [Deviator],
+}
+
+impl<'a> StateView<'a> {
+    /// A view of the state that `content` holds, with the `scalars` that belong to it.
+    ///
+    /// # Errors
+    /// Too little memory.
+    pub fn new(model: &Model, scalars: &'a Scalars, content: StateContent<'a>) -> Result<Self, MemoryError> {
+        let (size, grid) = (&model.constants.size, &model.constants.grid);
+        let mut nodes = content.nodes;
+        let (n, surface) = (grid.n_node(), grid.stride());
+        let mut short = None;
+        let arrays = [n, n, n, n, n, n, surface, surface].map(|length| match nodes.split_at_checked(length) {
+            Some((row, rest)) => {
+                nodes = rest;
+                row
+            }
+            None => {
+                let given = content.nodes.len();
+                short = Some(MemoryError { what: "state nodes", given, needed: size.state_nodes });
+                &[]
+            }
+        });
+        match short {
+            Some(error) => Err(error),
+            None => Ok(Self { scalars, arrays, cells: content.cells, viscous: content.viscous }),
+        }
+    }
+
+    /// Displacements of the nodes, m, laid out as [`Model::reference_position`].
+    pub fn displacement(&self) -> [&'a [Real]; 2] {
+        let [x, y, ..] = self.arrays;
+        [x, y]
+    }
+
+    /// Velocities of the nodes half a step back, m/s, laid out alike.
+    pub fn velocity(&self) -> [&'a [Real]; 2] {
+        let [_, _, x, y, ..] = self.arrays;
+        [x, y]
+    }
+
+    /// Total force on each node in the last step, N: contact and friction minus internal forces.
+    pub fn force(&self) -> [&'a [Real]; 2] {
+        let [_, _, _, _, x, y, ..] = self.arrays;
+        [x, y]
+    }
+
+    /// Normal force of the face on each surface node in the last step, N, then its friction force outwards, by column.
+    pub fn contact_force(&self) -> [&'a [Real]; 2] {
+        let [.., normal, tangential] = self.arrays;
+        [normal, tangential]
+    }
+}
+
+impl State<'_> {
+    /// This state, to read from.
+    pub fn as_view(&self) -> StateView<'_> {
+        let nodes = &self.nodes;
+        StateView {
+            scalars: self.scalars,
+            arrays: [
+                nodes.displacement_x,
+                nodes.displacement_y,
+                nodes.velocity_x,
+                nodes.velocity_y,
+                nodes.force_x,
+                nodes.force_y,
+                nodes.contact_normal,
+                nodes.contact_tangential,
+            ],
+            cells: self.cells,
+            viscous: self.viscous,
+        }
+    }
+}

@@ -1,0 +1,269 @@
+//! One explicit step of the whole system, stage by stage.
+
+use core::hint::black_box;
+
+use crate::contact::face;
+use crate::contact::rigid_core;
+use crate::contact::surface;
+use crate::element::{self, Block, CellHistory, Corners, ElementEnergy};
+use crate::error::StepError;
+use crate::impactor::{DrivenPath, StepInput};
+use crate::model::Model;
+use crate::number::instruction_set::InstructionSet;
+use crate::number::pack::{LANES, Pack, ZERO, sum};
+use crate::number::real::Real;
+use crate::number::vector::{Scalar, Simd, Vector, Work};
+use crate::state::ContactWork;
+use crate::state::StepWork;
+use crate::state::{Forces, Rows, State, corners};
+use crate::step::monitor;
+use crate::tensor::deviator::Deviator;
+
+/// Advances `state` by one step of `model.constants.dt`: central difference, from the positions at n and the velocities
+/// at n - 1/2 to the positions at n + 1 and the velocities at n + 1/2.
+///
+/// The work is the same in every step: no iteration depends on the data.
+///
+/// # Errors
+/// An inverted triangle, or a step above the current stability limit; the same error comes back until the state is reset
+/// or restored. An input that is not legal, which changes nothing.
+pub fn step(model: &Model, state: &mut State, input: &StepInput) -> Result<(), StepError> {
+    step_with(InstructionSet::best(), model, state, input)
+}
+
+/// [`step`] with a given instruction set, which changes the speed and no bit.
+///
+/// # Errors
+/// As [`step`].
+pub fn step_with(set: InstructionSet, model: &Model, state: &mut State, input: &StepInput) -> Result<(), StepError> {
+    if let Some(failure) = state.scalars.failure {
+        return Err(failure);
+    }
+    input.check(model.constants, state.time(model))?;
+    recorded(set, model, state, input)
+}
+
+/// A step on a path whose input has been checked.
+///
+/// # Errors
+/// As [`step`].
+pub fn step_along(model: &Model, state: &mut State, path: &DrivenPath, number: u64) -> Result<(), StepError> {
+    if let Some(failure) = state.scalars.failure {
+        return Err(failure);
+    }
+    recorded(InstructionSet::best(), model, state, &path.input(number))
+}
+
+/// `count` steps, at whose end a driven face is where `input` says, and moves as it says.
+///
+/// # Errors
+/// As [`step`]; the steps before a failure stay done.
+pub fn steps(model: &Model, state: &mut State, count: u64, input: &StepInput) -> Result<(), StepError> {
+    input.check(model.constants, state.time(model))?;
+    let path = DrivenPath::new(model.constants, &state.scalars.impactor, input, count as Real);
+    (1..=count).try_for_each(|number| step_along(model, state, &path, number))
+}
+
+/// One step, whose failure every further one gives.
+#[inline(always)]
+fn recorded(set: InstructionSet, model: &Model, state: &mut State, input: &StepInput) -> Result<(), StepError> {
+    match advance_once(set, model, state, input) {
+        Ok(()) => Ok(()),
+        Err(failure) => {
+            state.scalars.failure = Some(failure);
+            Err(failure)
+        }
+    }
+}
+
+/// One step without a look at the input or at an earlier failure, and without a record of its own. One copy of it all, for
+/// drops and trials.
+#[inline(never)]
+pub(crate) fn advance_once(
+    set: InstructionSet,
+    model: &Model,
+    state: &mut State,
+    input: &StepInput,
+) -> Result<(), StepError> {
+    set.run(Advance { model, state, input })
+}
+
+/// One step as work for an instruction set.
+struct Advance<'s, 'm, 'a> {
+    model: &'s Model<'m>,
+    state: &'s mut State<'a>,
+    input: &'s StepInput,
+}
+
+impl Work for Advance<'_, '_, '_> {
+    type Output = Result<(), StepError>;
+
+    #[inline(always)]
+    fn run<S: Simd>(self, simd: S) -> Result<(), StepError> {
+        advance(simd, self.model, self.state, self.input)
+    }
+}
+
+#[inline(always)]
+fn advance<S: Simd>(simd: S, model: &Model, state: &mut State, input: &StepInput) -> Result<(), StepError> {
+    let mut energy = ElementEnergy::ZERO;
+    internal_forces(simd, model, state, &mut energy)?;
+    monitor::check(simd, model, state)?;
+    let core = rigid_core::react(simd, model, state);
+    let prediction = state.scalars.impactor.predict(model, input, state.scalars.step_index);
+    let before = state.scalars.impactor.velocity_half;
+    let face = face::contact(simd, model, state, &prediction);
+    state.scalars.contact_half_width = surface::contact_half_width(model, &state.as_view());
+    let layer_kinetic = move_nodes(simd, model, state);
+    monitor::guard(model, state, model.constants.symmetry_factor * layer_kinetic[0])?;
+    let work = StepWork {
+        element: &energy,
+        face: &face,
+        core: &core,
+        layer_kinetic,
+        impactor_velocity: [before, state.scalars.impactor.velocity_half],
+        impactor: &state.scalars.impactor,
+        prediction: &prediction,
+        input,
+    };
+    state.scalars.energy.update(model, &work);
+    measure(model, state, &face, &core, before);
+    state.scalars.step_index += 1;
+    Ok(())
+}
+
+/// Fills the nodal forces with minus the internal forces, block by block in index order, and adds up the energies.
+#[inline(always)]
+fn internal_forces<S: Simd>(
+    simd: S,
+    model: &Model,
+    state: &mut State,
+    energy: &mut ElementEnergy,
+) -> Result<(), StepError> {
+    let grid = &model.constants.grid;
+    let terms = (2 * model.constants.n_term()).max(1);
+    state.nodes.force_x.fill(0.0);
+    state.nodes.force_y.fill(0.0);
+    let viscous = state.viscous.chunks_exact_mut(terms).map(Some).chain(core::iter::repeat_with(|| None));
+    let blocks = model.cells.iter().zip(state.cells.iter_mut()).zip(viscous).enumerate();
+    let (per_row, mut place, mut nodes) = (grid.blocks_per_row(), 0, grid.first_nodes([0, 0]));
+    for (index, ((constants, history), viscous)) in blocks {
+        let block = Block { laws: model.constants.laws_of(index), constants, hoop: model.hoops.get(index) };
+        let viscous = viscous.unwrap_or_default();
+        let rows = state.nodes.rows(nodes);
+        // Written twice, so that a copy knows whether there are rings and need not ask all over the element; processors
+        // without vectors have less room for it.
+        let force = if S::WIDTH == 1 || block.hoop.is_some() {
+            block_force(simd, &block, &rows, history, viscous, energy)
+        } else {
+            block_force(simd, &Block { hoop: None, ..block }, &rows, history, viscous, energy)
+        };
+        state.nodes.subtract_force(simd, nodes, &force);
+        // The next block follows in the row, or begins the next one behind the lane that closes this one.
+        place += 1;
+        let further = if place == per_row { 2 * LANES } else { LANES };
+        place = if place == per_row { 0 } else { place };
+        nodes = [nodes[0] + further, nodes[1] + further];
+    }
+    if sum(&energy.inverted) > 0.0 { Err(first_inverted(model, state)) } else { Ok(()) }
+}
+
+/// Internal forces on the corners of the cells of a block, N.
+#[inline(always)]
+fn block_force<S: Simd>(
+    simd: S,
+    block: &Block,
+    rows: &Rows,
+    history: &mut CellHistory,
+    viscous: &mut [Deviator],
+    energy: &mut ElementEnergy,
+) -> Corners<Pack> {
+    let mut force = [[ZERO; 2]; 4];
+    for chunk in 0..LANES / S::WIDTH {
+        // The compiler would work out the addresses of all lanes ahead, which are more than there are registers, and keep
+        // them in memory; of what it cannot see through it adds up an address where it is needed, at no cost.
+        let (rows, history) = (black_box(rows), black_box(&mut *history));
+        let block = &Block { constants: black_box(block.constants), ..*block };
+        let displacement = corners(simd, chunk, rows);
+        let of_chunk = element::internal_force(simd, chunk, block, &displacement, history, viscous, energy);
+        for corner in 0..4 {
+            for i in 0..2 {
+                simd.store(of_chunk[corner][i], &mut force[corner][i], chunk);
+            }
+        }
+    }
+    force
+}
+
+/// The first inverted triangle, as the error that it is.
+#[cold]
+fn first_inverted(model: &Model, state: &State) -> StepError {
+    let grid = &model.constants.grid;
+    let found = model.cells.iter().enumerate().find_map(|(block, constants)| {
+        let block_of = Block { laws: model.constants.laws_of(block), constants, hoop: model.hoops.get(block) };
+        // The first triangles of the block, then the second ones.
+        (0..2 * LANES).find_map(|i| {
+            let (t, l) = (i / LANES, i % LANES);
+            let corners = state.corners(Scalar, l, grid, block);
+            let jacobian = element::cell_kinematics(Scalar, l, &block_of, &corners)[t].jacobian;
+            if jacobian > Real::MIN_POSITIVE { None } else { Some(grid.element_index(block, l, t)) }
+        })
+    });
+    StepError::Inverted { element: found.unwrap_or_default(), time: model.constants.time(state.scalars.step_index) }
+}
+
+/// Moves the nodes under their forces; returns the kinetic energy of the section at the forces, from the velocities on both
+/// sides, and after their impulse.
+#[inline(always)]
+fn move_nodes<S: Simd>(simd: S, model: &Model, state: &mut State) -> [Real; 2] {
+    let dt = model.constants.dt;
+    let (fixed, nodes) = (&model.nodes, &mut state.nodes);
+    let masses = [fixed.nodal_mass, fixed.inverse_mass_x];
+    let along_x = move_along(simd, dt, masses, nodes.force_x, nodes.velocity_x, nodes.displacement_x);
+    let masses = [fixed.nodal_mass, fixed.inverse_mass_y];
+    let along_y = move_along(simd, dt, masses, nodes.force_y, nodes.velocity_y, nodes.displacement_y);
+    [along_x[0] + along_y[0], along_x[1] + along_y[1]]
+}
+
+#[inline(always)]
+fn move_along<S: Simd>(
+    simd: S,
+    dt: Real,
+    [mass, inverse_mass]: [&[Real]; 2],
+    force: &[Real],
+    velocity: &mut [Real],
+    displacement: &mut [Real],
+) -> [Real; 2] {
+    let mut double_kinetic = [ZERO; 2];
+    let fixed = mass.as_chunks().0.iter().zip(inverse_mass.as_chunks().0).zip(force.as_chunks().0);
+    let moving = velocity.as_chunks_mut().0.iter_mut().zip(displacement.as_chunks_mut().0);
+    for (((mass, inverse_mass), force), (velocity, displacement)) in fixed.zip(moving) {
+        for chunk in 0..LANES / S::WIDTH {
+            let before = simd.load(velocity, chunk);
+            let after = before + (simd.load(inverse_mass, chunk) * simd.load(force, chunk)).mul_scalar(dt);
+            simd.store(after, velocity, chunk);
+            simd.store(simd.load(displacement, chunk) + after.mul_scalar(dt), displacement, chunk);
+            let momentum = simd.load(mass, chunk) * after;
+            simd.add(momentum * before, &mut double_kinetic[0], chunk);
+            simd.add(momentum * after, &mut double_kinetic[1], chunk);
+        }
+    }
+    double_kinetic.map(|lane| 0.5 * sum(&lane))
+}
+
+/// Records the forces of the step and what the laboratory would read.
+#[inline(always)]
+fn measure(model: &Model, state: &mut State, face: &ContactWork, core: &ContactWork, velocity_before: Real) {
+    let constants = &model.constants;
+    let scalars = &mut state.scalars;
+    scalars.force = Forces {
+        contact: constants.symmetry_factor * face.normal_force,
+        core_reaction: constants.symmetry_factor * core.normal_force,
+    };
+    let velocity = [velocity_before, scalars.impactor.velocity_half];
+    let depth = scalars.impactor.deformation();
+    scalars.metrics.take_step(constants, scalars.step_index, scalars.force.contact, velocity, depth);
+    if let Some(sample) = scalars.sampler.take(constants, &scalars.force, scalars.impactor.position) {
+        scalars.metrics.take_sample(&sample, constants.scenario.measurement.force_threshold);
+    }
+}

@@ -1,0 +1,175 @@
+//! The monitor of the step's stability: what tells in time that a step was too large.
+
+use crate::element::Block;
+use crate::element::cell_bound::{limit_squared, unstable};
+use crate::error::StepError;
+use crate::model::Model;
+use crate::number::math;
+use crate::number::pack::{LANES, ZERO};
+use crate::number::real::Real;
+use crate::number::vector::{Scalar, Simd};
+use crate::state::{EnergyBalance, State};
+use crate::step::stable_step::{critical_time_step, current_matrix};
+
+/// The monitor visits every cell at least once in this many steps. At the study's speeds a stretch changes by some
+/// hundredths in that time.
+pub const MONITOR_PERIOD: usize = 64;
+
+/// The fewest cells that it visits in a step: on a small mesh, all cells have their turn sooner.
+const MIN_GROUP: usize = 4;
+
+/// Compares the step with the current limit of this step's share of the cells, as the internal forces have found them: the
+/// same number in every step, so that all have had their turn after [`MONITOR_PERIOD`] steps at most.
+///
+/// # Errors
+/// The first cell whose limit is below the step.
+#[inline(always)]
+pub(crate) fn check<S: Simd>(simd: S, model: &Model, state: &State) -> Result<(), StepError> {
+    let share = MonitorWindow::new(model.cells.len() * LANES, state.scalars.step_index);
+    let step_squared = simd.splat(model.constants.dt * model.constants.dt);
+    for turn in 0..share.count {
+        let (block, start) = (share.cell(turn) / LANES, share.cell(turn) % LANES);
+        let (Some(constants), Some(history)) = (model.cells.get(block), state.cells.get(block)) else { continue };
+        let block_of = Block { laws: model.constants.laws_of(block), constants, hoop: model.hoops.get(block) };
+        for chunk in start / S::WIDTH..(start + share.group).div_ceil(S::WIDTH) {
+            let matrix = current_matrix(simd, chunk, &block_of, history);
+            let mut lost = ZERO;
+            simd.store(unstable(simd, &matrix, step_squared), &mut lost, chunk);
+            let (first, end) = (start.max(chunk * S::WIDTH), (start + share.group).min((chunk + 1) * S::WIDTH));
+            let visited = lost.get(first..end).unwrap_or_default();
+            if let Some(l) = visited.iter().position(|lost| *lost > 0.0) {
+                return Err(failure(model, state, block, first + l));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The cells that a step visits: groups of neighbours.
+struct MonitorWindow {
+    /// Cells of a group, a divisor of [`LANES`].
+    group: usize,
+    /// The first group.
+    first: usize,
+    /// Number of groups.
+    count: usize,
+    /// Groups of the mesh, after the last of which comes the first.
+    of: usize,
+}
+
+impl MonitorWindow {
+    /// Of the step `step_index`, for a mesh of so many `cells`, padding included.
+    fn new(cells: usize, step_index: u64) -> Self {
+        let each = cells.div_ceil(MONITOR_PERIOD);
+        let (group, count, of) = if each > MIN_GROUP {
+            (LANES, each.div_ceil(LANES), cells / LANES)
+        } else {
+            (MIN_GROUP, 1, cells / MIN_GROUP)
+        };
+        let first = step_index % of.div_ceil(count).max(1) as u64;
+        Self { group, first: first as usize * count, count, of }
+    }
+
+    /// The first cell of the group `turn`.
+    fn cell(&self, turn: usize) -> usize {
+        let place = self.first + turn;
+        self.group * if place < self.of { place } else { place - self.of }
+    }
+}
+
+/// The error of the cell in lane `l` of a block, with its limit.
+#[cold]
+#[inline(never)]
+fn failure(model: &Model, state: &State, block: usize, l: usize) -> StepError {
+    let element = model.constants.grid.element_index(block, l, 0);
+    let mut limits = ZERO;
+    if let (Some(constants), Some(history)) = (model.cells.get(block), state.cells.get(block)) {
+        let block_of = Block { laws: model.constants.laws_of(block), constants, hoop: model.hoops.get(block) };
+        let step_squared = model.constants.dt * model.constants.dt;
+        Scalar.store(
+            limit_squared(Scalar, &current_matrix(Scalar, l, &block_of, history), step_squared),
+            &mut limits,
+            l,
+        );
+    }
+    unstable_at(model, state, element, math::sqrt(limits.get(l).copied().unwrap_or_default()))
+}
+
+fn unstable_at(model: &Model, state: &State, element: u32, limit: Real) -> StepError {
+    let constants = &model.constants;
+    StepError::Unstable { element, time: constants.time(state.scalars.step_index), limit, step: constants.dt }
+}
+
+/// Part of the energy at hand that the kinetic energy of the layer may be below zero. Catching nodes at the face brings it
+/// there for one step, by the energy of single nodes.
+const NEGATIVE_PART: Real = 0.01;
+
+/// Looks for an instability that grows between two visits of the monitor.
+///
+/// A mode above its limit turns round in every step, so that its kinetic energy 1/2 m v(n-1/2) v(n+1/2) is negative and
+/// grows, which nothing else does in two steps running. The balance still holds the last step's; `layer_kinetic` is that of
+/// this one, J.
+///
+/// # Errors
+/// The cell with the smallest limit.
+#[inline(always)]
+pub(crate) fn guard(model: &Model, state: &State, layer_kinetic: Real) -> Result<(), StepError> {
+    if is_unstable(&state.scalars.energy, layer_kinetic) {
+        let (limit, element) = critical_time_step(model, state);
+        return Err(unstable_at(model, state, element, limit));
+    }
+    Ok(())
+}
+
+/// Whether the kinetic energies of this step and of the last, which `balance` holds, are below zero by more than those of single
+/// nodes.
+#[inline(always)]
+fn is_unstable(balance: &EnergyBalance, layer_kinetic: Real) -> bool {
+    let before = balance.at_forces.kinetic;
+    if layer_kinetic >= 0.0 || before >= 0.0 {
+        return false;
+    }
+    let at_hand = math::abs(balance.external) + math::abs(balance.elastic) + math::abs(balance.viscous);
+    let least = -math::max(layer_kinetic, before);
+    least > NEGATIVE_PART * at_hand && least > Real::EPSILON
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_kinetic_energies_below_zero_in_two_steps_running_are_an_instability() {
+        let balance = |layer_kinetic, external| {
+            let mut balance = EnergyBalance::ZERO;
+            (balance.at_forces.kinetic, balance.external) = (layer_kinetic, external);
+            balance
+        };
+        // A mode that doubles in every step; a node that was caught; round-off.
+        for (before, now, expected) in
+            [(-0.2, -0.4, true), (0.3, -0.4, false), (-0.4, 0.1, false), (-0.11, -0.4, false), (-1e-17, -1e-17, false)]
+        {
+            assert_eq!(is_unstable(&balance(before, 12.0), now), expected, "{before} J, then {now} J");
+        }
+        // Nothing but round-off is at hand.
+        assert!(!is_unstable(&balance(-1e-20, 0.0), -1e-20));
+    }
+
+    #[test]
+    fn the_monitor_visits_every_cell_in_its_period() {
+        for blocks in 1..300 {
+            let cells = blocks * LANES;
+            for start in [0, 1, 12_345] {
+                let mut visits = [0; 300 * LANES];
+                for step in start..start + MONITOR_PERIOD as u64 {
+                    let share = MonitorWindow::new(cells, step);
+                    for cell in (0..share.count).map(|turn| share.cell(turn)) {
+                        assert_eq!(cell / LANES, (cell + share.group - 1) / LANES);
+                        visits[cell..cell + share.group].iter_mut().for_each(|visits| *visits += 1);
+                    }
+                }
+                assert!(visits[..cells].iter().all(|visits| *visits > 0), "{cells} cells from step {start}");
+            }
+        }
+    }
+}

@@ -1,0 +1,227 @@
+//! Impacts in a record: the reading before contact, the sign of a push, and where contact begins and ends.
+
+use super::ReadError;
+
+/// One impact: the samples from the first to the last that are clearly in contact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Impact {
+    /// First sample.
+    pub first: usize,
+    /// Last sample.
+    pub last: usize,
+    /// Largest value without the offset, positive.
+    pub peak: f64,
+}
+
+/// What a record holds.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Contact {
+    /// 1 if a push is positive in the file, -1 if negative.
+    pub sign: f64,
+    /// Reading without contact, in the unit of the record.
+    pub offset: f64,
+    /// Samples before contact.
+    pub before: usize,
+    /// Median of those samples.
+    pub reading: f64,
+    /// Standard deviation of those samples, from their median deviation.
+    pub noise: f64,
+    /// Largest value against the push, over the peak.
+    pub opposite: f64,
+    /// The impacts, in their order.
+    pub impacts: Vec<Impact>,
+}
+
+/// What a user states of a record.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Given {
+    /// 1 if a push is positive in the file, -1 if negative.
+    pub sign: Option<f64>,
+    /// Reading without contact, in the unit of the record.
+    pub offset: Option<f64>,
+}
+
+/// Samples before contact that tell the offset, at least.
+pub const LEAST_BEFORE: usize = 10;
+/// Samples at the beginning from which values are counted until the offset is known.
+const FIRST: usize = 5;
+/// Part of the peak above which a sample is in contact.
+const IN_CONTACT: f64 = 0.05;
+/// Standard deviations of the noise above which a sample is in contact.
+const ABOVE_NOISE: f64 = 6.0;
+/// Part of the largest peak and of the largest impulse that an impact has, at least.
+const LEAST_IMPACT: f64 = 0.1;
+/// Time between two impacts, s, at least; less is an oscillation of one. It is also at least half of the longer one.
+const LEAST_FLIGHT: f64 = 2e-3;
+/// A value of the other sign that is as large, over the peak, leaves the sign open.
+const AS_LARGE: f64 = 0.8;
+
+impl Contact {
+    /// Finds the impacts in `values` over `times`, s, which rise.
+    ///
+    /// # Errors
+    /// Values that are all the same, or of both signs alike.
+    pub fn find(times: &[f64], values: &[f64], given: Given) -> Result<Self, ReadError> {
+        let start = given.offset.unwrap_or_else(|| median(&values[..values.len().min(FIRST)]));
+        let (low, high) = values.iter().fold((0.0_f64, 0.0_f64), |(l, h), v| (l.min(v - start), h.max(v - start)));
+        let sign = given.sign.unwrap_or(if high >= -low { 1.0 } else { -1.0 });
+        let (peak, opposite) = if sign > 0.0 { (high, -low) } else { (-low, high) };
+        if peak <= 0.0 {
+            return Err(ReadError::file(format!("nothing hits: no value is on the pushing side of {start}")));
+        }
+        if given.sign.is_none() && opposite > AS_LARGE * peak {
+            let reason = format!(
+                "the values go as far to one side ({:.4}) as to the other ({:.4}): --sign \"+\" or --sign \"-\" says which \
+                 of them is a push",
+                start + high,
+                start + low
+            );
+            return Err(ReadError::file(reason));
+        }
+        let before = quiet(values, |value| sign * (value - start) / peak);
+        let quiet = &values[..before];
+        let (reading, enough) = (median(quiet), before >= LEAST_BEFORE);
+        let offset = given.offset.unwrap_or(if enough { reading } else { 0.0 });
+        let noise = if enough { scatter(quiet) } else { 0.0 };
+        let push = |index: usize| sign * (values[index] - offset);
+        let peak = (0..values.len()).map(push).fold(0.0, f64::max);
+        let impacts = impacts(times, push, (IN_CONTACT * peak).max(ABOVE_NOISE * noise));
+        Ok(Self { sign, offset, before, reading, noise, opposite: opposite / peak, impacts })
+    }
+
+    /// The samples of impact `index`, with the flight before and after it up to the middle between two impacts.
+    pub fn range(&self, index: usize, len: usize) -> std::ops::Range<usize> {
+        let middle = |a: &Impact, b: &Impact| a.last + (b.first - a.last) / 2;
+        let start = index.checked_sub(1).map_or(0, |before| middle(&self.impacts[before], &self.impacts[index]));
+        let end = self.impacts.get(index + 1).map_or(len, |after| middle(&self.impacts[index], after) + 1);
+        start..end
+    }
+}
+
+/// Number of samples before the first rise above half of the peak begins; `part` is a value over the peak.
+fn quiet(values: &[f64], part: impl Fn(f64) -> f64) -> usize {
+    let half = values.iter().position(|value| part(*value) >= 0.5).unwrap_or_default();
+    let low = values[..half].iter().rposition(|value| part(*value) < 0.01).map_or(0, |index| index + 1);
+    // What rises to there without a break is contact already; noise breaks it.
+    let breaks = |index: &usize| part(values[index - 1]) >= part(values[*index]);
+    (1..low).rev().find(breaks).unwrap_or_default()
+}
+
+fn impacts(times: &[f64], push: impl Fn(usize) -> f64, threshold: f64) -> Vec<Impact> {
+    let mut runs: Vec<Impact> = Vec::new();
+    for index in 0..times.len() {
+        let value = push(index);
+        if value < threshold || value <= 0.0 {
+            continue;
+        }
+        match runs.last_mut() {
+            Some(run) if run.last + 1 == index => {
+                run.last = index;
+                run.peak = run.peak.max(value);
+            }
+            _ => runs.push(Impact { first: index, last: index, peak: value }),
+        }
+    }
+    let duration = |run: &Impact| times[run.last] - times[run.first];
+    let mut joined: Vec<Impact> = Vec::new();
+    for run in runs {
+        let flight = joined.last().map(|last| times[run.first] - times[last.last]);
+        match joined.last_mut() {
+            Some(last) if flight.is_some_and(|f| f < LEAST_FLIGHT.max(0.5 * duration(last).max(duration(&run)))) => {
+                (last.last, last.peak) = (run.last, last.peak.max(run.peak));
+            }
+            _ => joined.push(run),
+        }
+    }
+    let largest = joined.iter().map(|run| run.peak).fold(0.0, f64::max);
+    let area = |run: &Impact| run.peak * (run.last - run.first + 1) as f64;
+    let largest_area = joined.iter().map(area).fold(0.0, f64::max);
+    joined.retain(|run| run.peak >= LEAST_IMPACT * largest && area(run) >= LEAST_IMPACT * largest_area);
+    joined
+}
+
+/// The median; 0 of nothing.
+fn median(values: &[f64]) -> f64 {
+    let mut sorted = values.to_vec();
+    if sorted.is_empty() {
+        return 0.0;
+    }
+    let middle = sorted.len() / 2;
+    let (_, value, _) = sorted.select_nth_unstable_by(middle, f64::total_cmp);
+    *value
+}
+
+/// The standard deviation of normal errors that have the median absolute deviation of `values`.
+fn scatter(values: &[f64]) -> f64 {
+    let center = median(values);
+    1.4826 * median(&values.iter().map(|value| (value - center).abs()).collect::<Vec<_>>())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Half sines of 8 ms that begin at `starts`, s, sampled at 20 kHz over half a second.
+    fn record(starts: &[(f64, f64)], offset: f64) -> (Vec<f64>, Vec<f64>) {
+        let times: Vec<f64> = (0..10_000).map(|i| 5e-5 * f64::from(i)).collect();
+        let value = |time: &f64| {
+            let pulse = |(start, peak): &(f64, f64)| match time - start {
+                t if (0.0..8e-3).contains(&t) => peak * (std::f64::consts::PI * t / 8e-3).sin(),
+                _ => 0.0,
+            };
+            offset + starts.iter().map(pulse).sum::<f64>()
+        };
+        let values = times.iter().map(value).collect();
+        (times, values)
+    }
+
+    #[test]
+    fn offset_and_sign_are_those_before_contact() {
+        for (peak, offset, sign) in [(1e3, 0.0, 1.0), (-1e3, 0.0, -1.0), (1e3, -60.0, 1.0), (-1e3, -250.0, -1.0)] {
+            let (times, values) = record(&[(3e-3, peak)], offset);
+            let contact = Contact::find(&times, &values, Given::default()).unwrap();
+            assert_eq!((contact.sign, contact.offset), (sign, offset));
+            assert!((contact.impacts[0].peak - 1e3).abs() < 1.0);
+        }
+    }
+
+    #[test]
+    fn impacts_are_told_apart_and_oscillations_are_not() {
+        let (times, values) = record(&[(3e-3, 1e3), (0.2, 450.0), (0.4, 50.0)], 0.0);
+        let contact = Contact::find(&times, &values, Given::default()).unwrap();
+        assert_eq!(contact.impacts.len(), 2, "{contact:?}");
+        let range = contact.range(0, times.len());
+        assert!(range.start == 0 && (0.1..0.11).contains(&times[range.end]));
+        let (times, values) = record(&[(3e-3, 1e3), (0.012, 900.0)], 0.0);
+        assert_eq!(Contact::find(&times, &values, Given::default()).unwrap().impacts.len(), 1);
+    }
+
+    #[test]
+    fn a_record_that_begins_in_contact_has_no_offset() {
+        let (times, values) = record(&[(0.0, 1e3)], 0.0);
+        let contact = Contact::find(&times[1..], &values[1..], Given::default()).unwrap();
+        assert_eq!((contact.before, contact.offset, contact.impacts.len()), (0, 0.0, 1), "{contact:?}");
+    }
+
+    #[test]
+    fn noise_makes_no_impacts() {
+        let (times, mut values) = record(&[(0.1, 1e3)], 20.0);
+        let mut state = 1_u64;
+        for value in &mut values {
+            state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+            *value += 100.0 * ((state >> 33) as f64 / 2_f64.powi(31) - 0.5);
+        }
+        let contact = Contact::find(&times, &values, Given::default()).unwrap();
+        assert_eq!(contact.impacts.len(), 1, "{contact:?}");
+        assert!((contact.offset - 20.0).abs() < 5.0);
+    }
+
+    #[test]
+    fn both_signs_alike_are_refused_and_an_option_decides() {
+        let (times, values) = record(&[(3e-3, 1e3), (0.2, -950.0)], 0.0);
+        let error = Contact::find(&times, &values, Given::default()).unwrap_err().to_string();
+        assert!(error.contains("--sign \"+\""), "{error}");
+        let given = Given { sign: Some(-1.0), offset: None };
+        assert!((Contact::find(&times, &values, given).unwrap().impacts[0].peak - 950.0).abs() < 1.0);
+    }
+}

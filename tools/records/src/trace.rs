@@ -1,0 +1,735 @@
+//! The force over time of an impact, from a file of a drop tower or a load cell.
+
+use std::str::FromStr;
+use std::sync::Arc;
+
+use serde_json::json;
+
+use super::ReadError;
+use super::channel::Filter;
+use super::column::{Column, Kind};
+use super::impact::{Contact, Given, LEAST_BEFORE};
+use super::series::Table;
+use super::sheet::{self, Layout, Sheet};
+use super::understood::Understood;
+use super::unit::{Dimension, Unit, number_and_rest, parse_quantity};
+
+/// A column that a user names, with its unit if the file does not state it: `Fz [kN]`, `3 [ms]` (the third), `[lbf]`, or
+/// `CH1 [250 N/V]` for a sensor.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Choice(String);
+
+impl FromStr for Choice {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        match text.trim() {
+            "" => {
+                Err("expected the title of a column or its number, and its unit in brackets, such as \"Fz [kN]\""
+                    .into())
+            }
+            text => Ok(Self(text.into())),
+        }
+    }
+}
+
+/// What a file leaves open.
+#[derive(Clone, Debug, Default)]
+pub struct Options {
+    /// Layout of the file.
+    pub layout: Layout,
+    /// Column of the time.
+    pub time: Option<Choice>,
+    /// Column of the force.
+    pub force: Option<Choice>,
+    /// Column of the acceleration.
+    pub acceleration: Option<Choice>,
+    /// Column of the impactor's displacement.
+    pub displacement: Option<Choice>,
+    /// Mass of the falling body, kg, that turns its acceleration into a force.
+    pub mass: Option<f64>,
+    /// Samples in a second, Hz, which count instead of a column of time.
+    pub rate: Option<f64>,
+    /// Force without contact, N, to be taken off; none for that before contact.
+    pub offset: Option<f64>,
+    /// 1 if a push is positive in the file, -1 if negative; none for the larger side.
+    pub sign: Option<f64>,
+    /// Which impact of the record, from 1; none for the first.
+    pub impact: Option<usize>,
+}
+
+/// The mass with its unit in `text`, kg.
+///
+/// # Errors
+/// What is legal.
+pub fn mass(text: &str) -> Result<f64, String> {
+    parse_quantity(text, Dimension::Mass)
+}
+
+/// The sampling rate with its unit in `text`, Hz.
+///
+/// # Errors
+/// What is legal.
+pub fn rate(text: &str) -> Result<f64, String> {
+    parse_quantity(text, Dimension::Frequency)
+}
+
+/// The side that `text` names, + or -, as 1 or -1.
+///
+/// # Errors
+/// What is legal.
+pub fn sign(text: &str) -> Result<f64, String> {
+    match text {
+        "+" => Ok(1.0),
+        "-" => Ok(-1.0),
+        _ => Err("expected + or -".into()),
+    }
+}
+
+/// The impact that the record should be of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Expected {
+    /// Mass of the falling body, kg.
+    pub mass: f64,
+    /// Its speed at the touch, m/s.
+    pub speed: f64,
+}
+
+/// A force over time.
+#[derive(Clone, Debug)]
+pub struct Trace {
+    /// Times, s, which rise.
+    pub times: Vec<f64>,
+    /// Forces, N, positive in compression, without the offset.
+    pub forces: Vec<f64>,
+    /// Largest displacement since the touch, m, if the file has it.
+    pub deformation: Option<f64>,
+    /// How the force was filtered, if the file says it.
+    pub filter: Option<Filter>,
+    /// How the file was read.
+    pub understood: Understood,
+}
+
+/// Reads the impact in `bytes` of the file called `name`; `expected` tells what is plausible.
+///
+/// # Errors
+/// What cannot be understood, or in two ways, with the option that decides.
+pub fn read(name: &str, bytes: &[u8], options: &Options, expected: Option<&Expected>) -> Result<Trace, ReadError> {
+    let sheet = Arc::new(sheet::parse(bytes, &options.layout)?);
+    let mut order: Vec<usize> = (0..sheet.tables.len()).collect();
+    order.sort_by_key(|index| std::cmp::Reverse(sheet.tables[*index].len()));
+    let mut refused = None;
+    for index in order {
+        match channels(&sheet, index, options) {
+            Ok(channels) => return Record { name, options, expected, channels }.trace(),
+            Err(error) => refused = refused.or(Some(error)),
+        }
+    }
+    Err(refused.unwrap_or_else(|| ReadError::file("no table")))
+}
+
+/// The columns of a table that a trace is made of.
+struct Channels {
+    table: Table,
+    load: Column,
+    time: Clock,
+    displacement: Option<Column>,
+    /// Whether the user states the units.
+    stated: bool,
+}
+
+/// Where the times come from.
+enum Clock {
+    Column(Column),
+    /// Time of the first sample and between two, s, and what states it.
+    Rate(f64, f64, String),
+}
+
+fn channels(sheet: &Arc<Sheet>, index: usize, options: &Options) -> Result<Channels, ReadError> {
+    let body = &sheet.tables[index];
+    let named = options.force.is_some() || options.acceleration.is_some();
+    let numbers: Vec<String> = (1..=body.columns).map(|number| format!("column {number}")).collect();
+    let untitled = body.titles.is_empty();
+    if untitled && !named {
+        let reason = format!(
+            "the {} columns have no titles: name them by number, such as --time \"1 [s]\" --force-column \"2 [N]\"",
+            body.columns
+        );
+        return Err(ReadError::file(reason));
+    }
+    let table = Table::of_body(sheet, index, untitled.then_some(numbers.as_slice()), 0)?;
+    let load = load(&table, options)?;
+    let time = clock(&table, &load, options)?;
+    let displacement = match &options.displacement {
+        Some(choice) => Some(choice.column(&table, Kind::Displacement, "--displacement")?),
+        None => {
+            let mut found = table.of(Kind::Displacement).filter(|column| column.si.is_some());
+            found.next().filter(|_| found.next().is_none()).cloned()
+        }
+    };
+    let stated = options.force.is_some() || options.acceleration.is_some() || options.time.is_some();
+    Ok(Channels { table, load, time, displacement, stated })
+}
+
+/// The column of the force, or of the acceleration if there is none.
+fn load(table: &Table, options: &Options) -> Result<Column, ReadError> {
+    let given = [
+        (&options.force, Kind::Force, "--force-column"),
+        (&options.acceleration, Kind::Acceleration, "--acceleration"),
+    ];
+    for (choice, kind, option) in given {
+        if let Some(choice) = choice {
+            return with_unit(choice.column(table, kind, option)?, option);
+        }
+    }
+    for (kind, option) in [(Kind::Force, "--force-column"), (Kind::Acceleration, "--acceleration")] {
+        let all: Vec<&Column> = table.of(kind).collect();
+        // An unfiltered channel beside filtered ones.
+        let unfiltered: Vec<&Column> =
+            all.iter().copied().filter(|column| matches!(column.filter, None | Some(Filter::Unfiltered))).collect();
+        match (all.as_slice(), unfiltered.as_slice()) {
+            ([], _) => {}
+            ([only], _) | (_, [only]) => return with_unit((*only).clone(), option),
+            _ => {
+                let reason = format!(
+                    "{} columns of {}: {}; name one, as in {option} \"{}\"",
+                    all.len(),
+                    kind.example().0,
+                    titles(&all),
+                    all[0].title
+                );
+                return Err(ReadError::file(reason));
+            }
+        }
+    }
+    let listed = table.titles.iter().map(|title| format!("\"{title}\"")).collect::<Vec<_>>().join(", ");
+    let reason = format!(
+        "no column of force or acceleration understood among {listed}: name it with its unit, as in --force-column \"TITLE [N]\" or \
+         --acceleration \"TITLE [g]\""
+    );
+    Err(ReadError::file(reason))
+}
+
+fn titles(columns: &[&Column]) -> String {
+    columns.iter().map(|column| format!("\"{}\"", column.title)).collect::<Vec<_>>().join(", ")
+}
+
+/// `column`, which states its unit.
+fn with_unit(column: Column, option: &str) -> Result<Column, ReadError> {
+    if column.si.is_some() {
+        return Ok(column);
+    }
+    let (unit, others) = match column.kind {
+        Kind::Time => ("ms", "s, us"),
+        Kind::Force => ("N", "kN, lbf, kgf"),
+        Kind::Acceleration => ("g", "m/s2"),
+        _ => ("mm", "m, in"),
+    };
+    let (title, kind) = (&column.title, column.kind.example().0);
+    let example = format!("as in {option} \"{title} [{unit}]\" (or {others})");
+    Err(ReadError::file(format!("column \"{title}\" has no unit of {kind}: state it, {example}")))
+}
+
+/// Where the times of `load` come from.
+fn clock(table: &Table, load: &Column, options: &Options) -> Result<Clock, ReadError> {
+    let facts = &table.sheet().facts;
+    if let Some(rate) = options.rate {
+        return Ok(Clock::Rate(0.0, 1.0 / rate, format!("--rate {rate} Hz")));
+    }
+    if let Some(choice) = &options.time {
+        let column = choice.column(table, Kind::Time, "--time")?;
+        return Ok(Clock::Column(with_unit(column, "--time")?));
+    }
+    let times: Vec<&Column> = table.of(Kind::Time).collect();
+    // Of several, the one before the channel: pairs stand side by side.
+    let column = times.iter().rfind(|column| column.index < load.index).or(times.first());
+    match (column, &facts.interval) {
+        (Some(column), _) => Ok(Clock::Column(with_unit((*column).clone(), "--time")?)),
+        (None, Some(fact)) => {
+            Ok(Clock::Rate(facts.start.unwrap_or_default(), fact.value, format!("line {}: {}", fact.line, fact.text)))
+        }
+        (None, None) => Err(ReadError::file(
+            "no column of time and no sampling rate: name the column, as in --time \"TITLE [ms]\", or give --rate \"20 kHz\"",
+        )),
+    }
+}
+
+impl Choice {
+    /// The column of `kind` that this names in `table`.
+    fn column(&self, table: &Table, kind: Kind, option: &str) -> Result<Column, ReadError> {
+        let refuse = |reason: String| ReadError::file(format!("{option} \"{}\" is refused: {reason}", self.0));
+        let (name, unit) = self.parts(table);
+        let index = match name {
+            "" => match table.of(kind).collect::<Vec<_>>().as_slice() {
+                [only] => only.index,
+                found => {
+                    let reason = format!("{} columns of {}: name one of them", found.len(), kind.example().0);
+                    return Err(refuse(reason));
+                }
+            },
+            name => index_of(table, name).map_err(refuse)?,
+        };
+        let title = table.titles.get(index).map_or("", String::as_str);
+        match unit {
+            Some(unit) => scaled(index, title, kind, unit).map_err(refuse),
+            None => Ok(Column::named(index, title, kind, None).map_err(refuse)?),
+        }
+    }
+
+    /// The name and the unit; the whole is a name if a column has this title.
+    fn parts(&self, table: &Table) -> (&str, Option<&str>) {
+        let text = self.0.as_str();
+        if table.titles.iter().any(|title| title.trim().eq_ignore_ascii_case(text)) {
+            return (text, None);
+        }
+        match text.strip_suffix(']').and_then(|text| text.rsplit_once('[')) {
+            Some((name, unit)) => (name.trim(), Some(unit.trim())),
+            None => (text, None),
+        }
+    }
+}
+
+/// The column whose title, or title without its unit, is `name`, or whose number it is.
+fn index_of(table: &Table, name: &str) -> Result<usize, String> {
+    let bare = |title: &str| {
+        let end = title.find(['[', '(']).unwrap_or(title.len());
+        title[..end].trim().to_string()
+    };
+    let matching = |of: &dyn Fn(&str) -> String| -> Vec<usize> {
+        let same = |title: &String| of(title).eq_ignore_ascii_case(name);
+        table.titles.iter().enumerate().filter(|(_, title)| same(title)).map(|(index, _)| index).collect()
+    };
+    let whole = matching(&|title| title.trim().to_string());
+    let found = if whole.is_empty() { matching(&bare) } else { whole };
+    match (found.as_slice(), name.parse::<usize>()) {
+        ([only], _) => Ok(*only),
+        ([], Ok(number)) if (1..=table.titles.len()).contains(&number) => Ok(number - 1),
+        ([], _) => {
+            let listed = table.titles.iter().map(|title| format!("\"{title}\"")).collect::<Vec<_>>().join(", ");
+            Err(format!("expected one of {listed}, or a number from 1 to {}", table.titles.len()))
+        }
+        _ => Err(format!("{} columns have this title: expected the number of one, from 1", found.len())),
+    }
+}
+
+/// A column in a unit, or in so many of it: N, 50 N, or 250 N/V of a column in V.
+fn scaled(index: usize, title: &str, kind: Kind, unit: &str) -> Result<Column, String> {
+    let plain = Column::named(index, title, kind, Some(unit));
+    let Some((number, rest)) = number_and_rest(unit) else { return plain };
+    let rest = ["/V", "/Volt", "/mV"].iter().find_map(|end| rest.strip_suffix(end).map(|rest| (rest, &end[1..])));
+    let (text, per) =
+        rest.map_or((number_and_rest(unit).map_or("", |found| found.1), None), |(rest, per)| (rest, Some(per)));
+    let volts = ["mv", "v", "volt", "volts"];
+    let own = title.find(['[', '(']).map(|at| title[at + 1..].trim_end_matches([']', ')']).to_lowercase());
+    let differs =
+        |per: &str| own.as_ref().is_some_and(|own| volts.contains(&own.as_str()) && (own == "mv") != (per == "mV"));
+    if per.is_some_and(differs) {
+        return Err(format!("the column is in {}", own.unwrap_or_default()));
+    }
+    let dimension = kind.dimension().unwrap_or(Dimension::Ratio);
+    match Unit::of(dimension, text) {
+        Some(found) if number > 0.0 && number.is_finite() => {
+            let column = Column::named(index, title, kind, Some(text))?;
+            Ok(Column { si: Some(number * found.si), unit: Some(unit.into()), ..column })
+        }
+        _ => plain,
+    }
+}
+
+/// A record that is being read.
+struct Record<'a> {
+    name: &'a str,
+    options: &'a Options,
+    expected: Option<&'a Expected>,
+    channels: Channels,
+}
+
+/// Samples of one block of a table.
+#[derive(Default)]
+struct Samples {
+    times: Vec<f64>,
+    loads: Vec<f64>,
+    displacements: Vec<f64>,
+    lines: Vec<u32>,
+    /// Rows without a time or a value.
+    dropped: usize,
+}
+
+impl Record<'_> {
+    fn trace(self) -> Result<Trace, ReadError> {
+        let mut understood = Understood::default();
+        let factor = self.factor(&mut understood)?;
+        let given = Given { sign: self.options.sign, offset: self.options.offset.map(|offset| offset / factor) };
+        let mut impacts = Vec::new();
+        for series in &self.channels.table.series {
+            let samples = self.samples(&series.rows)?;
+            let contact = Contact::find(&samples.times, &samples.loads, given)?;
+            impacts.push((samples, contact));
+        }
+        let count: usize = impacts.iter().map(|(_, contact)| contact.impacts.len()).sum();
+        let wanted = self.options.impact.unwrap_or(1);
+        let mut before = 0;
+        let found = impacts.iter().find_map(|(samples, contact)| {
+            let index = (wanted - 1).checked_sub(before).filter(|index| *index < contact.impacts.len());
+            before += contact.impacts.len();
+            index.map(|index| (samples, contact, index))
+        });
+        let Some((samples, contact, index)) = found else {
+            return Err(ReadError::file(format!(
+                "--impact {wanted} is refused: expected 1 to {count}, of those in the record"
+            )));
+        };
+        self.say_columns(&mut understood, samples);
+        self.say_contact(&mut understood, contact, factor);
+        say_impacts(&mut understood, &impacts, wanted, factor);
+        let trace = Cut { samples, contact, index, factor }.trace(&self.channels)?;
+        let trace = Trace { understood, ..trace };
+        self.judged(trace, contact.impacts[index].peak * factor)
+    }
+
+    /// N in one unit of the load's column.
+    fn factor(&self, understood: &mut Understood) -> Result<f64, ReadError> {
+        let load = &self.channels.load;
+        let si = load.si.unwrap_or(1.0);
+        if load.kind == Kind::Force {
+            return Ok(si);
+        }
+        let facts = &self.channels.table.sheet().facts;
+        let (mass, source) = match (self.options.mass, &facts.mass) {
+            (Some(mass), _) => (mass, "--mass".to_string()),
+            (None, Some(fact)) => (fact.value, format!("line {}: {}", fact.line, fact.text)),
+            (None, None) => {
+                let reason =
+                    format!("\"{}\" is an acceleration: give the mass that falls, as in --mass \"5 kg\"", load.title);
+                return Err(ReadError::file(reason));
+            }
+        };
+        understood.say("mass", format!("{mass} kg ({source})"), mass);
+        if let Some(expected) = self.expected.filter(|expected| (mass / expected.mass - 1.0).abs() > 0.01) {
+            let warning =
+                format!("the mass of the trace is {mass} kg, that of the simulated impactor {} kg", expected.mass);
+            understood.warnings.push(warning);
+        }
+        Ok(si * mass)
+    }
+
+    fn samples(&self, rows: &[sheet::Row]) -> Result<Samples, ReadError> {
+        let Channels { table, load, time, displacement, .. } = &self.channels;
+        let mut samples = Samples::default();
+        for (index, row) in rows.iter().enumerate() {
+            let load = table.value(load, row)?;
+            let time = match time {
+                Clock::Column(column) => table.value(column, row)?.map(|time| time * column.si.unwrap_or(1.0)),
+                Clock::Rate(start, interval, _) => Some(start + index as f64 * interval),
+            };
+            let (Some(time), Some(load)) = (time, load) else {
+                samples.dropped += 1;
+                continue;
+            };
+            if let Some(last) = samples.times.last().filter(|last| **last >= time) {
+                let reason = format!(
+                    "time {time} s is not after that of the line before, {last} s: expected time that rises; --rate \"20 kHz\" \
+                     counts the samples instead"
+                );
+                return Err(ReadError::line(row.line, reason));
+            }
+            samples.times.push(time);
+            samples.loads.push(load);
+            samples.lines.push(u32::try_from(row.line).unwrap_or(u32::MAX));
+            if let Some(column) = displacement {
+                samples.displacements.push(table.value(column, row)?.unwrap_or(f64::NAN) * column.si.unwrap_or(1.0));
+            }
+        }
+        let missing = self.channels.table.sheet().missing;
+        if matches!(time, Clock::Rate(..)) && missing > 0 {
+            let reason =
+                format!("{missing} rows without values in a record without times: expected a row for every sample");
+            return Err(ReadError::file(reason));
+        }
+        if samples.times.len() < 2 {
+            return Err(ReadError::file("fewer than two samples with time and force"));
+        }
+        Ok(samples)
+    }
+
+    fn say_columns(&self, understood: &mut Understood, samples: &Samples) {
+        let Channels { table, load, time, displacement, .. } = &self.channels;
+        let notes = table.notes.join("; ");
+        let sheet = table.sheet();
+        understood.statements.insert(
+            0,
+            super::understood::Statement {
+                key: "file",
+                text: format!("{}, {notes}", self.name),
+                value: json!({
+                    "name": self.name, "encoding": sheet.encoding(), "sheet": sheet.name, "separator": sheet.separator.name(),
+                    "notes": table.notes,
+                }),
+            },
+        );
+        let interval = step(&samples.times);
+        match time {
+            Clock::Column(column) => understood.say("time", shown(column, "s"), of_column(column)),
+            Clock::Rate(start, interval, source) => {
+                let text = format!("from {start} s on, every {interval} s ({source})");
+                understood.say("time", text, json!({ "start": start, "interval": interval, "source": source }));
+            }
+        }
+        understood.say("interval", format!("{:.6} ms, {} samples", 1e3 * interval, samples.times.len()), interval);
+        let si = if load.kind == Kind::Force { "N" } else { "m/s2" };
+        understood.say(load.kind.example().0, shown(load, si), of_column(load));
+        if let Some(filter) = load.filter {
+            understood.say("filter", format!("{filter}, by the title"), filter.to_string());
+        }
+        if let Some(column) = displacement {
+            understood.say("displacement", shown(column, "m"), of_column(column));
+        }
+        if samples.dropped > 0 {
+            understood.say("dropped", format!("{} rows without a time or a value", samples.dropped), samples.dropped);
+        }
+        let used = |column: &&Column| {
+            let time = matches!(time, Clock::Column(time) if time.index == column.index);
+            column.index != load.index && !time && displacement.as_ref().is_none_or(|other| other.index != column.index)
+        };
+        let others: Vec<&Column> = table.columns.iter().filter(used).collect();
+        if !others.is_empty() {
+            let names = others.iter().map(|column| column.title.clone()).collect::<Vec<_>>();
+            understood.say("passed_over", titles(&others), names);
+        }
+    }
+
+    fn say_contact(&self, understood: &mut Understood, contact: &Contact, factor: f64) {
+        let side = if contact.sign > 0.0 { "positive" } else { "negative" };
+        understood.say("sign", format!("a push is {side}"), contact.sign);
+        let offset = contact.offset * factor;
+        let text = match (self.options.offset, contact.before) {
+            (Some(_), _) => format!("{offset} N taken off, as --offset says"),
+            (None, count) if count < LEAST_BEFORE => {
+                format!("none taken off: {count} samples before contact, fewer than {LEAST_BEFORE}")
+            }
+            (None, count) => format!(
+                "{offset:.4} N taken off, the median of {count} samples before contact (noise {:.3} N)",
+                contact.noise * factor
+            ),
+        };
+        understood.say(
+            "offset",
+            text,
+            json!({ "force": offset, "samples": contact.before, "noise": contact.noise * factor }),
+        );
+        let (left, peak) =
+            ((contact.reading - contact.offset).abs(), contact.impacts.first().map_or(0.0, |impact| impact.peak));
+        if self.options.offset.is_none() && contact.before > 0 && left > SMALL_OFFSET * peak {
+            let reading = contact.reading * factor;
+            let warning = format!(
+                "the record shows {reading:.3} N before contact, in {} samples, too few to take it off: --offset {reading:.3} does",
+                contact.before
+            );
+            understood.warnings.push(warning);
+        }
+        if contact.opposite > 0.3 {
+            let warning = format!(
+                "the force goes to {:.0} % of the peak on the other side: is it of a filter, or is the sign wrong? --sign decides",
+                100.0 * contact.opposite
+            );
+            understood.warnings.push(warning);
+        }
+    }
+
+    /// The trace with what is unlikely of it; what can only be a wrong unit is refused.
+    fn judged(&self, mut trace: Trace, peak: f64) -> Result<Trace, ReadError> {
+        let warnings = &mut trace.understood.warnings;
+        // From the sample before to the sample after, because there may be few of them.
+        let lasting = |part: f64| {
+            let first = trace.forces.iter().position(|force| *force >= part * peak).unwrap_or_default();
+            let last = trace.forces.iter().rposition(|force| *force >= part * peak).unwrap_or_default();
+            (first.saturating_sub(1), (last + 1).min(trace.forces.len() - 1))
+        };
+        if let Some(count) = clipped(&trace.forces) {
+            warnings
+                .push(format!("{count} samples in a row show the largest force: it may be cut off by the amplifier"));
+        }
+        let (first, last) = lasting(0.05);
+        let duration = trace.times[last] - trace.times[first];
+        let pairs =
+            (first.max(1)..=last).map(|i| (trace.times[i] - trace.times[i - 1], trace.forces[i - 1] + trace.forces[i]));
+        let impulse: f64 = pairs.map(|(step, sum)| 0.5 * step * sum).sum();
+        let mut doubt = |far: bool, text: String| {
+            if far && !self.channels.stated {
+                return Err(ReadError::file(format!("{text}. {}", self.which_unit())));
+            }
+            warnings.push(text);
+            Ok(())
+        };
+        if !LIKELY_DURATION.contains(&duration) {
+            let far = duration > 20.0 * LIKELY_DURATION.end() || duration < 0.05 * LIKELY_DURATION.start();
+            doubt(far, format!("an impact of {} is no drop on a soft anvil, which lasts some ms", seconds(duration)))?;
+        }
+        if let Some(expected) = self.expected {
+            let momentum = expected.mass * expected.speed;
+            let part = impulse / momentum;
+            if !LIKELY_IMPULSE.contains(&part) {
+                let far = part > 10.0 * LIKELY_IMPULSE.end() || part < 0.1 * LIKELY_IMPULSE.start();
+                let text = format!(
+                    "the impulse of {impulse:.4} N s is {part:.3} times the momentum of {momentum:.3} N s that {} kg have at {:.3} \
+                     m/s; a rebound gives 1 to 2",
+                    expected.mass, expected.speed
+                );
+                doubt(far, text)?;
+            }
+        }
+        if let (Clock::Column(_), Some(fact)) = (&self.channels.time, &self.channels.table.sheet().facts.interval) {
+            let part = step(&trace.times) / fact.value;
+            if !(0.95..=1.05).contains(&part) {
+                let text = format!(
+                    "the times are {} apart, and line {} states {} ({})",
+                    seconds(step(&trace.times)),
+                    fact.line,
+                    seconds(fact.value),
+                    fact.text
+                );
+                doubt(!(0.02..=50.0).contains(&part), text)?;
+            }
+        }
+        Ok(trace)
+    }
+
+    /// The options that settle units that cannot be right.
+    fn which_unit(&self) -> String {
+        let load = &self.channels.load;
+        let title = |column: &Column| column.title.split(['[', '(']).next().unwrap_or_default().trim().to_string();
+        let time = match &self.channels.time {
+            Clock::Column(column) => format!("--time \"{} [ms]\"", title(column)),
+            Clock::Rate(..) => "--rate \"20 kHz\"".into(),
+        };
+        let (option, unit) = if load.kind == Kind::Force { ("--force-column", "kN") } else { ("--acceleration", "g") };
+        format!("State the units that are true, as in {time} or {option} \"{} [{unit}]\"", title(load))
+    }
+}
+
+/// Durations of impacts on a soft layer, s.
+const LIKELY_DURATION: std::ops::RangeInclusive<f64> = 0.5e-3..=0.2;
+/// Impulses over the momentum at the touch: from no rebound to one without loss, with some error of both.
+const LIKELY_IMPULSE: std::ops::RangeInclusive<f64> = 0.8..=2.2;
+
+/// The number of samples in a row with the largest force, if they are more than a smooth peak has.
+fn clipped(forces: &[f64]) -> Option<usize> {
+    let peak = forces.iter().copied().fold(0.0, f64::max);
+    let longest = forces.chunk_by(|a, b| a == b).filter(|run| run[0] == peak).map(<[f64]>::len).max()?;
+    let above = forces.iter().filter(|force| **force > 0.5 * peak).count();
+    (longest >= 5 && longest * 10 >= above).then_some(longest)
+}
+
+/// Part of the peak above which an offset that is left matters.
+const SMALL_OFFSET: f64 = 5e-3;
+
+/// The median time between two samples.
+fn step(times: &[f64]) -> f64 {
+    let mut steps: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    let middle = steps.len() / 2;
+    if steps.is_empty() { 0.0 } else { *steps.select_nth_unstable_by(middle, f64::total_cmp).1 }
+}
+
+fn seconds(time: f64) -> String {
+    match time {
+        time if time >= 1.0 => format!("{time:.3} s"),
+        time if time >= 1e-3 => format!("{:.3} ms", 1e3 * time),
+        time => format!("{:.3} us", 1e6 * time),
+    }
+}
+
+fn shown(column: &Column, si: &str) -> String {
+    let factor = column.si.unwrap_or(1.0);
+    let unit = column.unit.as_deref().unwrap_or("?");
+    format!("column {} \"{}\", in {unit} ({factor} {si})", column.index + 1, column.title)
+}
+
+fn of_column(column: &Column) -> serde_json::Value {
+    json!({ "column": column.index + 1, "title": column.title, "unit": column.unit, "factor": column.si })
+}
+
+fn say_impacts(understood: &mut Understood, records: &[(Samples, Contact)], wanted: usize, factor: f64) {
+    let all: Vec<(f64, f64)> = records
+        .iter()
+        .flat_map(|(samples, contact)| contact.impacts.iter().map(|i| (samples.times[i.first], i.peak * factor)))
+        .collect();
+    let list = all.iter().map(|(time, peak)| format!("{peak:.1} N at {time:.6} s")).collect::<Vec<_>>().join(", ");
+    let text = match all.len() {
+        1 => list,
+        count => format!("{wanted} of {count} ({list}); --impact chooses"),
+    };
+    let value: Vec<_> = all.iter().map(|(time, peak)| json!({ "time": time, "peak_force": peak })).collect();
+    understood.say("impact", text, json!({ "chosen": wanted, "impacts": value }));
+}
+
+/// The part of a record with one impact.
+struct Cut<'a> {
+    samples: &'a Samples,
+    contact: &'a Contact,
+    index: usize,
+    factor: f64,
+}
+
+/// A step between two samples that is longer than so many usual ones is a gap.
+const GAP: f64 = 5.0;
+/// Part of the duration below which a gap does not matter.
+const SMALL_GAP: f64 = 0.02;
+
+impl Cut<'_> {
+    fn trace(&self, channels: &Channels) -> Result<Trace, ReadError> {
+        self.check_gaps()?;
+        let Self { samples, contact, index, factor } = self;
+        let range = contact.range(*index, samples.times.len());
+        let impact = contact.impacts[*index];
+        let push = |load: &f64| contact.sign * (load - contact.offset) * factor;
+        let forces: Vec<f64> = samples.loads[range.clone()].iter().map(push).collect();
+        Ok(Trace {
+            times: samples.times[range.clone()].to_vec(),
+            forces,
+            deformation: self.deformation(range.start, impact.first, impact.last),
+            filter: channels.load.filter,
+            understood: Understood::default(),
+        })
+    }
+
+    /// Refuses an impact with samples missing in it.
+    fn check_gaps(&self) -> Result<(), ReadError> {
+        let impact = self.contact.impacts[self.index];
+        let times = &self.samples.times;
+        let (before, after) = (impact.first.saturating_sub(1), (impact.last + 1).min(times.len() - 1));
+        let (usual, duration) = (step(times), times[after] - times[before]);
+        let around = before + 1..=after;
+        let is_gap = |index: &usize| {
+            let step = times[*index] - times[index - 1];
+            step > GAP * usual && step > SMALL_GAP * duration
+        };
+        match around.into_iter().find(is_gap) {
+            Some(index) => {
+                let reason = format!(
+                    "{} without a sample before this one, within the impact, where samples are {} apart: expected an impact \
+                     without gaps",
+                    seconds(times[index] - times[index - 1]),
+                    seconds(usual)
+                );
+                Err(ReadError::line(self.samples.lines[index] as usize, reason))
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// Largest displacement since the force began to rise.
+    fn deformation(&self, start: usize, first: usize, last: usize) -> Option<f64> {
+        let displacements = self.samples.displacements.get(start..)?;
+        if displacements.is_empty() {
+            return None;
+        }
+        let contact = self.contact;
+        let quiet = (0.01 * contact.impacts[self.index].peak).max(3.0 * contact.noise);
+        let pushes = |index: &usize| contact.sign * (self.samples.loads[*index] - contact.offset) > quiet;
+        let touch = (start..=first).rev().take_while(pushes).last().unwrap_or(first);
+        let zero = self.samples.displacements[touch.saturating_sub(1).max(start)];
+        let largest =
+            self.samples.displacements[touch..=last].iter().map(|value| (value - zero).abs()).fold(0.0, f64::max);
+        largest.is_finite().then_some(largest).filter(|largest| *largest > 0.0)
+    }
+}

@@ -1,0 +1,74 @@
+//! A measured impact from a file, resampled as simulated ones are.
+
+use std::path::Path;
+
+use softanvil_kernel::scenario::{Impactor, Motion};
+use softanvil_records::channel::Filter;
+use softanvil_records::trace::{self, Expected, Options};
+use softanvil_records::understood::Understood;
+
+use crate::series::Series;
+
+/// Bytes of a file, at most.
+const MOST_BYTES: u64 = 2_000_000_000;
+
+/// A measured impact.
+#[derive(Clone, Debug)]
+pub struct Measured {
+    /// Its force.
+    pub series: Series,
+    /// Largest deformation, m, if the file has a displacement.
+    pub deformation: Option<f64>,
+    /// How the force was filtered, if the file says it.
+    pub filter: Option<Filter>,
+    /// How the file was read.
+    pub understood: Understood,
+}
+
+impl Measured {
+    /// Reads the file at `path`; the simulated `impactor` tells what is plausible.
+    ///
+    /// # Errors
+    /// A file that cannot be read or understood, or in two ways, with its name.
+    pub fn read(path: &Path, options: &Options, impactor: &Impactor) -> Result<Self, String> {
+        let refuse = |error: String| format!("{}: {error}", path.display());
+        let size =
+            std::fs::metadata(path).map_err(|error| format!("{} cannot be read: {error}", path.display()))?.len();
+        if size > MOST_BYTES {
+            return Err(refuse(format!("a file of {size} bytes is refused: expected {MOST_BYTES} at most")));
+        }
+        let bytes = std::fs::read(path).map_err(|error| format!("{} cannot be read: {error}", path.display()))?;
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        let expected = expected(impactor);
+        let trace =
+            trace::read(&name, &bytes, options, expected.as_ref()).map_err(|error| refuse(error.to_string()))?;
+        let series = Series::resampled(&trace.times, &trace.forces).map_err(|error| refuse(error.to_string()))?;
+        let (deformation, filter, understood) = (trace.deformation, trace.filter, trace.understood);
+        Ok(Self { series, deformation, filter, understood })
+    }
+
+    /// Whether the force has gone through a filter that must not act a second time.
+    pub fn is_filtered(&self) -> bool {
+        matches!(self.filter, Some(Filter::Class(_) | Filter::Filtered))
+    }
+
+    /// Warns where the file says that its force has gone through another filter than the simulated one will, of
+    /// `channel_class`, Hz.
+    pub fn compare_filters(&mut self, channel_class: Option<f64>) {
+        let warning = match (self.filter, channel_class) {
+            (Some(Filter::Class(class)), Some(other)) if f64::from(class) == other => return,
+            (Some(Filter::Class(class)), _) => {
+                format!("the trace is filtered by CFC {class}: --cfc {class} reads the simulated force alike")
+            }
+            (Some(Filter::Filtered), _) => "the trace is filtered, and its title does not say how".into(),
+            _ => return,
+        };
+        self.understood.warnings.push(warning);
+    }
+}
+
+/// What a record of this drop should show.
+fn expected(impactor: &Impactor) -> Option<Expected> {
+    let speed = impactor.start_speed();
+    (impactor.motion != Motion::Prescribed && speed > 0.0).then_some(Expected { mass: impactor.mass, speed })
+}
