@@ -243,7 +243,14 @@ fn split_unit(title: &str) -> Spelled {
     Spelled { name: title.into(), unit: None, bracket: None }
 }
 
-/// Whether a column is of what no fit and no impact needs: rates, energies, lateral strains, moduli of oscillations.
+/// Whether a column is of the strain or stretch of a free direction.
+fn is_lateral(words: &[String]) -> bool {
+    let has = |parts: &[&str]| words.iter().any(|word| parts.iter().any(|part| word.contains(part)));
+    has(&["lateral", "transvers", "querdehnung", "querstreckung"])
+        && has(&["strain", "stretch", "dehnung", "streckung", "déformation", "deformación", "ε", "λ"])
+}
+
+/// Whether a column is of what no fit and no impact needs: rates, energies, lateral displacements, moduli of oscillations.
 fn is_of_another_test(title: &str, words: &[String]) -> bool {
     const OTHERS: &[&str] = &[
         "rate",
@@ -252,17 +259,17 @@ fn is_of_another_test(title: &str, words: &[String]) -> bool {
         "energy",
         "work",
         "poisson",
-        "lateral",
-        "transverse",
         "temperature",
         "angular",
         "torque",
         "geschwindigkeit",
         "temperatur",
-        "querdehnung",
     ];
+    const FREE: &[&str] = &["lateral", "transverse"];
+    let has = |parts: &[&str]| words.iter().any(|word| parts.iter().any(|part| word.contains(part)));
     words.is_empty() && !title.contains(char::is_alphabetic)
-        || words.iter().any(|word| OTHERS.iter().any(|other| word.contains(other)))
+        || has(OTHERS)
+        || has(FREE) && !is_lateral(words)
         || is_dynamic(title, words)
 }
 
@@ -315,10 +322,8 @@ fn kind_of(words: &[String], unit: Option<Unit>, spelled: Option<&str>) -> Resul
     let dimension = unit.map(|unit| unit.dimension);
     let of = |wanted: Dimension| dimension == Some(wanted);
     let ratio = dimension.is_none() || of(Dimension::Ratio);
-    let free = has(&["lateral", "transverse", "querdehnung", "querstreckung", "transversal"]);
-    if ratio && free && has(&["strain", "stretch", "dehnung", "streckung", "déformation", "deformación", "ε", "λ"])
-    {
-        return Ok(Some(Kind::Lateral));
+    if is_lateral(words) {
+        return Ok(ratio.then_some(Kind::Lateral));
     }
     if ratio && has(&["volum"]) && has(&["change", "ratio", "strain", "änderung", "variation", "dilat"]) {
         return Ok(Some(Kind::Volume));

@@ -129,15 +129,15 @@ fn a_card_that_would_not_give_the_stresses_back_is_not_written() {
     assert!(json["not_written"]["material-lsdyna.k"].as_str().unwrap().contains("expected a difference of 0.1 %"));
 }
 
-/// A stretch of compression titled as a strain: the specimen would be softest where it is stretched most.
+/// A stretch of compression in percent titled as a strain: the specimen would be softest where it is stretched most.
 #[test]
 fn a_fit_worse_than_the_mean_is_no_result() {
     let folder = folder();
     let rows: String = (0..21)
         .map(|k| 1.0 - 0.01 * f64::from(k))
-        .map(|l| format!("{l:.2},{:.3}\n", 280.0 * (l.powi(-2) - l)))
+        .map(|l| format!("{:.0},{:.3}\n", 100.0 * l, 280.0 * (l.powi(-2) - l)))
         .collect();
-    std::fs::write(folder.path().join("wrong.csv"), format!("strain,stress [kPa]\n{rows}")).unwrap();
+    std::fs::write(folder.path().join("wrong.csv"), format!("strain [%],stress [kPa]\n{rows}")).unwrap();
     let line = fail(folder.path(), &["fit", "--uniaxial", "wrong.csv"], 1);
     assert!(line.contains("no stable law describes the data") && line.contains("(--columns)"), "{line}");
     let line = fail(folder.path(), &["fit", "--uniaxial", "wrong.csv", "--law", "neo_hookean"], 1);

@@ -51,7 +51,7 @@ fn measure(folder: &Path, exact: &Series, noise: f64, seed: u64) {
 
 fn exact() -> Series {
     let folder = tempfile::tempdir().unwrap();
-    std::fs::write(folder.path().join("measured.csv"), "t,f\n0,0\n0.001,100\n0.002,0\n").unwrap();
+    std::fs::write(folder.path().join("measured.csv"), "time [s],force [N]\n0,0\n0.008,2000\n0.016,0\n").unwrap();
     let problem = Problem::parse(PROBLEM, folder.path()).unwrap();
     let mut truth = scenario(&problem, &TRUTH).unwrap();
     truth.impactor = truth.impactor.with_energy(14.7);
