@@ -1,5 +1,7 @@
 //! Goes through the lines of a file and gathers its tables.
 
+use std::cmp::Ordering;
+
 use super::head::{Head, Width, filled, is_row_of_units};
 use super::notation::{Notation, is_missing, is_numeric, is_plain};
 use super::{Body, Row, Sheet, no_table};
@@ -121,13 +123,18 @@ impl Assembly {
         numeric && fits(&self.numeric, cells, self.decimal) || begins && self.notation.beside == 0
     }
 
-    /// Whether `row` has more than `columns` cells, not all of them empty.
+    fn cells(&self, row: Row) -> Cells<'_> {
+        self.separator.cells(self.lines.get(row.line))
+    }
+
+    /// Whether `row` has more than `columns` cells, and a number beyond them: words there are a comment.
     fn is_wider(&self, row: Row, columns: usize) -> bool {
         let line = self.lines.get(row.line);
         // A sign that separates stands between all cells.
         let fits =
             matches!(self.separator, Separator::Sign(sign) if line.bytes().filter(|c| *c == sign).count() < columns);
-        !fits && self.separator.cells(line).skip(columns).any(|cell| !cell.is_empty())
+        let beyond = |cell: &str| matches!(number::read(cell, self.decimal), Cell::Number(_));
+        !fits && self.separator.cells(line).skip(columns).any(beyond)
     }
 
     /// Whether the first cell that is not empty is a number: where one number makes a row, a key before it makes a remark.
@@ -162,8 +169,14 @@ impl Assembly {
         self.numeric.clear();
         let Some(columns) = usual_columns(&rows, self.separator, &self.lines) else { return Ok(()) };
         let count = |row: &Row| self.separator.cells(self.lines.get(row.line)).count();
-        // Numbers of another layout above the table are remarks.
-        let start = rows.iter().position(|row| count(row) == columns).unwrap_or_default();
+        // Numbers of another layout above the table are remarks; below its titles a short row misses values.
+        let titled = !self.above.is_empty();
+        let belongs = |row: &Row| match count(row).cmp(&columns) {
+            Ordering::Less => titled,
+            Ordering::Equal => true,
+            Ordering::Greater => !self.is_wider(*row, columns) && self.begins_with_number(self.cells(*row)),
+        };
+        let start = rows.iter().position(belongs).unwrap_or_default();
         self.above.extend(rows.drain(..start).map(|row| row.line));
         if let Some(row) = rows.iter().find(|row| self.is_wider(**row, columns)) {
             let reason = format!("{} cells in a table of {columns} columns: legal is as many as above", count(row));
