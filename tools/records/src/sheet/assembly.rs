@@ -185,7 +185,7 @@ impl Assembly {
         let above = std::mem::take(&mut self.above);
         let first = &rows[..rows.len().min(FIRST)];
         let filled = first.iter().map(|row| filled(self.separator.cells(self.lines.get(row.line)))).max();
-        let width = Width { columns, filled: filled.unwrap_or(columns) };
+        let width = Width { columns, filled: filled.unwrap_or(columns).min(columns) };
         let head = Head::find(&self.lines, &self.comments, &above, rows[0].line, width, (self.separator, self.decimal));
         let kept = |number: &usize| (*number, self.lines.get(*number).trim().to_string());
         let is_title = |number: &&usize| head.lines.contains(number);
