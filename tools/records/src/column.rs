@@ -273,6 +273,11 @@ fn is_of_another_test(title: &str, words: &[String]) -> bool {
         || is_dynamic(title, words)
 }
 
+/// Whether a title is one of a fit, a model or a scatter.
+pub fn is_of_a_model(title: &str) -> bool {
+    is_computed(&words_of(&split_unit(title).name))
+}
+
 /// Whether a column was computed: a fit, a model, a scatter.
 fn is_computed(words: &[String]) -> bool {
     const COMPUTED: &[&str] = &[

@@ -1,7 +1,7 @@
 //! What stands around a table: mass, sampling rate, units, and the columns of instruments that write no titles.
 
+use super::cells::Separator;
 use super::number::{self, Cell, Decimal};
-use super::sheet::Separator;
 use super::text::Lines;
 use super::unit::{Dimension, Unit, number_and_rest};
 

@@ -3,12 +3,13 @@
 //! From the file to the numbers:
 //!
 //! 1. [`text`] decodes a file, [`workbook`] takes a sheet out of a spreadsheet.
-//! 2. [`sheet`] finds the tables of numbers with their titles, [`facts`] what stands around them.
+//! 2. [`sheet`] finds the tables of numbers with their titles (in [`cells`]), [`facts`] what stands around them.
 //! 3. [`mod@column`] says what the columns are (with [`mod@unit`], [`measure`] and [`number`]); [`series`] tells specimens apart.
 //! 4. [`trace`] makes a force over time of an impact (with [`impact`] and [`channel`]), and [`understood`] says how.
 //!
 //! Nothing is guessed from values alone; what has two meanings is refused with the option that decides.
 
+pub mod cells;
 pub mod channel;
 pub mod column;
 pub mod facts;

@@ -155,6 +155,9 @@ fn understood(sheet: &Sheet, body: &Body, titles: &[String], notes: &mut Vec<Str
             Err(reason) => unclear.push(reason),
         }
     }
+    for (_, title) in others.iter().filter(|(_, title)| column::is_of_a_model(title)) {
+        notes.push(format!("\"{title}\" is passed over, as a fit, a model or a scatter"));
+    }
     // LabVIEW's first column, by what stands above it.
     for (index, title) in others.iter().filter(|(_, title)| sheet.facts.x_is_time && title.starts_with("X_Value")) {
         if let Ok(column) =

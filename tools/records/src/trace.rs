@@ -1,6 +1,9 @@
 //! The force over time of an impact, from a file of a drop tower or a load cell.
 
-use std::str::FromStr;
+mod choice;
+mod cut;
+mod plausible;
+
 use std::sync::Arc;
 
 use serde_json::json;
@@ -12,26 +15,10 @@ use super::impact::{Contact, Given, LEAST_BEFORE};
 use super::series::Table;
 use super::sheet::{self, Layout, Sheet};
 use super::understood::Understood;
-use super::unit::{Dimension, Unit, number_and_rest, parse_quantity};
-
-/// A column that a user names, with its unit if the file does not state it: `Fz [kN]`, `3 [ms]` (the third), `[lbf]`, or
-/// `CH1 [250 N/V]` for a sensor.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Choice(String);
-
-impl FromStr for Choice {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        match text.trim() {
-            "" => {
-                Err("expected the title of a column or its number, and its unit in brackets, such as \"Fz [kN]\""
-                    .into())
-            }
-            text => Ok(Self(text.into())),
-        }
-    }
-}
+use super::unit::{Dimension, parse_quantity};
+pub use choice::Choice;
+use cut::Cut;
+use plausible::{SMALL_OFFSET, step};
 
 /// What a file leaves open.
 #[derive(Clone, Debug, Default)]
@@ -254,88 +241,6 @@ fn clock(table: &Table, load: &Column, options: &Options) -> Result<Clock, ReadE
     }
 }
 
-impl Choice {
-    /// The column of `kind` that this names in `table`.
-    fn column(&self, table: &Table, kind: Kind, option: &str) -> Result<Column, ReadError> {
-        let refuse = |reason: String| ReadError::file(format!("{option} \"{}\" is refused: {reason}", self.0));
-        let (name, unit) = self.parts(table);
-        let index = match name {
-            "" => match table.of(kind).collect::<Vec<_>>().as_slice() {
-                [only] => only.index,
-                found => {
-                    let reason = format!("{} columns of {}: name one of them", found.len(), kind.example().0);
-                    return Err(refuse(reason));
-                }
-            },
-            name => index_of(table, name).map_err(refuse)?,
-        };
-        let title = table.titles.get(index).map_or("", String::as_str);
-        match unit {
-            Some(unit) => scaled(index, title, kind, unit).map_err(refuse),
-            None => Ok(Column::named(index, title, kind, None).map_err(refuse)?),
-        }
-    }
-
-    /// The name and the unit; the whole is a name if a column has this title.
-    fn parts(&self, table: &Table) -> (&str, Option<&str>) {
-        let text = self.0.as_str();
-        if table.titles.iter().any(|title| title.trim().eq_ignore_ascii_case(text)) {
-            return (text, None);
-        }
-        match text.strip_suffix(']').and_then(|text| text.rsplit_once('[')) {
-            Some((name, unit)) => (name.trim(), Some(unit.trim())),
-            None => (text, None),
-        }
-    }
-}
-
-/// The column whose title, or title without its unit, is `name`, or whose number it is.
-fn index_of(table: &Table, name: &str) -> Result<usize, String> {
-    let bare = |title: &str| {
-        let end = title.find(['[', '(']).unwrap_or(title.len());
-        title[..end].trim().to_string()
-    };
-    let matching = |of: &dyn Fn(&str) -> String| -> Vec<usize> {
-        let same = |title: &String| of(title).eq_ignore_ascii_case(name);
-        table.titles.iter().enumerate().filter(|(_, title)| same(title)).map(|(index, _)| index).collect()
-    };
-    let whole = matching(&|title| title.trim().to_string());
-    let found = if whole.is_empty() { matching(&bare) } else { whole };
-    match (found.as_slice(), name.parse::<usize>()) {
-        ([only], _) => Ok(*only),
-        ([], Ok(number)) if (1..=table.titles.len()).contains(&number) => Ok(number - 1),
-        ([], _) => {
-            let listed = table.titles.iter().map(|title| format!("\"{title}\"")).collect::<Vec<_>>().join(", ");
-            Err(format!("expected one of {listed}, or a number from 1 to {}", table.titles.len()))
-        }
-        _ => Err(format!("{} columns have this title: expected the number of one, from 1", found.len())),
-    }
-}
-
-/// A column in a unit, or in so many of it: N, 50 N, or 250 N/V of a column in V.
-fn scaled(index: usize, title: &str, kind: Kind, unit: &str) -> Result<Column, String> {
-    let plain = Column::named(index, title, kind, Some(unit));
-    let Some((number, rest)) = number_and_rest(unit) else { return plain };
-    let rest = ["/V", "/Volt", "/mV"].iter().find_map(|end| rest.strip_suffix(end).map(|rest| (rest, &end[1..])));
-    let (text, per) =
-        rest.map_or((number_and_rest(unit).map_or("", |found| found.1), None), |(rest, per)| (rest, Some(per)));
-    let volts = ["mv", "v", "volt", "volts"];
-    let own = title.find(['[', '(']).map(|at| title[at + 1..].trim_end_matches([']', ')']).to_lowercase());
-    let differs =
-        |per: &str| own.as_ref().is_some_and(|own| volts.contains(&own.as_str()) && (own == "mv") != (per == "mV"));
-    if per.is_some_and(differs) {
-        return Err(format!("the column is in {}", own.unwrap_or_default()));
-    }
-    let dimension = kind.dimension().unwrap_or(Dimension::Ratio);
-    match Unit::of(dimension, text) {
-        Some(found) if number > 0.0 && number.is_finite() => {
-            let column = Column::named(index, title, kind, Some(text))?;
-            Ok(Column { si: Some(number * found.si), unit: Some(unit.into()), ..column })
-        }
-        _ => plain,
-    }
-}
-
 /// A record that is being read.
 struct Record<'a> {
     name: &'a str,
@@ -535,107 +440,6 @@ impl Record<'_> {
             understood.warnings.push(warning);
         }
     }
-
-    /// The trace with what is unlikely of it; what can only be a wrong unit is refused.
-    fn judged(&self, mut trace: Trace, peak: f64) -> Result<Trace, ReadError> {
-        let warnings = &mut trace.understood.warnings;
-        // From the sample before to the sample after, because there may be few of them.
-        let lasting = |part: f64| {
-            let first = trace.forces.iter().position(|force| *force >= part * peak).unwrap_or_default();
-            let last = trace.forces.iter().rposition(|force| *force >= part * peak).unwrap_or_default();
-            (first.saturating_sub(1), (last + 1).min(trace.forces.len() - 1))
-        };
-        if let Some(count) = clipped(&trace.forces) {
-            warnings
-                .push(format!("{count} samples in a row show the largest force: it may be cut off by the amplifier"));
-        }
-        let (first, last) = lasting(0.05);
-        let duration = trace.times[last] - trace.times[first];
-        let pairs =
-            (first.max(1)..=last).map(|i| (trace.times[i] - trace.times[i - 1], trace.forces[i - 1] + trace.forces[i]));
-        let impulse: f64 = pairs.map(|(step, sum)| 0.5 * step * sum).sum();
-        let mut doubt = |far: bool, text: String| {
-            if far && !self.channels.stated {
-                return Err(ReadError::file(format!("{text}. {}", self.which_unit())));
-            }
-            warnings.push(text);
-            Ok(())
-        };
-        if !LIKELY_DURATION.contains(&duration) {
-            let far = duration > 20.0 * LIKELY_DURATION.end() || duration < 0.05 * LIKELY_DURATION.start();
-            doubt(far, format!("an impact of {} is no drop on a soft anvil, which lasts some ms", seconds(duration)))?;
-        }
-        if let Some(expected) = self.expected {
-            let momentum = expected.mass * expected.speed;
-            let part = impulse / momentum;
-            if !LIKELY_IMPULSE.contains(&part) {
-                let far = part > 10.0 * LIKELY_IMPULSE.end() || part < 0.1 * LIKELY_IMPULSE.start();
-                let text = format!(
-                    "the impulse of {impulse:.4} N s is {part:.3} times the momentum of {momentum:.3} N s that {} kg have at {:.3} \
-                     m/s; a rebound gives 1 to 2",
-                    expected.mass, expected.speed
-                );
-                doubt(far, text)?;
-            }
-        }
-        if let (Clock::Column(_), Some(fact)) = (&self.channels.time, &self.channels.table.sheet().facts.interval) {
-            let part = step(&trace.times) / fact.value;
-            if !(0.95..=1.05).contains(&part) {
-                let text = format!(
-                    "the times are {} apart, and line {} states {} ({})",
-                    seconds(step(&trace.times)),
-                    fact.line,
-                    seconds(fact.value),
-                    fact.text
-                );
-                doubt(!(0.02..=50.0).contains(&part), text)?;
-            }
-        }
-        Ok(trace)
-    }
-
-    /// The options that settle units that cannot be right.
-    fn which_unit(&self) -> String {
-        let load = &self.channels.load;
-        let title = |column: &Column| column.title.split(['[', '(']).next().unwrap_or_default().trim().to_string();
-        let time = match &self.channels.time {
-            Clock::Column(column) => format!("--time \"{} [ms]\"", title(column)),
-            Clock::Rate(..) => "--rate \"20 kHz\"".into(),
-        };
-        let (option, unit) = if load.kind == Kind::Force { ("--force-column", "kN") } else { ("--acceleration", "g") };
-        format!("State the units that are true, as in {time} or {option} \"{} [{unit}]\"", title(load))
-    }
-}
-
-/// Durations of impacts on a soft layer, s.
-const LIKELY_DURATION: std::ops::RangeInclusive<f64> = 0.5e-3..=0.2;
-/// Impulses over the momentum at the touch: from no rebound to one without loss, with some error of both.
-const LIKELY_IMPULSE: std::ops::RangeInclusive<f64> = 0.8..=2.2;
-
-/// The number of samples in a row with the largest force, if they are more than a smooth peak has.
-fn clipped(forces: &[f64]) -> Option<usize> {
-    let peak = forces.iter().copied().fold(0.0, f64::max);
-    let longest = forces.chunk_by(|a, b| a == b).filter(|run| run[0] == peak).map(<[f64]>::len).max()?;
-    let above = forces.iter().filter(|force| **force > 0.5 * peak).count();
-    (longest >= 5 && longest * 10 >= above).then_some(longest)
-}
-
-/// Part of the peak above which an offset that is left matters.
-const SMALL_OFFSET: f64 = 5e-3;
-
-/// The median time between two samples.
-fn step(times: &[f64]) -> f64 {
-    let mut steps: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).collect();
-    let middle = steps.len() / 2;
-    if steps.is_empty() { 0.0 } else { *steps.select_nth_unstable_by(middle, f64::total_cmp).1 }
-}
-
-fn seconds(time: f64) -> String {
-    match time {
-        time if time >= 1.0 => format!("{time:.3} s"),
-        time if time >= 1e-3 => format!("{:.3} ms", 1e3 * time),
-        time => format!("{:.3} us", 1e6 * time),
-    }
 }
 
 fn shown(column: &Column, si: &str) -> String {
@@ -660,76 +464,4 @@ fn say_impacts(understood: &mut Understood, records: &[(Samples, Contact)], want
     };
     let value: Vec<_> = all.iter().map(|(time, peak)| json!({ "time": time, "peak_force": peak })).collect();
     understood.say("impact", text, json!({ "chosen": wanted, "impacts": value }));
-}
-
-/// The part of a record with one impact.
-struct Cut<'a> {
-    samples: &'a Samples,
-    contact: &'a Contact,
-    index: usize,
-    factor: f64,
-}
-
-/// A step between two samples that is longer than so many usual ones is a gap.
-const GAP: f64 = 5.0;
-/// Part of the duration below which a gap does not matter.
-const SMALL_GAP: f64 = 0.02;
-
-impl Cut<'_> {
-    fn trace(&self, channels: &Channels) -> Result<Trace, ReadError> {
-        self.check_gaps()?;
-        let Self { samples, contact, index, factor } = self;
-        let range = contact.range(*index, samples.times.len());
-        let impact = contact.impacts[*index];
-        let push = |load: &f64| contact.sign * (load - contact.offset) * factor;
-        let forces: Vec<f64> = samples.loads[range.clone()].iter().map(push).collect();
-        Ok(Trace {
-            times: samples.times[range.clone()].to_vec(),
-            forces,
-            deformation: self.deformation(range.start, impact.first, impact.last),
-            filter: channels.load.filter,
-            understood: Understood::default(),
-        })
-    }
-
-    /// Refuses an impact with samples missing in it.
-    fn check_gaps(&self) -> Result<(), ReadError> {
-        let impact = self.contact.impacts[self.index];
-        let times = &self.samples.times;
-        let (before, after) = (impact.first.saturating_sub(1), (impact.last + 1).min(times.len() - 1));
-        let (usual, duration) = (step(times), times[after] - times[before]);
-        let around = before + 1..=after;
-        let is_gap = |index: &usize| {
-            let step = times[*index] - times[index - 1];
-            step > GAP * usual && step > SMALL_GAP * duration
-        };
-        match around.into_iter().find(is_gap) {
-            Some(index) => {
-                let reason = format!(
-                    "{} without a sample before this one, within the impact, where samples are {} apart: expected an impact \
-                     without gaps",
-                    seconds(times[index] - times[index - 1]),
-                    seconds(usual)
-                );
-                Err(ReadError::line(self.samples.lines[index] as usize, reason))
-            }
-            None => Ok(()),
-        }
-    }
-
-    /// Largest displacement since the force began to rise.
-    fn deformation(&self, start: usize, first: usize, last: usize) -> Option<f64> {
-        let displacements = self.samples.displacements.get(start..)?;
-        if displacements.is_empty() {
-            return None;
-        }
-        let contact = self.contact;
-        let quiet = (0.01 * contact.impacts[self.index].peak).max(3.0 * contact.noise);
-        let pushes = |index: &usize| contact.sign * (self.samples.loads[*index] - contact.offset) > quiet;
-        let touch = (start..=first).rev().take_while(pushes).last().unwrap_or(first);
-        let zero = self.samples.displacements[touch.saturating_sub(1).max(start)];
-        let largest =
-            self.samples.displacements[touch..=last].iter().map(|value| (value - zero).abs()).fold(0.0, f64::max);
-        largest.is_finite().then_some(largest).filter(|largest| *largest > 0.0)
-    }
 }

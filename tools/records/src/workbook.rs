@@ -3,8 +3,9 @@
 use softanvil_workbooks::Workbook;
 
 use super::ReadError;
+use super::cells::Separator;
 use super::number::Decimal;
-use super::sheet::{self, Layout, Separator, Sheet};
+use super::sheet::{self, Layout, Sheet};
 use super::text::Lines;
 
 /// The tables in the workbook `bytes`, in the sheet that `layout` names, or in the only one that has any.

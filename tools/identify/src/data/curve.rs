@@ -449,6 +449,11 @@ mod tests {
     fn a_fit_beside_the_data_is_no_specimen() {
         let text = "lambda,sigma_c_data_MPa,sigma_c_fit_MPa\n1.1,0.11,9\n1.2,0.24,9\n1.5,0.6,9\n";
         close(&pairs_of(text), &[(1.1, 1e5), (1.2, 2e5), (1.5, 4e5)]);
+        let notes = curve("x", text, &Options::default()).unwrap().notes.join("\n");
+        assert!(
+            notes.contains("\"sigma_c_fit_MPa\" is passed over") && notes.contains("read as true stress"),
+            "{notes}"
+        );
     }
 
     #[test]

@@ -85,6 +85,11 @@ fn the_same_impact_in_many_layouts() {
             "a count of samples and a rate",
             "Rate: 20000 Hz\nSample,Force [N]\n".to_string() + &rows(|i, _, f| format!("{i},{f:.3}")),
         ),
+        (
+            "a comment in the first row",
+            "time [s]\tforce [N]\tComment\n".to_string()
+                + &rows(|i, t, f| format!("{t:.5}\t{f:.3}{}", if i == 0 { "\tdrop 3" } else { "" })),
+        ),
         ("statistics below", format!("{}\nStatistics\nMax,Min\n4000,0\n", ok())),
         (
             "a description between titles and units",

@@ -124,9 +124,12 @@ fn workbooks_are_read_like_text() {
     let cells = cells();
     let rows: Vec<Vec<&str>> = cells.iter().map(|row| row.iter().map(String::as_str).collect()).collect();
     let parameters = vec![vec!["Parameter", "Value"], vec!["Operator", "me"]];
+    let mut remarked = rows.clone();
+    remarked[4].push("begin of the record");
     for (name, bytes) in [
         ("XLSX", xlsx(&[("Drop", &rows)])),
         ("XLSX with a sheet of words", xlsx(&[("Parameters", &parameters), ("Drop", &rows)])),
+        ("XLSX with a remark", xlsx(&[("Drop", &remarked)])),
         ("ODS", ods(&rows)),
     ] {
         let trace = trace::read("drop", &bytes, &Options::default(), Some(&EXPECTED))

@@ -12,6 +12,14 @@ const MOST_CELLS: u64 = 30_000_000;
 /// Bytes of a compressed workbook, at most.
 const MOST_BYTES: usize = 200_000_000;
 
+/// Bytes of a workbook when it is unpacked, at most: a small archive may hold any number.
+const MOST_UNPACKED: u128 = 2_000_000_000;
+
+/// The size that the archive in `bytes` states; none if it is no archive.
+fn unpacked_size(bytes: &[u8]) -> Option<u128> {
+    zip::ZipArchive::new(Cursor::new(bytes)).ok()?.decompressed_size()
+}
+
 /// Whether `bytes` are those of a workbook: a zip archive, or the container of older ones.
 pub fn is_workbook(bytes: &[u8]) -> bool {
     bytes.starts_with(b"PK\x03\x04") || bytes.starts_with(&[0xd0, 0xcf, 0x11, 0xe0, 0xa1, 0xb1, 0x1a, 0xe1])
@@ -28,6 +36,9 @@ impl<'a> Workbook<'a> {
     pub fn open(bytes: &'a [u8]) -> Result<Self, String> {
         if bytes.len() > MOST_BYTES {
             return Err(format!("a workbook of {} bytes: expected {MOST_BYTES} at most", bytes.len()));
+        }
+        if let Some(size) = unpacked_size(bytes).filter(|size| *size > MOST_UNPACKED) {
+            return Err(format!("a workbook of {size} bytes when it is unpacked: expected {MOST_UNPACKED} at most"));
         }
         let refuse = |error: calamine::Error| format!("this is no workbook that can be read: {error}");
         open_workbook_auto_from_rs(Cursor::new(bytes)).map(Self).map_err(refuse)
