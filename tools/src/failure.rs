@@ -3,9 +3,6 @@
 use std::fmt::Display;
 use std::path::Path;
 
-use crate::plot::PlotError;
-use crate::trace::TraceError;
-
 /// Why a command did not do what it was asked.
 #[derive(Debug, thiserror::Error)]
 pub enum Failure {
@@ -29,17 +26,5 @@ impl Failure {
     /// A file or folder that could not be written.
     pub fn writing(path: &Path, error: impl Display) -> Self {
         Self::Failed(format!("{} cannot be written: {error}", path.display()))
-    }
-}
-
-impl From<PlotError> for Failure {
-    fn from(error: PlotError) -> Self {
-        Self::Failed(error.to_string())
-    }
-}
-
-impl From<TraceError> for Failure {
-    fn from(error: TraceError) -> Self {
-        Self::Failed(error.to_string())
     }
 }

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::column::Kind;
+use super::kind::Kind;
 
 /// How a channel was filtered.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -14,6 +14,7 @@ pub mod channel;
 pub mod column;
 pub mod facts;
 pub mod impact;
+pub mod kind;
 pub mod measure;
 pub mod number;
 pub mod series;

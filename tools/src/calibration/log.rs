@@ -15,9 +15,9 @@ use serde_json::{Map, Value};
 use super::objective::{Evaluation, evaluate};
 use super::problem::Problem;
 use crate::failure::Failure;
-use crate::folder::Folder;
-use crate::quantity::QUANTITIES;
-use crate::staging;
+use crate::files::folder::Folder;
+use crate::files::staging;
+use crate::measurement::quantity::QUANTITIES;
 
 /// One evaluation as the log remembers it.
 #[derive(Clone, Debug, PartialEq)]
@@ -73,7 +73,7 @@ impl Log {
         };
         folder.take(NAME, &header)?;
         staging::write_files(&[(&path, text.into_bytes())]).map_err(|(path, error)| Failure::writing(&path, error))?;
-        folder.write(&[(PROBLEM.into(), crate::json::text(&problem.inputs()).into_bytes())])?;
+        folder.write(&[(PROBLEM.into(), crate::output::json::text(&problem.inputs()).into_bytes())])?;
         let file = OpenOptions::new().append(true).open(&path).map_err(|error| Failure::writing(&path, error))?;
         Ok(Self { path, digest: problem.digest(), writer: csv::Writer::from_writer(file), entries })
     }

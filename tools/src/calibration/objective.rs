@@ -10,13 +10,13 @@ use softanvil_kernel::Scenario;
 
 use super::problem::Problem;
 use super::variable;
-use crate::curve_score::CurveScore;
-use crate::ending::Ending;
-use crate::quantity::COUNT;
-use crate::reading::Reading;
+use crate::measurement::curve_score::CurveScore;
+use crate::measurement::errors::error_percent;
+use crate::measurement::quantity::COUNT;
+use crate::measurement::reading::Reading;
+use crate::measurement::series::SeriesError;
+use crate::run::Ending;
 use crate::run::{Drop, Run, RunError};
-use crate::series::SeriesError;
-use crate::validation::error_percent;
 
 /// Score of values that cannot be simulated.
 pub const REFUSED: f64 = 1e3;
@@ -122,7 +122,7 @@ fn errors<'a>(problem: &'a Problem, impacts: &'a [Simulated]) -> impl Iterator<I
 }
 
 fn mean_error(problem: &Problem, impacts: &[Simulated]) -> f64 {
-    crate::validation::mean_absolute(errors(problem, impacts).map(|(_, error, _)| error))
+    crate::measurement::errors::mean_absolute(errors(problem, impacts).map(|(_, error, _)| error))
 }
 
 fn score(problem: &Problem, impacts: &[Simulated]) -> f64 {

@@ -12,12 +12,13 @@ use super::prior::Prior;
 use super::target::{Impact, Target, read_impacts};
 use super::variable::{Range, Variable, apply, check_fits_impacts};
 use crate::failure::Failure;
-use crate::folder;
-use crate::quantity::{COUNT, QUANTITIES};
+use crate::files::folder;
+use crate::measurement::quantity::{COUNT, QUANTITIES};
+use crate::measurement::series;
+use crate::measurement::series::Sensor;
 use crate::run::Until;
 use crate::scenario_file::assign::{self, Written};
-use crate::series::Sensor;
-use crate::{presets, scenario_file, series};
+use crate::{presets, scenario_file};
 
 /// The file, as it is written.
 #[derive(Deserialize)]

@@ -11,13 +11,15 @@ use super::objective::{Evaluation, evaluate, scenario};
 use super::problem::Problem;
 use super::search::best;
 use super::spread::{EQUALLY_GOOD, Spread, spread};
-use crate::ending::{Ending, MARK};
 use crate::failure::Failure;
-use crate::folder::Folder;
-use crate::quantity::QUANTITIES;
+use crate::files::folder::Folder;
+use crate::measurement::errors::error_percent;
+use crate::measurement::quantity::QUANTITIES;
+use crate::run::{Ending, MARK};
 use crate::scenario_file;
-use crate::table::{align_right, filled, four_digits, new_table, text as table_text};
-use crate::validation::error_percent;
+use crate::text::number::four_digits;
+use crate::text::table::{align_right, new_table, text as table_text};
+use crate::text::wrap::filled;
 
 /// Names of the files of a result.
 pub const FILES: [&str; 3] = ["best.toml", "summary.json", "summary.txt"];
@@ -58,7 +60,7 @@ impl Found {
         let scenario = scenario(problem, &self.entry.values).map_err(Failure::Failed)?;
         let text = self.text(problem);
         let toml = self.head(problem) + &scenario_file::to_toml(&scenario);
-        let contents = [toml, crate::json::text(&self.json(problem)), text.clone()];
+        let contents = [toml, crate::output::json::text(&self.json(problem)), text.clone()];
         let files = FILES.map(String::from).into_iter().zip(contents.map(String::into_bytes));
         folder.write(&files.collect::<Vec<_>>())?;
         Ok(text)

@@ -9,11 +9,11 @@ use softanvil_records::sheet::Layout;
 use softanvil_records::trace;
 use softanvil_records::understood::Understood;
 
-use crate::folder;
-use crate::measured::Measured;
+use crate::files::folder;
+use crate::measurement::measured::Measured;
+use crate::measurement::quantity::{COUNT, QUANTITIES};
+use crate::measurement::series::Series;
 use crate::paper::TABLE_1;
-use crate::quantity::{COUNT, QUANTITIES};
-use crate::series::Series;
 
 /// An impact as the problem file states it: by what was measured, or as a line of the study's table.
 #[derive(Clone, Debug, Default, Deserialize)]

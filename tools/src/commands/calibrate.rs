@@ -10,8 +10,8 @@ use crate::calibration::problem::Problem;
 use crate::calibration::result::{self, Found};
 use crate::calibration::search::search;
 use crate::failure::Failure;
-use crate::folder::Folder;
-use crate::subject::{warning_lines, warnings_of};
+use crate::files::folder::Folder;
+use crate::output::subject::{warning_lines, warnings_of};
 use crate::{interrupt, progress};
 
 /// Search for the parameters with which simulated impacts come closest to measured ones.

@@ -8,10 +8,10 @@ use softanvil_kernel::preset::Preset;
 use softanvil_kernel::scenario::Motion;
 
 use crate::failure::Failure;
+use crate::output::subject::Subject;
 use crate::presets;
 use crate::run::Until;
 use crate::scenario_file::{self, assign};
-use crate::subject::Subject;
 
 /// Which drop to simulate.
 #[derive(Debug, Args)]

@@ -21,14 +21,15 @@ use softanvil_records::unit::{Dimension, parse_quantity};
 
 use super::output_files::Overwrite;
 use crate::failure::Failure;
-use crate::folder::Folder;
+use crate::files::folder::Folder;
 use crate::identification::files::{Curves, Reading, Source};
 use crate::identification::material::{Files, Identified, given};
 use crate::identification::trial::Trial;
 use crate::identification::{Identification, Request, json, table};
-use crate::picture_format::PictureFormat;
-use crate::table::filled;
-use crate::{json as text_json, plot, scenario_file};
+use crate::output::json as text_json;
+use crate::plot::picture_format::PictureFormat;
+use crate::text::wrap::filled;
+use crate::{plot, scenario_file};
 
 /// Fit hyperelastic laws and Prony series to material tests, and write the material
 ///

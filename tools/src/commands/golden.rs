@@ -7,8 +7,8 @@ use clap::{Args, Subcommand};
 
 use super::output_files::Overwrite;
 use crate::failure::Failure;
+use crate::files::staging;
 use crate::golden::{self, Played};
-use crate::staging;
 
 /// Check this build on this machine against the golden traces, bit by bit.
 #[derive(Debug, Args)]

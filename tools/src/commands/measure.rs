@@ -11,15 +11,17 @@ use super::output_files::{self, Overwrite};
 use super::reading_options::ReadingOptions;
 use super::run::{load, simulate};
 use super::trace_options::TraceOptions;
-use crate::comparison::{self, Comparison};
-use crate::ending;
 use crate::failure::Failure;
-use crate::measured::Measured;
-use crate::quantity::MAX_DEFORMATION;
-use crate::reading::{Reading, Record};
+use crate::files::staging;
+use crate::measurement::measured::Measured;
+use crate::measurement::quantity::MAX_DEFORMATION;
+use crate::measurement::reading::{Reading, Record};
+use crate::output::comparison::{self, Comparison};
+use crate::output::subject::{warning_lines, warnings};
+use crate::output::{json, trace};
+use crate::plot;
+use crate::run;
 use crate::run::Run;
-use crate::subject::{warning_lines, warnings};
-use crate::{json, plot, staging, trace};
 
 /// Simulate one impact and print its numbers as load cells, filters and camera give them; with a measured trace, beside it.
 #[derive(Debug, Args)]
@@ -80,7 +82,7 @@ pub fn carry_out(options: &Options) -> Result<String, Failure> {
         }
         return Ok(json::text(&object));
     }
-    let head = subject.text() + &warning_lines(&warnings(&run.constants)) + &ending::remark(&run);
+    let head = subject.text() + &warning_lines(&warnings(&run.constants)) + &run::remark(&run);
     let mut text = head + &comparison::channels(&run, &reading, &record);
     if let Some(comparison) = &comparison {
         let understood = measured.iter().map(|measured| measured.understood.to_string()).collect::<String>();
@@ -100,7 +102,7 @@ impl Options {
         measured.compare_filters(reading.channel_class);
         match reading.channel_class {
             Some(class) if !self.filtered && !measured.is_filtered() => {
-                let refuse = |error: crate::series::SeriesError| Failure::Input(error.to_string());
+                let refuse = |error: crate::measurement::series::SeriesError| Failure::Input(error.to_string());
                 measured.series = measured.series.filtered(class).map_err(refuse)?;
                 Ok(Some(measured))
             }
@@ -121,7 +123,7 @@ impl Options {
         }
         if let Some(path) = &self.plot {
             let load = load(run);
-            let cut = ending::suffix(run);
+            let cut = run::suffix(run);
             // The axis has the name of the force.
             let filter = reading.channel_class.map_or("unfiltered".into(), |class| format!("CFC {class}"));
             let ours = &record.series;

@@ -5,8 +5,8 @@ use std::path::Path;
 use clap::Args;
 
 use crate::failure::Failure;
-use crate::picture_format::PictureFormat;
 use crate::plot::PlotError;
+use crate::plot::picture_format::PictureFormat;
 
 /// Whether files that are there are replaced.
 #[derive(Clone, Copy, Debug, Args)]

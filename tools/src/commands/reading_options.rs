@@ -3,8 +3,8 @@
 use clap::Args;
 
 use crate::failure::Failure;
-use crate::reading::{Noise, Reading, Threshold};
-use crate::series::Sensor;
+use crate::measurement::reading::{Noise, Reading, Threshold};
+use crate::measurement::series::Sensor;
 
 /// How the impact is read.
 #[derive(Debug, Args)]
@@ -47,7 +47,7 @@ impl ReadingOptions {
             }
         }
         if let Some(class) = self.cfc {
-            crate::series::check_channel_class(class)
+            crate::measurement::series::check_channel_class(class)
                 .map_err(|error| Failure::Input(format!("--cfc is refused: {error}")))?;
         }
         Ok(Reading {

@@ -12,13 +12,13 @@ use super::drop_options::DropOptions;
 use super::output_files::Overwrite;
 use super::run::{load, simulate_watched};
 use crate::failure::Failure;
+use crate::files::place::Place;
+use crate::measurement::reading::Reading;
 use crate::paper::TABLE_1;
-use crate::picture_format::PictureFormat;
-use crate::place::Place;
-use crate::reading::Reading;
+use crate::paper::validation::Validation;
+use crate::plot::picture_format::PictureFormat;
 use crate::report::{self, Content};
 use crate::section::Film;
-use crate::validation::Validation;
 
 /// Where the report goes.
 #[derive(Debug, Args)]

@@ -9,14 +9,16 @@ use softanvil_kernel::{SAMPLING_INTERVAL, Simulation};
 
 use super::drop_options::DropOptions;
 use super::output_files::{self, Overwrite};
-use crate::ending;
 use crate::failure::Failure;
-use crate::place::Place;
+use crate::files::place::Place;
+use crate::files::staging;
+use crate::output::subject::{Subject, warning_lines, warnings};
+use crate::output::{json, table, trace};
 use crate::plot::{self, Shown};
+use crate::progress;
+use crate::run;
 use crate::run::{Drop, Run};
 use crate::section::paraview::{self, Series};
-use crate::subject::{Subject, warning_lines, warnings};
-use crate::{json, progress, staging, table, trace};
 
 /// Simulate one drop, or a press at a prescribed speed, and print its results.
 #[derive(Debug, Args)]
@@ -58,7 +60,7 @@ pub fn carry_out(options: &Options) -> Result<String, Failure> {
     if options.json {
         return Ok(json::text(&json::of_run(&run, &subject)));
     }
-    let head = subject.text() + &warning_lines(&warnings(&run.constants)) + &ending::remark(&run);
+    let head = subject.text() + &warning_lines(&warnings(&run.constants)) + &run::remark(&run);
     let mut text = format!("{head}{}{}\n", table::of_run(&run), table::settings(&run));
     for (path, _) in &files {
         let _ = writeln!(text, "written: {}", path.display());
@@ -90,7 +92,7 @@ impl Options {
 
 /// The energy at the start, to a tenth of a millijoule, or the speed of a press; and whether it was cut off.
 fn label(run: &Run) -> String {
-    format!("Softanvil, {}{}", load(run), ending::suffix(run))
+    format!("Softanvil, {}{}", load(run), run::suffix(run))
 }
 
 /// The energy at the start, to a tenth of a millijoule, or the speed of a press.

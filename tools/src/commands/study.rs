@@ -11,8 +11,11 @@ use softanvil_kernel::Scenario;
 use super::drop_options::{DURATION, DropOptions};
 use super::output_files::Overwrite;
 use crate::failure::Failure;
-use crate::folder::Folder;
-use crate::picture_format::PictureFormat;
+use crate::files::folder::Folder;
+use crate::interrupt;
+use crate::output::json;
+use crate::output::subject::Subject;
+use crate::plot::picture_format::PictureFormat;
 use crate::run::{Drop, Until};
 use crate::scenario_file::suggestion;
 use crate::studies::case::Case;
@@ -20,8 +23,6 @@ use crate::studies::columns;
 use crate::studies::page::{Page, overview};
 use crate::studies::sweep::{Journal, sweep};
 use crate::studies::{STUDIES, Study};
-use crate::subject::Subject;
-use crate::{interrupt, json};
 
 /// Change one thing of a drop at a time, and put what the paper says of it beside.
 ///

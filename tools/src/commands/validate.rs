@@ -5,9 +5,9 @@ use softanvil_kernel::preset::Preset;
 
 use super::reading_options::ReadingOptions;
 use crate::failure::Failure;
+use crate::output::{json, table};
+use crate::paper::validation::Validation;
 use crate::presets;
-use crate::validation::Validation;
-use crate::{json, table};
 
 /// Simulate the drops of the study and print its table side by side with ours.
 #[derive(Debug, Args)]

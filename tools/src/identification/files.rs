@@ -2,8 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use softanvil_identify::data::curve::{self, Point};
+use softanvil_identify::data::curve;
 use softanvil_identify::data::cycles::{self, Selection};
+use softanvil_identify::data::point::Point;
 use softanvil_identify::data::repeats::{self, Repeats};
 use softanvil_identify::data::thinned::thinned;
 use softanvil_identify::law::{DataSet, Mode};

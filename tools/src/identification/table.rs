@@ -7,7 +7,7 @@ use softanvil_identify::relaxation::prony::Prony;
 use softanvil_identify::relaxation::read::Load;
 
 use super::{Identification, Relaxed, volume};
-use crate::table::{FIXED_BLANK, align_right, new_plain_table, text as text_of};
+use crate::text::table::{FIXED_BLANK, align_right, new_plain_table, text as text_of};
 
 /// The whole report.
 pub fn of_identification(identification: &Identification) -> String {

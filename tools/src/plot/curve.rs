@@ -2,8 +2,8 @@
 
 use softanvil_kernel::state::Scalars;
 
-use super::Shown;
-use crate::quantity::{MAX_DEFORMATION, PEAK_FORCE};
+use super::shown::Shown;
+use crate::measurement::quantity::{MAX_DEFORMATION, PEAK_FORCE};
 use crate::run::Run;
 
 /// Milliseconds in a second, millimetres in a metre.

@@ -10,8 +10,9 @@ use plotters::style::{Color, IntoFont, RGBColor, TRANSPARENT, TextStyle};
 use softanvil_kernel::Output;
 
 use super::axis::Axis;
+use super::error::PlotError;
+use super::shown::Shown;
 use super::style::*;
-use super::{PlotError, Shown, in_pixels};
 use crate::run::Run;
 
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;

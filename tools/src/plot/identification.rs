@@ -10,9 +10,9 @@ use plotters::style::{Color, IntoFont, RGBColor, ShapeStyle, TRANSPARENT, TextSt
 use softanvil_identify::law::{Family, stress};
 use softanvil_identify::relaxation::read::Load;
 
+use super::error::PlotError;
 use super::span::Span;
 use super::style::*;
-use super::{PlotError, in_pixels};
 use crate::identification::files::Curves;
 use crate::identification::{Identification, Relaxed};
 

@@ -3,8 +3,11 @@
 mod axis;
 pub mod curve;
 mod energy;
+mod error;
 mod identification;
 mod panel;
+pub mod picture_format;
+mod shown;
 mod span;
 mod study;
 pub mod style;
@@ -14,45 +17,15 @@ use plotters::drawing::IntoDrawingArea;
 use plotters::prelude::SVGBackend;
 
 pub use energy::{BROUGHT_IN, TERMS, Term, draw as energy, of_output};
+pub use error::PlotError;
 pub use identification::pictures as identification;
+pub use shown::Shown;
 pub use study::{Line as StudyLine, draw as study};
 
-use crate::quantity::COUNT;
-use crate::run::Run;
+use crate::measurement::series::CONTACT_FORCE;
 use curve::Curve;
 use panel::Panel;
-use style::{BACKGROUND, LEGEND_UPPER_LEFT, PANEL_SIZE, UNITS};
-
-/// What a picture shows of one run.
-pub struct Shown<'a> {
-    /// What the legend calls it.
-    pub label: String,
-    /// The run.
-    pub run: &'a Run,
-    /// What the experiment measured, in SI and in the order of [`crate::quantity::QUANTITIES`].
-    pub experiment: Option<[f64; COUNT]>,
-}
-
-/// Why a picture could not be drawn.
-#[derive(Debug, thiserror::Error)]
-#[error("the picture cannot be drawn: {0}")]
-pub struct PlotError(String);
-
-impl PlotError {
-    /// The reason that a library gives.
-    pub(crate) fn new(reason: impl ToString) -> Self {
-        Self(reason.to_string())
-    }
-}
-
-impl<E: std::error::Error + Send + Sync> From<plotters::drawing::DrawingAreaErrorKind<E>> for PlotError {
-    fn from(error: plotters::drawing::DrawingAreaErrorKind<E>) -> Self {
-        Self::new(error)
-    }
-}
-
-/// Name and unit of the force that the kernel's own pictures show.
-pub const CONTACT_FORCE: &str = "contact force (N)";
+use style::{BACKGROUND, LEGEND_UPPER_LEFT, PANEL_SIZE, in_pixels};
 
 /// Contact force over time since contact.
 ///
@@ -130,10 +103,4 @@ fn draw(panels: &[Panel]) -> Result<String, PlotError> {
         area.present()?;
     }
     Ok(in_pixels(&svg, size))
-}
-
-/// The picture at its size in pixels; the view box keeps the drawing units.
-fn in_pixels(svg: &str, (width, height): (u32, u32)) -> String {
-    let attributes = |scale: u32| format!("width=\"{}\" height=\"{}\"", width / scale, height / scale);
-    svg.replacen(&attributes(1), &attributes(UNITS), 1)
 }

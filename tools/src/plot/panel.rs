@@ -8,9 +8,9 @@ use plotters::prelude::{Cartesian2d, SVGBackend};
 use plotters::series::LineSeries;
 use plotters::style::{Color, IntoFont, RGBColor, ShapeStyle, TRANSPARENT, TextStyle};
 
-use super::PlotError;
 use super::axis::Axis;
 use super::curve::{Curve, Measured};
+use super::error::PlotError;
 use super::style::*;
 
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;

@@ -6,9 +6,9 @@ use plotters::element::{Circle, DashedPathElement, PathElement, Text};
 use plotters::prelude::SVGBackend;
 use plotters::style::{Color, IntoFont, TRANSPARENT, TextStyle};
 
+use super::error::PlotError;
 use super::span::Span;
 use super::style::*;
-use super::{PlotError, in_pixels};
 
 /// A line of a picture.
 #[derive(Clone, Debug)]

@@ -64,3 +64,9 @@ const RUNS: [RGBColor; 6] = [
 pub fn colour(index: usize) -> RGBColor {
     RUNS[index % RUNS.len()]
 }
+
+/// The picture at its size in pixels; the view box keeps the drawing units.
+pub fn in_pixels(svg: &str, (width, height): (u32, u32)) -> String {
+    let attributes = |scale: u32| format!("width=\"{}\" height=\"{}\"", width / scale, height / scale);
+    svg.replacen(&attributes(1), &attributes(UNITS), 1)
+}

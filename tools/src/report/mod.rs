@@ -8,19 +8,21 @@ use std::path::Path;
 use serde_json::{Map, Value, json};
 use softanvil_kernel::Scenario;
 
-use crate::ending;
 use crate::failure::Failure;
-use crate::folder::digest;
+use crate::files::folder::digest;
+use crate::files::place::{Kind, Listed, Place};
+use crate::files::staging;
+use crate::output::subject::{Subject, warning_lines, warnings};
+use crate::output::{json, table, trace};
 use crate::paper;
-use crate::picture_format::PictureFormat;
-use crate::place::{Kind, Listed, Place};
+use crate::paper::validation::Validation;
+use crate::plot::picture_format::PictureFormat;
 use crate::plot::{self, Shown};
+use crate::run;
 use crate::run::Run;
+use crate::scenario_file;
 use crate::section::picture::{self, Shot};
 use crate::section::{Film, SHADES};
-use crate::subject::{Subject, warning_lines, warnings};
-use crate::validation::Validation;
-use crate::{json, scenario_file, staging, table, trace};
 
 /// The file that lists the others, and by which a report is known.
 const SUMMARY: &str = "summary.json";
@@ -109,7 +111,7 @@ impl<'a> Content<'a> {
         match self.about {
             About::Validation(_) => String::new(),
             About::Own(subject) => self.drops.iter().fold(subject.text(), |text, drop| {
-                text + &warning_lines(&warnings(&drop.run.constants)) + &ending::remark(drop.run)
+                text + &warning_lines(&warnings(&drop.run.constants)) + &run::remark(drop.run)
             }),
         }
     }
@@ -168,7 +170,7 @@ fn files(content: &Content, format: PictureFormat) -> Result<Vec<(String, Vec<u8
 /// The drops as the plots show them.
 fn shown<'a>(content: &'a Content) -> Vec<Shown<'a>> {
     let shown = content.drops.iter().map(|drop| Shown {
-        label: format!("Softanvil, {}{}", drop.label, ending::suffix(drop.run)),
+        label: format!("Softanvil, {}{}", drop.label, run::suffix(drop.run)),
         run: drop.run,
         experiment: drop.paper.map(|case| case.experiment),
     });

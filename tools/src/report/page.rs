@@ -6,10 +6,11 @@ use minijinja::{Environment, Value, context};
 
 use super::{About, Content};
 use crate::failure::Failure;
+use crate::measurement::quantity::QUANTITIES;
+use crate::output::table;
 use crate::paper;
-use crate::quantity::QUANTITIES;
-use crate::validation::Comparison;
-use crate::{scenario_file, table};
+use crate::paper::validation::Comparison;
+use crate::scenario_file;
 
 const PAGE: &str = include_str!("../../assets/report/page.html");
 const CSS: &str = include_str!("../../assets/report/page.css");
@@ -80,7 +81,7 @@ fn largest_residual(content: &Content) -> f64 {
 /// The rows of the table for one energy.
 fn rows(case: &Comparison) -> Vec<Value> {
     let (ls_dyna_errors, errors) = (case.ls_dyna_errors(), case.softanvil_errors());
-    let row = |(i, quantity): (usize, &crate::quantity::Quantity)| {
+    let row = |(i, quantity): (usize, &crate::measurement::quantity::Quantity)| {
         let text = |value: f64, decimals: usize| format!("{:.*}", decimals, value * quantity.display_scale);
         context! {
             first => i == 0,

@@ -5,7 +5,7 @@
 use softanvil_kernel::parameter::Kind;
 use softanvil_kernel::{Changes, Parameter};
 
-use super::suggestion;
+use super::suggestion::suggestion;
 
 /// A value as it is written.
 #[derive(Clone, Copy, Debug)]

@@ -4,10 +4,11 @@
 
 pub mod assign;
 mod read;
+mod suggestion;
 mod write;
 
-pub(crate) use read::suggestion;
 pub use read::{ScenarioFileError, parse, read, read_material};
+pub(crate) use suggestion::suggestion;
 pub use write::{material_to_toml, to_toml};
 
 #[cfg(test)]

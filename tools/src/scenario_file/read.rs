@@ -8,6 +8,7 @@ use toml_edit::{Document, Item, TableLike, TomlError, Value};
 
 use super::assign::{self, Written};
 use super::split;
+use super::suggestion::suggestion;
 use crate::failure::Failure;
 
 /// Why a scenario file is refused.
@@ -167,21 +168,6 @@ impl Place<'_> {
         };
         ScenarioFileError::Type { line: self.line, name: name.into(), found, legal }
     }
-}
-
-/// The known name most like `name`, if one is like it.
-pub(crate) fn suggestion(name: &str) -> String {
-    /// Below this similarity (0 to 1) a suggestion confuses more than it helps.
-    const SIMILAR: f64 = 0.8;
-    let groups = PARAMETERS.iter().map(|parameter| split(parameter.name).0);
-    PARAMETERS
-        .iter()
-        .map(|parameter| parameter.name)
-        .chain(groups)
-        .map(|known| (strsim::jaro_winkler(known, name), known))
-        .filter(|(similarity, _)| *similarity > SIMILAR)
-        .max_by(|a, b| a.0.total_cmp(&b.0))
-        .map_or_else(String::new, |(_, known)| format!(" (did you mean {known}?)"))
 }
 
 fn syntax(text: &str, error: &TomlError) -> ScenarioFileError {

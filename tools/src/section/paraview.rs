@@ -13,8 +13,8 @@ use tempfile::TempDir;
 use super::vtu::{Array, Cell, Grid};
 use super::{Frame, Mesh};
 use crate::failure::Failure;
-use crate::place::{Kind, Listed, Place};
-use crate::staging;
+use crate::files::place::{Kind, Listed, Place};
+use crate::files::staging;
 
 /// The file that lists the others, and by which a series is known.
 const COLLECTION: &str = "impact.pvd";

@@ -8,6 +8,7 @@ use svg::node::element::{Group, Rectangle, Text};
 
 use super::film::{Film, SHADES, Shade};
 use super::{Frame, Levels, Moment};
+pub use canvas::SLAB;
 use canvas::{BACKGROUND, FONT, INK};
 use panel::{PANEL, Panel};
 
@@ -18,9 +19,6 @@ pub struct Shot<'a> {
     /// Its frames.
     pub film: &'a Film,
 }
-
-/// Thickness of what is drawn of the impactor, m.
-pub const SLAB: f64 = 8e-3;
 
 /// Margin around a picture and between its parts, px.
 const MARGIN: f64 = 20.0;

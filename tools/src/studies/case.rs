@@ -3,11 +3,11 @@
 use softanvil_kernel::Scenario;
 use softanvil_kernel::scenario::Motion;
 
-use crate::ending::Ending;
-use crate::quantity::{self, COUNT, PEAK_FORCE};
-use crate::reading::Reading;
+use crate::measurement::quantity::{self, COUNT, PEAK_FORCE};
+use crate::measurement::reading::Reading;
+use crate::measurement::series::{Sensor, Series};
+use crate::run::Ending;
 use crate::run::{Drop, Run, Until};
-use crate::series::{Sensor, Series};
 
 /// What is to be simulated.
 #[derive(Clone, Debug)]

@@ -1,8 +1,8 @@
 //! What is stored of every simulation of a study, in SI: the lines of its CSV and the cases of its JSON.
 
-use super::Study;
 use super::case::Outcome;
-use crate::ending::Ending;
+use super::results::Study;
+use crate::run::Ending;
 
 /// A number that is stored.
 pub struct Column {
@@ -79,7 +79,7 @@ pub fn si(name: &str, text: &str) -> (String, String) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::quantity::QUANTITIES;
+    use crate::measurement::quantity::QUANTITIES;
 
     #[test]
     fn settings_are_stored_in_si() {

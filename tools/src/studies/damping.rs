@@ -4,15 +4,17 @@ use softanvil_identify::study::{DAMPING_MODULUS, LIMIT_STRESSES};
 use softanvil_kernel::{Parameter, Scenario};
 
 use super::case::{Case, Outcome};
-use super::page::{Evaluation, Finding, Picture};
+use super::evaluation::{Evaluation, Finding, Picture};
+use super::results::Study;
 use super::results::{Results, percent};
-use super::values::{numbers, short, with_own};
-use super::{Study, set};
+use super::values::set;
+use super::values::{numbers, with_own};
 use crate::failure::Failure;
+use crate::measurement::errors::error_percent;
+use crate::measurement::quantity::PEAK_FORCE;
 use crate::paper::{LOW_DAMPING_MODULUS, LOW_DAMPING_PERCENT};
 use crate::plot::StudyLine;
-use crate::quantity::PEAK_FORCE;
-use crate::validation::error_percent;
+use crate::text::number::short;
 
 /// The study.
 pub static STUDY: Study = Study {

@@ -3,15 +3,17 @@
 use softanvil_kernel::Scenario;
 
 use super::case::{Case, Outcome};
-use super::page::{Evaluation, Finding, Picture};
+use super::evaluation::{Evaluation, Finding, Picture};
+use super::results::Study;
 use super::results::{Results, percent};
-use super::values::{numbers, short, with_own};
-use super::{Study, set};
+use super::values::set;
+use super::values::{numbers, with_own};
 use crate::failure::Failure;
+use crate::measurement::errors::{error_percent, errors_percent, mean_absolute};
+use crate::measurement::quantity::{PEAK_FORCE, QUANTITIES};
+use crate::measurement::series::{Sensor, Series};
 use crate::paper;
-use crate::quantity::{PEAK_FORCE, QUANTITIES};
-use crate::series::{Sensor, Series};
-use crate::validation::{error_percent, errors_percent, mean_absolute};
+use crate::text::number::short;
 
 /// The study.
 pub static STUDY: Study = Study {

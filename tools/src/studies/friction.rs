@@ -5,15 +5,17 @@ use softanvil_kernel::Scenario;
 use softanvil_kernel::scenario::Interface;
 
 use super::case::{Case, Outcome};
-use super::page::{Evaluation, Finding, Picture, Sheet};
+use super::evaluation::{Evaluation, Finding, Picture, Sheet};
+use super::results::Study;
 use super::results::{Results, percent};
-use super::values::{numbers, short, with_own};
+use super::values::set;
+use super::values::{numbers, with_own};
 use super::variants::{DEPTH, SPEED, press, ratio_of, set_ratio, undamped};
-use super::{Study, set};
 use crate::failure::Failure;
+use crate::measurement::errors::error_percent;
 use crate::paper::{self, FRICTION};
 use crate::plot::StudyLine;
-use crate::validation::error_percent;
+use crate::text::number::short;
 
 /// The study.
 pub static STUDY: Study = Study {

@@ -7,16 +7,16 @@ use softanvil_kernel::Scenario;
 use softanvil_kernel::material::Elastic;
 use softanvil_kernel::material::{Material, Moduli, VolumetricBy};
 
-use super::Study;
 use super::case::{Case, Outcome};
 use super::diameter::is_energy;
-use super::page::{Evaluation, Finding, Picture};
+use super::evaluation::{Evaluation, Finding, Picture};
+use super::results::Study;
 use super::results::{Results, percent};
 use crate::failure::Failure;
+use crate::measurement::errors::error_percent;
+use crate::measurement::quantity::PEAK_FORCE;
+use crate::measurement::series::{Sensor, Series};
 use crate::paper::{ALTERNATIVES, RESIDUALS, TABLE_1, TUNED_ENERGY};
-use crate::quantity::PEAK_FORCE;
-use crate::series::{Sensor, Series};
-use crate::validation::error_percent;
 
 /// The study.
 pub static STUDY: Study = Study {

@@ -7,16 +7,17 @@ use softanvil_kernel::scenario::{Layers, Shape};
 use softanvil_kernel::{SAMPLING_INTERVAL, Scenario};
 
 use super::case::{CHANNEL_CLASS, Case, Outcome};
-use super::page::{Evaluation, Finding, Picture, Sheet};
+use super::evaluation::{Evaluation, Finding, Picture, Sheet};
 use super::results::Results;
+use super::results::Study;
 use super::richardson::{Verdict, judge};
-use super::values::short;
-use super::{Study, set};
+use super::values::set;
 use crate::failure::Failure;
+use crate::measurement::errors::error_percent;
+use crate::measurement::quantity::QUANTITIES;
 use crate::paper;
 use crate::plot::StudyLine;
-use crate::quantity::QUANTITIES;
-use crate::validation::error_percent;
+use crate::text::number::short;
 
 /// The study.
 pub static STUDY: Study = Study {

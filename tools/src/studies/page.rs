@@ -5,71 +5,15 @@ use std::fmt::Write;
 use serde_json::{Map, Value, json};
 
 use super::columns::{self, COLUMNS};
+use super::evaluation::{Evaluation, Finding, Picture, Sheet};
 use super::results::Results;
-use crate::picture_format::PictureFormat;
-use crate::plot::{self, PlotError, StudyLine};
-use crate::subject::{Subject, warning_lines, warnings_of};
-use crate::{ending, paper, table};
-
-/// A table for people.
-pub struct Sheet {
-    /// Above the table.
-    pub title: String,
-    /// Titles of the columns.
-    pub header: Vec<String>,
-    /// The rows.
-    pub rows: Vec<Vec<String>>,
-    /// Leading columns that are texts; the others are numbers.
-    pub n_text: usize,
-}
-
-/// A figure of the paper beside ours.
-pub struct Finding {
-    /// Name for programs.
-    pub key: &'static str,
-    /// What it is.
-    pub what: String,
-    /// What the paper says.
-    pub paper: String,
-    /// What is found here, with its unit.
-    pub here: String,
-    /// The same as a number, in the unit of `here`.
-    pub value: f64,
-}
-
-/// What a study draws.
-pub enum Picture {
-    /// Results over the value that is changed.
-    Lines {
-        /// Above the axes.
-        title: &'static str,
-        /// Quantity and unit of the horizontal axis, and whether it is logarithmic.
-        x: (&'static str, bool),
-        /// Quantity and unit of the vertical axis.
-        y: &'static str,
-        /// The lines.
-        lines: Vec<StudyLine>,
-    },
-    /// Forces over time: points of ms and N.
-    Forces {
-        /// Above the axes.
-        title: &'static str,
-        /// What the legend calls them, and their points.
-        curves: Vec<(String, Vec<(f64, f64)>)>,
-    },
-}
-
-/// What the results of a study say.
-pub struct Evaluation {
-    /// Tables.
-    pub sheets: Vec<Sheet>,
-    /// The paper beside ours.
-    pub findings: Vec<Finding>,
-    /// Sentences.
-    pub notes: Vec<String>,
-    /// The picture.
-    pub picture: Picture,
-}
+use crate::measurement::series::CONTACT_FORCE;
+use crate::output::subject::{Subject, warning_lines, warnings_of};
+use crate::plot::picture_format::PictureFormat;
+use crate::plot::{self, PlotError};
+use crate::text::table::{FIXED_BLANK, align_right, new_plain_table, text as table_text};
+use crate::text::wrap::filled;
+use crate::{paper, run};
 
 /// Everything about one study.
 pub struct Page {
@@ -86,7 +30,7 @@ impl Page {
             evaluation.notes.push(format!("Not simulated: {}: {reason}.", named(&results, &case.settings)));
         }
         for (case, outcome) in results.cut() {
-            let remark = ending::remark(&outcome.run);
+            let remark = run::remark(&outcome.run);
             let remark = remark.trim_start_matches("! ").trim_end().replace('\n', " ");
             evaluation.notes.push(format!("{}: {remark}", named(&results, &case.settings)));
         }
@@ -124,21 +68,21 @@ impl Page {
     /// For a terminal.
     pub fn text(&self) -> String {
         let study = self.results.study;
-        let about = table::filled(study.about);
+        let about = filled(study.about);
         let mut text = format!("{}\n{about}\n{}{}", study.title, self.subject.text(), self.warnings());
         for sheet in self.sheets() {
             let header: Vec<&str> = sheet.header.iter().map(String::as_str).collect();
-            let mut table = table::new_plain_table(&header);
-            let fixed = |text: &String| text.replace(" %", &format!("{}%", table::FIXED_BLANK));
+            let mut table = new_plain_table(&header);
+            let fixed = |text: &String| text.replace(" %", &format!("{}%", FIXED_BLANK));
             table.add_rows(sheet.rows.iter().map(|row| row.iter().map(fixed).collect::<Vec<_>>()));
-            table::align_right(&mut table, sheet.n_text..sheet.header.len());
-            let _ = write!(text, "\n{}{}\n", table::filled(&sheet.title), table::text(&mut table));
+            align_right(&mut table, sheet.n_text..sheet.header.len());
+            let _ = write!(text, "\n{}{}\n", filled(&sheet.title), table_text(&mut table));
         }
         if !self.evaluation.notes.is_empty() {
             text.push('\n');
         }
         for note in &self.evaluation.notes {
-            text += &table::filled(&format!("* {note}"));
+            text += &filled(&format!("* {note}"));
         }
         text
     }
@@ -190,7 +134,7 @@ impl Page {
             match outcome.as_ref()? {
                 Ok(outcome) => {
                     object.extend(COLUMNS.iter().map(|column| (column.key.into(), (column.read)(outcome).into())));
-                    object.extend(crate::json::of_ending(&outcome.run));
+                    object.extend(crate::output::json::of_ending(&outcome.run));
                     object.insert("trace_hash".into(), outcome.run.trace_hash().into());
                 }
                 Err(reason) => {
@@ -217,7 +161,7 @@ impl Page {
     pub fn svg(&self) -> Result<String, PlotError> {
         match &self.evaluation.picture {
             Picture::Lines { title, x, y, lines } => plot::study(title, *x, y, lines),
-            Picture::Forces { title, curves } => plot::forces(title, plot::CONTACT_FORCE, curves.clone()),
+            Picture::Forces { title, curves } => plot::forces(title, CONTACT_FORCE, curves.clone()),
         }
     }
 

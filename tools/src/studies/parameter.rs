@@ -3,16 +3,16 @@
 use softanvil_kernel::parameter::Kind;
 use softanvil_kernel::{Changes, Parameter, Scenario};
 
-use super::Study;
 use super::case::{Case, Outcome};
-use super::page::{Evaluation, Picture};
+use super::evaluation::{Evaluation, Picture};
 use super::results::Results;
+use super::results::Study;
 use crate::failure::Failure;
+use crate::measurement::errors::error_percent;
+use crate::measurement::quantity::QUANTITIES;
+use crate::measurement::series::{Sensor, Series};
 use crate::plot::StudyLine;
-use crate::quantity::QUANTITIES;
 use crate::scenario_file::assign;
-use crate::series::{Sensor, Series};
-use crate::validation::error_percent;
 
 /// A study of `parameter`.
 pub fn study(parameter: &'static Parameter) -> &'static Study {

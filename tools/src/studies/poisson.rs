@@ -5,16 +5,18 @@ use softanvil_kernel::material::VolumetricBy;
 use softanvil_kernel::scenario::Interface;
 
 use super::case::Case;
-use super::page::{Evaluation, Finding, Picture};
+use super::evaluation::{Evaluation, Finding, Picture};
+use super::results::Study;
 use super::results::{Results, percent};
-use super::values::{numbers, short, with_own};
+use super::values::set;
+use super::values::{numbers, with_own};
 use super::variants::{ratio_of, set_ratio};
-use super::{Study, set};
 use crate::failure::Failure;
+use crate::measurement::errors::error_percent;
+use crate::measurement::quantity::{PEAK_FORCE, QUANTITIES};
 use crate::paper::{DAMPING_YOUNGS_MODULUS, POISSON};
 use crate::plot::StudyLine;
-use crate::quantity::{PEAK_FORCE, QUANTITIES};
-use crate::validation::error_percent;
+use crate::text::number::short;
 
 /// The study.
 pub static STUDY: Study = Study {

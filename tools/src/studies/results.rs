@@ -3,12 +3,41 @@
 use softanvil_kernel::Scenario;
 use softanvil_kernel::preset::Preset;
 
-use super::Study;
 use super::case::{Case, Outcome};
-use super::page::Sheet;
-use crate::ending::Ending;
-use crate::quantity::QUANTITIES;
-use crate::validation::error_percent;
+use super::evaluation::{Evaluation, Sheet};
+use crate::failure::Failure;
+use crate::measurement::errors::error_percent;
+use crate::measurement::quantity::QUANTITIES;
+use crate::run::Ending;
+
+/// Makes the cases of a study for a scenario and some values.
+pub type Plan = fn(&Study, &Scenario, &[String]) -> Result<Vec<Case>, Failure>;
+
+/// One of the studies.
+pub struct Study {
+    /// Name on the command line and of its files.
+    pub name: &'static str,
+    /// Title of its page.
+    pub title: &'static str,
+    /// What is changed and why, for the reader of the page.
+    pub about: &'static str,
+    /// What its values are, with their unit.
+    pub values: &'static str,
+    /// The values unless told otherwise.
+    pub default_values: &'static [&'static str],
+    /// Names of what tells its cases apart, with units.
+    pub settings: &'static [&'static str],
+    /// Its cases for a scenario and some values.
+    pub plan: Plan,
+    /// What the results say.
+    pub evaluate: fn(&Results) -> Evaluation,
+}
+
+impl std::fmt::Debug for Study {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        f.write_str(self.name)
+    }
+}
 
 /// The cases of a study with what came of them.
 pub struct Results {
@@ -90,7 +119,7 @@ impl Results {
 /// The four numbers and the restitution, as texts.
 fn numbers_of(outcome: Option<&Outcome>, reference: Option<&Outcome>) -> Vec<String> {
     let Some(outcome) = outcome else { return vec!["-".into(); QUANTITIES.len() + 1] };
-    let number = |(i, quantity): (usize, &crate::quantity::Quantity)| {
+    let number = |(i, quantity): (usize, &crate::measurement::quantity::Quantity)| {
         let value = format!("{:.*}", quantity.decimals, outcome.values[i] * quantity.display_scale);
         let value = outcome.ending().marked(quantity.output, value);
         match reference {

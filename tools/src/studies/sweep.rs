@@ -7,13 +7,13 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use softanvil_kernel::Scenario;
 
-use super::Study;
 use super::case::{Case, Outcome};
 use super::columns;
 use super::results::Results;
+use super::results::Study;
 use crate::failure::Failure;
+use crate::output::subject::Subject;
 use crate::progress;
-use crate::subject::Subject;
 
 /// The file of a running study: a line as soon as a case is done, in the order in which they end.
 pub struct Journal<'a> {

@@ -3,14 +3,16 @@
 use softanvil_kernel::Scenario;
 
 use super::case::Case;
-use super::page::{Evaluation, Finding, Picture};
+use super::evaluation::{Evaluation, Finding, Picture};
+use super::results::Study;
 use super::results::{Results, percent};
-use super::values::{numbers, short, with_own};
-use super::{Study, set};
+use super::values::set;
+use super::values::{numbers, with_own};
 use crate::failure::Failure;
+use crate::measurement::errors::error_percent;
+use crate::measurement::quantity::{MAX_DEFORMATION, PEAK_FORCE, QUANTITIES};
 use crate::plot::StudyLine;
-use crate::quantity::{MAX_DEFORMATION, PEAK_FORCE, QUANTITIES};
-use crate::validation::error_percent;
+use crate::text::number::short;
 
 /// The study.
 pub static STUDY: Study = Study {

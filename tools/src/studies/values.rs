@@ -1,6 +1,9 @@
 //! The values of a study as the command line gives them.
 
+use softanvil_kernel::Scenario;
+
 use crate::failure::Failure;
+use crate::scenario_file::assign;
 
 /// `values` as numbers.
 ///
@@ -23,10 +26,13 @@ pub fn with_own(mut values: Vec<f64>, own: f64) -> Vec<f64> {
     values
 }
 
-/// A number as short as it goes, without the noise of a change of units.
-pub fn short(value: f64) -> String {
-    let rounded = (value * 1e6).round() / 1e6;
-    if rounded == 0.0 { "0".into() } else { format!("{rounded}") }
+/// Sets a parameter of `scenario`.
+///
+/// # Errors
+/// A value that is refused, with its unit and legal range.
+pub(crate) fn set(scenario: &mut Scenario, name: &str, value: f64) -> Result<(), Failure> {
+    let parameter = assign::find(name).map_err(Failure::Failed)?;
+    parameter.set(scenario, value).map_err(|error| Failure::Input(error.to_string()))
 }
 
 #[cfg(test)]
@@ -36,7 +42,6 @@ mod tests {
     #[test]
     fn values_are_sorted_and_stand_once() {
         assert_eq!(with_own(vec![0.6, 0.2, 0.3], 0.3 + 1e-16), [0.2, 0.3, 0.6]);
-        assert_eq!((short(0.1 + 0.2), short(-1e-9), short(1e3 * 0.0147)), ("0.3".into(), "0".into(), "14.7".into()));
         assert!(numbers("poisson", &["0.4".into(), "x".into()]).unwrap_err().to_string().contains("x is refused"));
     }
 }

@@ -4,7 +4,7 @@ use softanvil_kernel::Scenario;
 use softanvil_kernel::material::VolumetricBy;
 use softanvil_kernel::scenario::Motion;
 
-use super::set;
+use super::values::set;
 use crate::failure::Failure;
 
 /// Depth of the press in thicknesses of the layer.

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use crate::common::{entries, fail, succeed, svg_texts};
 use resvg::tiny_skia::Pixmap;
-use softanvil_tools::picture_format::PictureFormat;
+use softanvil_tools::plot::picture_format::PictureFormat;
 
 /// Points of a PNG to a pixel of the SVG.
 const SCALE: u32 = 2;

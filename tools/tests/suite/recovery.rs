@@ -10,9 +10,9 @@ use softanvil_tools::calibration::objective::scenario;
 use softanvil_tools::calibration::problem::Problem;
 use softanvil_tools::calibration::result::Found;
 use softanvil_tools::calibration::search::search;
-use softanvil_tools::folder::Folder;
+use softanvil_tools::files::folder::Folder;
+use softanvil_tools::measurement::series::{Sensor, Series};
 use softanvil_tools::run::Run;
-use softanvil_tools::series::{Sensor, Series};
 
 /// c10, Pa, and Poisson's ratio: the one scales the force, the other the duration as well.
 const TRUTH: [f64; 2] = [150e3, 0.35];

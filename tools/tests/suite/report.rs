@@ -4,8 +4,8 @@ use std::fs;
 
 use crate::common::{column, entries, fail, json, succeed, svg_texts};
 use serde_json::Value;
+use softanvil_tools::measurement::quantity::QUANTITIES;
 use softanvil_tools::paper::TABLE_1;
-use softanvil_tools::quantity::QUANTITIES;
 
 const FILES: [&str; 14] = [
     "deformed-mesh.svg",

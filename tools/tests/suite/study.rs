@@ -7,7 +7,7 @@ use std::sync::OnceLock;
 use serde_json::Value;
 
 use crate::common::{entries, fail, json, read_table, succeed};
-use softanvil_tools::quantity::{COUNT, QUANTITIES};
+use softanvil_tools::measurement::quantity::{COUNT, QUANTITIES};
 use softanvil_tools::studies::STUDIES;
 
 /// The folder that `study all` fills; once for all tests.

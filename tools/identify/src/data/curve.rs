@@ -5,6 +5,7 @@ use softanvil_records::column::{Column, Kind, Measure};
 use softanvil_records::series::{Series, Table};
 use softanvil_records::sheet::{self, Layout};
 
+use super::point::{Point, Repeat};
 use super::specimen::{Specimen, at_rest, displacement_at_rest};
 use super::volume;
 
@@ -46,28 +47,6 @@ pub struct Options {
     pub stress_measure: Option<Measure>,
     /// Which way the specimen was loaded.
     pub direction: Option<Direction>,
-}
-
-/// A measured state.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Point {
-    /// Line of the file, from 1.
-    pub line: usize,
-    /// Load cycle, if a column tells.
-    pub cycle: Option<f64>,
-    /// Stretch of the loaded direction.
-    pub stretch: f64,
-    /// Nominal stress, Pa: force over original cross-section.
-    pub stress: f64,
-}
-
-/// One specimen, in the order of the file.
-#[derive(Clone, Debug)]
-pub struct Repeat {
-    /// Name of the specimen; empty if the file has one only.
-    pub name: String,
-    /// Its states.
-    pub points: Vec<Point>,
 }
 
 /// What a file holds.

@@ -1,6 +1,6 @@
 //! Loading, unloading, and cycles of a specimen.
 
-use super::curve::Point;
+use super::point::Point;
 
 /// Which part of a cyclic test to use.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

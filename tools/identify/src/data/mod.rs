@@ -6,6 +6,7 @@
 
 pub mod curve;
 pub mod cycles;
+pub mod point;
 pub mod repeats;
 pub mod specimen;
 pub mod thinned;

@@ -1,6 +1,6 @@
 //! One curve from several specimens.
 
-use super::curve::Point;
+use super::point::Point;
 
 /// How several specimens count.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

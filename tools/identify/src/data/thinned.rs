@@ -1,6 +1,6 @@
 //! Fewer points of very many.
 
-use super::curve::Point;
+use super::point::Point;
 
 /// Points of one curve that are fitted as they are, at most; a machine that samples at a kilohertz writes many more.
 pub const MOST_POINTS: usize = 2000;

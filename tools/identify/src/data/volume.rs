@@ -4,7 +4,7 @@ use softanvil_records::ReadError;
 use softanvil_records::column::{Column, Kind, Measure};
 use softanvil_records::series::{Series, Table};
 
-use super::curve::Repeat;
+use super::point::Repeat;
 
 /// Title words of ratios, which are 1 at rest, unlike strains and changes.
 const RATIOS: [&str; 5] = ["stretch", "streckung", "lambda", "λ", "ratio"];

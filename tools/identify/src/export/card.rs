@@ -3,7 +3,7 @@
 use softanvil_kernel::material::Elastic;
 use softanvil_kernel::material::Material;
 
-use super::ls_dyna::viscous;
+use super::viscous;
 use crate::law::fit::SMALLEST_RELATIVE;
 use crate::law::{Mode, stress};
 

@@ -9,7 +9,7 @@ use std::fmt::Write;
 use softanvil_kernel::material::{ElasticLaw, Material, VolumetricBy};
 
 use super::card::Card;
-use super::{ReadBackError, prony_terms};
+use super::{ReadBackError, viscous};
 use crate::law::blank;
 
 /// The cards; `comment` says where the numbers come from.
@@ -67,13 +67,6 @@ pub(super) fn active(material: &Material) -> [f64; 6] {
         ElasticLaw::MooneyRivlin => [m.c10, m.c01, m.c11, m.c20, m.c02, 0.0],
         ElasticLaw::Yeoh => [m.c10, 0.0, 0.0, m.c20, 0.0, m.c30],
     }
-}
-
-/// (G_i, beta_i) of the Prony terms and of the additive Maxwell terms.
-pub(super) fn viscous(material: &Material) -> impl Iterator<Item = (f64, f64)> {
-    let scale = material.shear_modulus_inf() / material.prony_g_inf();
-    let maxwell = material.maxwell_g.into_iter().zip(material.maxwell_beta).filter(|(g, _)| *g > 0.0);
-    prony_terms(material).map(move |(g, tau)| (scale * g, 1.0 / tau)).chain(maxwell)
 }
 
 /// What the cards in `text` mean to LS-DYNA: fields of ten columns, lines of comment begin with $.

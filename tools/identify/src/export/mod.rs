@@ -101,3 +101,10 @@ fn label(parameter: &Parameter, value: f64) -> Option<&'static str> {
 fn prony_terms(material: &Material) -> impl Iterator<Item = (f64, f64)> {
     material.prony_g.into_iter().zip(material.prony_tau).filter(|(g, _)| *g > 0.0)
 }
+
+/// (G_i, beta_i) of the Prony terms and of the additive Maxwell terms.
+pub(super) fn viscous(material: &Material) -> impl Iterator<Item = (f64, f64)> {
+    let scale = material.shear_modulus_inf() / material.prony_g_inf();
+    let maxwell = material.maxwell_g.into_iter().zip(material.maxwell_beta).filter(|(g, _)| *g > 0.0);
+    prony_terms(material).map(move |(g, tau)| (scale * g, 1.0 / tau)).chain(maxwell)
+}

@@ -6,12 +6,12 @@ use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use serde_json::{Value, json};
 
-use crate::ending;
+use crate::measurement::quantity::{MAX_DEFORMATION, PEAK_FORCE};
 use crate::paper::Case;
 use crate::plot::curve::{self, Curve, Measured};
 use crate::plot::{self, Term, style};
-use crate::quantity::{MAX_DEFORMATION, PEAK_FORCE};
 use crate::report::{Content, Reported, shown};
+use crate::run;
 use crate::section::film::DISPLACEMENT;
 use crate::section::picture::SLAB;
 use crate::section::{Film, Frame, Levels, Mesh, SHADES};
@@ -63,7 +63,7 @@ pub fn of(content: &Content) -> Value {
         })).collect::<Vec<_>>(),
         "films": drops.map(|(number, (drop, (time, path)))| {
             let mut value = film_data(drop.film, displacement, &stresses);
-            value["label"] = format!("{}{}", drop.label, ending::suffix(drop.run)).into();
+            value["label"] = format!("{}{}", drop.label, run::suffix(drop.run)).into();
             value["colour"] = hex({ let c = style::colour(number); [c.0, c.1, c.2] }).into();
             value["curve"] = curve_data(time, path);
             value["measured"] = drop.paper.map_or(Value::Null, |case| measured(case, time));

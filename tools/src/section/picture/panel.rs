@@ -2,10 +2,9 @@
 
 use svg::node::element::{Group, Text};
 
-use super::canvas::{INK, STEEL, closed, open};
+use super::canvas::{INK, SLAB, STEEL, closed, open};
 use crate::section::contour::region;
 use crate::section::film::DISPLACEMENT;
-use crate::section::picture::SLAB;
 use crate::section::{Frame, Levels, Mesh};
 
 /// Width and height of a panel, px.

@@ -9,9 +9,9 @@ use std::str::FromStr;
 use fcmaes_core::Rng;
 use softanvil_kernel::SAMPLING_INTERVAL;
 
-use crate::quantity::{self, COUNT};
+use crate::measurement::quantity::{self, COUNT};
+use crate::measurement::series::{Sensor, Series, SeriesError};
 use crate::run::Run;
-use crate::series::{Sensor, Series, SeriesError};
 
 /// Samples of force in a frame of the camera: 20 kHz over the 10 kHz of the study's.
 const SAMPLES_PER_FRAME: usize = 2;
@@ -88,10 +88,10 @@ impl Noise {
 ///
 /// ```
 /// use softanvil_kernel::preset;
-/// use softanvil_tools::quantity::PEAK_FORCE;
-/// use softanvil_tools::reading::Reading;
+/// use softanvil_tools::measurement::quantity::PEAK_FORCE;
+/// use softanvil_tools::measurement::reading::Reading;
 /// use softanvil_tools::run::Drop;
-/// use softanvil_tools::series::Sensor;
+/// use softanvil_tools::measurement::series::Sensor;
 ///
 /// let run = Drop::new(&preset::study())?.run(|_| {})?;
 /// let on_impactor = Reading::PLAIN.take(&run)?;
@@ -159,7 +159,7 @@ impl fmt::Display for Reading {
 pub struct Record {
     /// The force.
     pub series: Series,
-    /// The four numbers, in SI and in the order of [`crate::quantity::QUANTITIES`].
+    /// The four numbers, in SI and in the order of [`crate::measurement::quantity::QUANTITIES`].
     pub values: [f64; COUNT],
     /// Force from which on the impact lasts, N.
     pub threshold: f64,
@@ -178,7 +178,7 @@ pub fn frame_rate() -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::quantity::MAX_DEFORMATION;
+    use crate::measurement::quantity::MAX_DEFORMATION;
     use crate::run::Drop;
     use softanvil_kernel::preset;
 

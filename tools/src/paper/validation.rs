@@ -4,10 +4,11 @@ use softanvil_kernel::Simulation;
 use softanvil_kernel::preset::Preset;
 
 use crate::failure::Failure;
+use crate::measurement::errors::{errors_percent, mean_absolute};
+use crate::measurement::quantity::{COUNT, PEAK_FORCE};
+use crate::measurement::reading::{Reading, Record};
 use crate::paper::{Case, TABLE_1};
 use crate::progress;
-use crate::quantity::{COUNT, PEAK_FORCE};
-use crate::reading::{Reading, Record};
 use crate::run::{Drop, Run, Until};
 
 /// One energy: the values of the study and a run of ours.
@@ -23,8 +24,8 @@ pub struct Comparison {
 /// All energies of the study, with one preset.
 ///
 /// ```
-/// use softanvil_tools::reading::Reading;
-/// use softanvil_tools::validation::Validation;
+/// use softanvil_tools::measurement::reading::Reading;
+/// use softanvil_tools::paper::validation::Validation;
 ///
 /// let preset = softanvil_tools::presets::parse("study-14.7")?;
 /// let validation = Validation::new(preset, Reading::PLAIN)?;
@@ -39,22 +40,6 @@ pub struct Validation {
     pub reading: Reading,
     /// One comparison per energy.
     pub cases: Vec<Comparison>,
-}
-
-/// Deviation of `value` from `reference`, %.
-pub fn error_percent(value: f64, reference: f64) -> f64 {
-    100.0 * (value - reference) / reference
-}
-
-/// Deviation of each of the four numbers, %.
-pub fn errors_percent(values: &[f64; COUNT], references: &[f64; COUNT]) -> [f64; COUNT] {
-    std::array::from_fn(|i| error_percent(values[i], references[i]))
-}
-
-/// Mean of the absolute values; 0 of none.
-pub fn mean_absolute(errors: impl Iterator<Item = f64>) -> f64 {
-    let (sum, count) = errors.fold((0.0, 0.0), |(sum, count), error| (sum + error.abs(), count + 1.0));
-    if count > 0.0 { sum / count } else { 0.0 }
 }
 
 impl Comparison {

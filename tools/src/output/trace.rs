@@ -2,8 +2,9 @@
 
 use softanvil_kernel::{OUTPUTS, Output};
 
-use crate::comparison::Comparison;
-use crate::reading::Record;
+use crate::failure::Failure;
+use crate::measurement::reading::Record;
+use crate::output::comparison::Comparison;
 use crate::run::Run;
 
 /// The outputs of a trace. Results of the whole test are no part of it, nor is the force of a single step.
@@ -54,4 +55,10 @@ fn write(run: &Run, text: &mut Vec<u8>) -> Result<(), csv::Error> {
     }
     csv.flush()?;
     Ok(())
+}
+
+impl From<TraceError> for Failure {
+    fn from(error: TraceError) -> Self {
+        Self::Failed(error.to_string())
+    }
 }

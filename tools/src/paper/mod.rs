@@ -7,12 +7,14 @@
 use softanvil_kernel::Scenario;
 use softanvil_kernel::preset::{Fitted, study};
 
-use crate::quantity::COUNT;
+pub mod validation;
+
+use crate::measurement::quantity::COUNT;
 
 /// Where the numbers come from.
 pub const SOURCE: &str = "Table 1 of doi 10.1007/s12283-023-00407-7";
 
-/// One impact energy of the table, in SI; the four numbers are in the order of [`crate::quantity::QUANTITIES`].
+/// One impact energy of the table, in SI; the four numbers are in the order of [`crate::measurement::quantity::QUANTITIES`].
 #[derive(Debug)]
 pub struct Case {
     /// Impact energy, J.
@@ -101,7 +103,7 @@ pub const RESIDUALS: [(&str, f64); 3] = [("mooney_rivlin_5", 8.0), ("ogden_3", 2
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::validation::{errors_percent, mean_absolute};
+    use crate::measurement::errors::{errors_percent, mean_absolute};
 
     #[test]
     fn ls_dyna_deviates_from_the_experiment_by_9_8_percent() {

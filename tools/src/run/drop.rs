@@ -5,7 +5,7 @@ use softanvil_kernel::scenario::prescribed;
 use softanvil_kernel::state::Scalars;
 use softanvil_kernel::{Constants, ModelError, Output, Scenario, Simulation, StepError, StepInput};
 
-use crate::ending::Ending;
+use super::ending::Ending;
 use crate::failure::Failure;
 
 /// When a run ends.
@@ -93,7 +93,7 @@ impl From<RunError> for Failure {
 ///
 /// ```
 /// use softanvil_kernel::preset;
-/// use softanvil_tools::ending::Ending;
+/// use softanvil_tools::run::Ending;
 /// use softanvil_tools::run::{Drop, Until};
 ///
 /// let mut scenario = preset::study();
@@ -267,5 +267,30 @@ impl Run {
     /// Fingerprint of the trace: equal for equal bits of all samples.
     pub fn trace_hash(&self) -> String {
         format!("{:016x}", self.end().sampler.trace_hash)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use softanvil_kernel::preset;
+
+    /// Source: the trace. The results are final once a sample after the first contact is without force.
+    #[test]
+    fn the_kernel_tells_when_its_results_are_final() {
+        let run = Drop::new(&preset::study()).unwrap().run(|_| {}).unwrap();
+        let complete = Output::find("result.complete").unwrap();
+        let force: Vec<f64> = run.samples().iter().map(|sample| sample.sampler.last.contact_force).collect();
+        let first = force.iter().position(|force| *force > 0.0).unwrap();
+        let last = force.iter().rposition(|force| *force > 0.0).unwrap();
+        for (i, sample) in run.samples().iter().enumerate() {
+            let value = (complete.read)(&run.constants, sample);
+            // Within the contact a node may let go for a sample.
+            if i < first || force[i] > 0.0 || i > last {
+                assert_eq!(value, if i > last { 1.0 } else { 0.0 }, "sample {i}");
+            }
+        }
+        assert!(first > 10 && last + 10 < force.len());
+        assert_eq!(run.ending(), Ending::Complete);
     }
 }

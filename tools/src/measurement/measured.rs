@@ -7,7 +7,7 @@ use softanvil_records::channel::Filter;
 use softanvil_records::trace::{self, Expected, Options};
 use softanvil_records::understood::Understood;
 
-use crate::series::Series;
+use crate::measurement::series::Series;
 
 /// Bytes of a file, at most.
 const MOST_BYTES: u64 = 2_000_000_000;

@@ -5,7 +5,7 @@ use softanvil_kernel::Scenario;
 use softanvil_kernel::material::Material;
 use softanvil_kernel::scenario::Layer;
 
-use crate::table::four_digits;
+use crate::text::number::four_digits;
 
 /// The layers of `scenario` that have a material of their own.
 fn layers(scenario: &Scenario) -> Vec<Layer<'_>> {

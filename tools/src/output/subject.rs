@@ -8,10 +8,11 @@ use softanvil_kernel::preset::Preset;
 use softanvil_kernel::scenario::{DropBy, Formulation, Layers, Motion, Section, Shape};
 use softanvil_kernel::{Constants, ModelError, Scenario};
 
-use crate::material_summary;
+use crate::output::material_summary;
 use crate::run::Until;
-use crate::studies::values::short;
-use crate::table::{filled, four_digits};
+use crate::text::number::four_digits;
+use crate::text::number::short;
+use crate::text::wrap::filled;
 
 /// The drop that a command simulates.
 #[derive(Clone, Debug)]

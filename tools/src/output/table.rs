@@ -1,20 +1,19 @@
 //! Results as tables for people.
 
-use std::io::IsTerminal;
-use std::ops::Range;
-
-use comfy_table::presets::{ASCII_HORIZONTAL_ONLY, UTF8_HORIZONTAL_ONLY};
-use comfy_table::{CellAlignment, ColumnConstraint, ContentArrangement, LineStyle, Table, TableStyle, Width};
 use softanvil_kernel::preset::Fitted;
 use softanvil_kernel::scenario::StepBy;
 use softanvil_kernel::{Constants, OUTPUTS, Output};
 
+use crate::measurement::errors::error_percent;
+use crate::measurement::quantity::{COUNT, QUANTITIES, Quantity};
+use crate::measurement::reading::Threshold;
+use crate::measurement::series::{Sensor, Series};
 use crate::paper;
-use crate::quantity::{COUNT, QUANTITIES, Quantity};
-use crate::reading::Threshold;
+use crate::paper::validation::{Comparison, Validation};
 use crate::run::Run;
-use crate::series::{Sensor, Series};
-use crate::validation::{Comparison, Validation, error_percent};
+use crate::text::number::four_digits;
+use crate::text::table::{align_right, new_plain_table, new_table, text};
+use crate::text::wrap::filled;
 
 /// The study's table: experiment, LS-DYNA and Softanvil side by side, 80 characters wide.
 pub fn of_validation(validation: &Validation) -> String {
@@ -35,7 +34,7 @@ pub fn of_validation(validation: &Validation) -> String {
         &means(validation.mean_error(), validation.peak_error(), &validation.preset.fitted),
     ]);
     align_right(&mut table, 2..7);
-    let remarks: String = validation.cases.iter().map(|case| crate::ending::remark(&case.run)).collect();
+    let remarks: String = validation.cases.iter().map(|case| crate::run::remark(&case.run)).collect();
     format!("{}\n{remarks}{}", text(&mut table), notes(validation))
 }
 
@@ -149,128 +148,5 @@ fn display_unit(output: &Output) -> (&'static str, f64) {
         "1" => ("", 1.0),
         "N.s" => ("N s", 1.0),
         unit => (unit, 1.0),
-    }
-}
-
-/// `value` with four significant digits, in powers of ten where it is small.
-pub fn four_digits(value: f64) -> String {
-    let magnitude = value.abs();
-    if magnitude > 0.0 && magnitude < 1e-2 {
-        return format!("{value:.3e}");
-    }
-    let power = if magnitude > 0.0 { magnitude.log10().floor() as i32 } else { 0 };
-    format!("{value:.*}", usize::try_from(3 - power).unwrap_or_default())
-}
-
-/// Characters of a line where no terminal says how many it has.
-const WIDTH: u16 = 80;
-
-/// `text` with line breaks at blanks, so that no line is longer than `WIDTH` where that is possible.
-pub fn filled(text: &str) -> String {
-    let mut filled = String::new();
-    for line in text.lines() {
-        let mut length = 0;
-        for word in line.split(' ') {
-            let width = word.chars().count();
-            if length > 0 && length + 1 + width > usize::from(WIDTH) {
-                filled.push('\n');
-                length = 0;
-            } else if length > 0 {
-                filled.push(' ');
-                length += 1;
-            }
-            filled += word;
-            length += width;
-        }
-        filled.push('\n');
-    }
-    filled
-}
-
-/// Lines of tables: as drawn for a terminal, plain for what reads a pipe or a file.
-fn style() -> TableStyle {
-    if std::io::stdout().is_terminal() { UTF8_HORIZONTAL_ONLY } else { ASCII_HORIZONTAL_ONLY }
-}
-
-/// A table with these titles and no line between its rows.
-pub(crate) fn new_plain_table(header: &[&str]) -> Table {
-    let mut table = new_table(header);
-    table.load_style(style().row_separator(LineStyle::none()));
-    table
-}
-
-/// An empty table with this header, which fits the terminal, or `WIDTH` characters.
-pub fn new_table(header: &[&str]) -> Table {
-    let mut table = Table::new();
-    table.load_style(style()).set_header(header).set_content_arrangement(ContentArrangement::Dynamic);
-    if !std::io::stdout().is_terminal() {
-        table.set_width(WIDTH);
-    }
-    // One space after each cell and one between the columns are enough.
-    for column in table.column_iter_mut() {
-        column.set_padding((0, 1));
-    }
-    table
-}
-
-/// A blank at which no line of a table breaks; [`text`] makes an ordinary one of it.
-pub const FIXED_BLANK: char = '\u{a0}';
-
-/// The text of a table, in which no word is cut: a table of too many words for the width is wider.
-pub fn text(table: &mut Table) -> String {
-    let mut longest: Vec<usize> = Vec::new();
-    for row in table.header().into_iter().chain(table.row_iter()) {
-        for (column, cell) in row.cell_iter().enumerate() {
-            let words = cell.content().split([' ', '\n']).map(|word| word.chars().count()).max().unwrap_or_default();
-            longest.resize(longest.len().max(column + 1), 0);
-            longest[column] = longest[column].max(words);
-        }
-    }
-    // Where even the words alone are too wide, the columns come closer: one blank between them stays.
-    let needed = longest.iter().map(|longest| longest + 2).sum::<usize>();
-    let crowded = table.width().is_some_and(|width| needed > usize::from(width));
-    for (column, longest) in table.column_iter_mut().zip(longest) {
-        if crowded {
-            column.set_padding((0, 0));
-        }
-        let width = longest as u16 + column.padding_width();
-        column.set_constraint(ColumnConstraint::LowerBoundary(Width::Fixed(width)));
-    }
-    table.trim_fmt().replace(FIXED_BLANK, " ")
-}
-
-/// Aligns columns of numbers to the right.
-pub fn align_right(table: &mut Table, columns: Range<usize>) {
-    for column in table.column_iter_mut().take(columns.end).skip(columns.start) {
-        column.set_cell_alignment(CellAlignment::Right);
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn long_lines_are_broken_at_blanks_and_short_ones_stay() {
-        let long = format!("{} {}", "a".repeat(50), "b".repeat(40));
-        assert_eq!(filled(&long), format!("{}\n{}\n", "a".repeat(50), "b".repeat(40)));
-        assert_eq!(filled("a  b\n\nc"), "a  b\n\nc\n");
-        let word = "x".repeat(90);
-        assert_eq!(filled(&word), format!("{word}\n"));
-    }
-
-    #[test]
-    fn values_show_four_significant_digits() {
-        for (value, text) in [
-            (5302.54, "5303"),
-            (16.412, "16.41"),
-            (0.77317, "0.7732"),
-            (-0.018984, "-0.01898"),
-            (1.438e-4, "1.438e-4"),
-            (0.0, "0.000"),
-            (123456.7, "123457"),
-        ] {
-            assert_eq!(four_digits(value), text);
-        }
     }
 }

@@ -5,17 +5,18 @@ use std::fmt::Write;
 use comfy_table::Table;
 use serde_json::{Map, Value, json};
 
-use crate::contact::{CLEAR_OF_NOISE, LEVEL};
-use crate::curve_score::{self, CurveScore};
-use crate::ending::Ending;
 use crate::failure::Failure;
-use crate::quantity::{COUNT, QUANTITIES};
-use crate::reading::{Reading, Record, Threshold};
+use crate::measurement::contact::{CLEAR_OF_NOISE, LEVEL};
+use crate::measurement::curve_score::{self, CurveScore};
+use crate::measurement::errors::error_percent;
+use crate::measurement::quantity::{COUNT, QUANTITIES};
+use crate::measurement::reading::{Reading, Record, Threshold};
+use crate::measurement::series::{Sensor, Series};
+use crate::output::subject::Subject;
+use crate::run::Ending;
 use crate::run::Run;
-use crate::series::{Sensor, Series};
-use crate::subject::Subject;
-use crate::table::{align_right, filled, new_plain_table, text as table_text};
-use crate::validation::error_percent;
+use crate::text::table::{align_right, new_plain_table, text as table_text};
+use crate::text::wrap::filled;
 
 /// Channel frequency classes of the standards, Hz.
 const CLASSES: [f64; 4] = [1000.0, 600.0, 180.0, 60.0];
@@ -157,7 +158,7 @@ pub fn channels(run: &Run, reading: &Reading, record: &Record) -> String {
     align_right(&mut table, 1..1 + COUNT);
     let mut text = format!("{}\n", table_text(&mut table));
     let _ = writeln!(text, "The impact lasts at forces from {:.1} N on.", record.threshold);
-    if reading.noise != crate::reading::Noise::NONE {
+    if reading.noise != crate::measurement::reading::Noise::NONE {
         let noise = &reading.noise;
         let _ = writeln!(
             text,
@@ -203,8 +204,8 @@ pub fn json(
     let mut object = Map::new();
     object.insert("drop".into(), subject.json());
     object.extend(by_key(&record.values));
-    object.extend(crate::json::of_ending(run));
-    object.insert("warnings".into(), crate::subject::warnings(&run.constants).into());
+    object.extend(crate::output::json::of_ending(run));
+    object.insert("warnings".into(), crate::output::subject::warnings(&run.constants).into());
     object.insert("force".into(), if reading.sensor == Sensor::Core { "core" } else { "contact" }.into());
     object.insert("channel_class".into(), reading.channel_class.into());
     object.insert("threshold".into(), record.threshold.into());

@@ -28,18 +28,21 @@ impl Sensor {
     /// Name and unit for an axis.
     pub fn axis(self) -> &'static str {
         match self {
-            Self::Contact => crate::plot::CONTACT_FORCE,
+            Self::Contact => CONTACT_FORCE,
             Self::Core => "core reaction (N)",
         }
     }
 }
+
+/// Name and unit of the force that the kernel's own pictures show.
+pub const CONTACT_FORCE: &str = "contact force (N)";
 
 /// Forces at equal intervals.
 ///
 /// ```
 /// use softanvil_kernel::preset;
 /// use softanvil_tools::run::Drop;
-/// use softanvil_tools::series::{Sensor, Series};
+/// use softanvil_tools::measurement::series::{Sensor, Series};
 ///
 /// let run = Drop::new(&preset::study())?.run(|_| {})?;
 /// let series = Series::of_run(&run, Sensor::Contact);

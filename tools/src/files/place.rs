@@ -4,8 +4,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::failure::Failure;
-use crate::folder::digest;
-use crate::staging;
+use crate::files::folder::digest;
+use crate::files::staging;
 
 /// What a folder of ours holds.
 pub struct Kind {

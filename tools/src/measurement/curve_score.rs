@@ -8,8 +8,8 @@
 //! as ((1 + K)/2)^K_V; each from 0 (unlike) to 1 (the same). The parameters are the program's defaults (as parameter files of
 //! CORAplus 4.0.5 list them).
 
-use crate::contact::{self, Floor};
-use crate::series::Series;
+use crate::measurement::contact::{self, Floor};
+use crate::measurement::series::Series;
 
 /// How alike a simulated trace is to a measured one.
 #[derive(Clone, Copy, Debug)]

@@ -9,7 +9,7 @@ use resvg::usvg::{Options, Tree};
 use crate::plot::PlotError;
 
 /// The font of a PNG, so that it has its text, and the same, on every machine.
-const FONT: &[u8] = include_bytes!("../assets/LiberationSans-Regular.ttf");
+const FONT: &[u8] = include_bytes!("../../assets/LiberationSans-Regular.ttf");
 const FONT_NAME: &str = "Liberation Sans";
 /// Points of a PNG to a pixel of the SVG, in each direction: sharp on screens of twice the usual resolution and in print.
 const SCALE: f32 = 2.0;

@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 use softanvil_kernel::number::digest::Digest;
 
 use crate::failure::Failure;
-use crate::staging;
+use crate::files::staging;
 
 /// Name of the list.
 pub const LIST: &str = "softanvil-files.json";
@@ -82,7 +82,7 @@ impl Folder {
             self.listed.insert(name.clone(), digest(content));
         }
         let list = json!({ "generator": GENERATOR, "version": env!("CARGO_PKG_VERSION"), "files": self.listed });
-        let list = crate::json::text(&list).into_bytes();
+        let list = crate::output::json::text(&list).into_bytes();
         let paths: Vec<PathBuf> = files.iter().map(|(name, _)| self.path.join(name)).collect();
         let list_path = self.path.join(LIST);
         let mut placed: Vec<(&Path, Vec<u8>)> =

@@ -4,12 +4,12 @@ use serde_json::{Map, Value, json};
 use softanvil_kernel::OUTPUTS;
 use softanvil_kernel::preset::Fitted;
 
-use crate::ending::Ending;
+use crate::measurement::quantity::{COUNT, QUANTITIES};
+use crate::output::subject::{self, Subject};
 use crate::paper;
-use crate::quantity::{COUNT, QUANTITIES};
+use crate::paper::validation::{Comparison, Validation};
+use crate::run::Ending;
 use crate::run::Run;
-use crate::subject::{self, Subject};
-use crate::validation::{Comparison, Validation};
 
 /// Group of the outputs that are results of the whole test; their keys go without it.
 const RESULT: &str = "result.";

@@ -1,7 +1,7 @@
 //! Where in a record the impact is, whatever the noise: by what the force does without contact, and by its whole
 //! rising flank instead of one sample.
 
-use crate::series::Series;
+use crate::measurement::series::Series;
 
 /// Samples without contact from which noise is read, at least.
 const FEWEST_QUIET: usize = 20;
@@ -100,7 +100,7 @@ fn median(mut values: Vec<f64>) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::series::Sensor;
+    use crate::measurement::series::Sensor;
     use fcmaes_core::Rng;
     use softanvil_kernel::SAMPLING_INTERVAL;
     use std::f64::consts::PI;
