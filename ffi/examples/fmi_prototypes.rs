@@ -43,8 +43,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         Some("3") => (3, OFFICIAL[1]),
         _ => return Err("usage: fmi_prototypes 2|3".into()),
     };
-    let sources = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
-    let mut text = fs::read_to_string(sources.join("foreign.rs"))?;
+    let sources = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/fmi");
+    let mut text = fs::read_to_string(sources.join("foreign.rs"))? + &fs::read_to_string(sources.join("updates.rs"))?;
     let mut files: Vec<_> = fs::read_dir(sources.join(format!("fmi{}", official.0)))?.collect::<Result<_, _>>()?;
     files.sort_by_key(fs::DirEntry::path);
     for file in files.iter().filter(|file| file.file_name() != "mod.rs") {

@@ -41,7 +41,7 @@ impl<'a> ModelNodes<'a> {
 ///
 /// ```
 /// use softanvil_kernel::element::{CellConstants, CellHistory, HoopConstants};
-/// use softanvil_kernel::lanes::Deviator;
+/// use softanvil_kernel::tensor::deviator::Deviator;
 /// use softanvil_kernel::{Model, ModelMemory, Scalars, Size, State, StateMemory, StepInput, preset, steps};
 ///
 /// let scenario = preset::study();

@@ -9,7 +9,7 @@ use crate::tensor::deviator::Deviator;
 ///
 /// ```
 /// use softanvil_kernel::element::CellHistory;
-/// use softanvil_kernel::lanes::Deviator;
+/// use softanvil_kernel::tensor::deviator::Deviator;
 /// use softanvil_kernel::{Scalars, Simulation, State, StateMemory, StepInput, preset, steps};
 ///
 /// // A second state of the same model: the drop against a constant force.

@@ -17,7 +17,7 @@ use crate::tensor::deviator::Deviator;
 /// // The force on the impactor is that of the surface nodes, of the meshed half and of the other.
 /// let force = anvil.with(|model, state| {
 ///     let [pressing, _] = state.as_view().contact_force();
-///     model.constants.section_factor * pressing.iter().sum::<f64>()
+///     model.constants.symmetry_factor * pressing.iter().sum::<f64>()
 /// })?;
 /// assert!(force > 100.0);
 /// assert!((force / anvil.scalars().force.contact - 1.0).abs() < 1e-12);
@@ -37,7 +37,7 @@ pub struct StateView<'a> {
 ///
 /// ```
 /// use softanvil_kernel::element::CellHistory;
-/// use softanvil_kernel::lanes::Deviator;
+/// use softanvil_kernel::tensor::deviator::Deviator;
 /// use softanvil_kernel::{Field, Scalars, Simulation, State, StateContent, StateMemory, StateView, preset};
 ///
 /// let mut anvil = Simulation::new(&preset::study())?;

@@ -31,7 +31,7 @@ pub enum Direction {
 /// let curve = curve::read("press.csv", file, &options)?;
 /// let third = curve.repeats[0].points[2];
 /// assert!((third.stretch - 0.7).abs() < 1e-12 && (third.stress + 60e3).abs() < 1e-6);
-/// # Ok::<(), softanvil_identify::data::ReadError>(())
+/// # Ok::<(), softanvil_records::ReadError>(())
 /// ```
 #[derive(Clone, Debug, Default)]
 pub struct Options {
@@ -60,7 +60,7 @@ pub struct Options {
 /// let first = curve.repeats[0].points[0];
 /// assert!((first.line, first.stress) == (2, 20e3) && (first.stretch - 1.1).abs() < 1e-12);
 /// assert!(curve.notes.iter().any(|note| note.contains("engineering strain")));
-/// # Ok::<(), softanvil_identify::data::ReadError>(())
+/// # Ok::<(), softanvil_records::ReadError>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct Curve {

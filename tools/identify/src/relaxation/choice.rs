@@ -14,7 +14,9 @@ pub const TERMS: std::ops::RangeInclusive<usize> = 1..=5;
 ///
 /// let times: Vec<f64> = (0..60).map(|i| 1e-2 * 1.2_f64.powi(i)).collect();
 /// let loads = times.iter().map(|t| 50e3 + 30e3 * (-t / 0.1).exp() + 20e3 * (-t / 10.0).exp()).collect();
-/// let choice = Choice::new(&Relaxation { times, loads, history: History::step(0.0) }, None);
+/// let counts = vec![1; times.len()];
+/// let relaxation = Relaxation { times, loads, counts, loaded: 0.0, history: History::step(0.0) };
+/// let choice = Choice::new(&relaxation, None).unwrap();
 /// assert_eq!((choice.series.len(), choice.prony().terms.len()), (TERMS.count(), 2));
 /// ```
 #[derive(Clone, Debug)]

@@ -20,7 +20,8 @@ use crate::least_squares::{self, Bounded, Effort, Model};
 /// // From 100 to 60 kPa after a step, in half a second.
 /// let times: Vec<f64> = (0..60).map(|i| 1e-2 * 1.1_f64.powi(i)).collect();
 /// let loads = times.iter().map(|t| 60e3 + 40e3 * (-t / 0.5).exp()).collect();
-/// let prony = fit(1, &Relaxation { times, loads, history: History::step(0.0) });
+/// let counts = vec![1; times.len()];
+/// let prony = fit(1, &Relaxation { times, loads, counts, loaded: 0.0, history: History::step(0.0) });
 /// let (g, tau) = prony.normalised()[0];
 /// assert!((g - 0.4).abs() < 1e-6 && (tau - 0.5).abs() < 1e-6);
 /// ```
@@ -76,7 +77,8 @@ impl Relaxation {
 ///
 /// let times: Vec<f64> = (0..60).map(|i| 1e-2 * 1.1_f64.powi(i)).collect();
 /// let loads = times.iter().map(|t| 60e3 + 40e3 * (-t / 0.5).exp()).collect();
-/// let prony = fit(1, &Relaxation { times, loads, history: History::step(0.0) });
+/// let counts = vec![1; times.len()];
+/// let prony = fit(1, &Relaxation { times, loads, counts, loaded: 0.0, history: History::step(0.0) });
 /// assert!((prony.equilibrium - 60e3).abs() < 1.0 && (prony.instantaneous() - 100e3).abs() < 1.0);
 /// // What the same material does where it is strained within a second instead of at once.
 /// let after_a_ramp = prony.predict(&History::ramp(0.0, 1.0, |part| part), &[1.0])[0];

@@ -55,7 +55,7 @@ pub enum Load {
 /// let test = read::read(file, &options, None)?;
 /// assert_eq!(test.load, Load::Stress);
 /// assert_eq!((test.relaxation.times.last(), test.relaxation.loads.last()), (Some(&1000.0), Some(&55e3)));
-/// # Ok::<(), softanvil_identify::data::ReadError>(())
+/// # Ok::<(), softanvil_records::ReadError>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct Test {
