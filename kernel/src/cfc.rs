@@ -20,7 +20,7 @@ use crate::number::math;
 const DESIGN_RATIO: Real = 2.0775;
 
 /// Samples per second over the channel frequency class that the standards ask for at least.
-const LEAST_SAMPLES: Real = 10.0;
+const MIN_SAMPLES: Real = 10.0;
 
 /// Coefficients of one pass.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,7 +38,7 @@ impl Coefficients {
     /// A class that is not above zero, or with fewer than the ten samples a period that the standards ask for; an interval
     /// that is not a positive number leaves no legal class.
     pub fn new(channel_class: Real, interval: Real) -> Result<Self, ParameterError> {
-        let largest = 1.0 / (LEAST_SAMPLES * interval);
+        let largest = 1.0 / (MIN_SAMPLES * interval);
         // Also false for what is no number. The margin is for the rounding of the two quotients.
         let legal = channel_class > 0.0 && channel_class <= largest * (1.0 + real::SAME) && interval > 0.0;
         if !legal {

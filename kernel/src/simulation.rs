@@ -5,15 +5,12 @@ use alloc::vec::Vec;
 use crate::element::{CellConstants, CellHistory, HoopConstants};
 use crate::error::{MemoryError, ModelError, SnapshotError, StepError};
 use crate::impactor::StepInput;
-use crate::model::{Constants, Model};
-use crate::model::{ModelMemory, Size};
+use crate::model::{Constants, Model, ModelMemory, Size};
 use crate::number::real::Real;
 use crate::result::Output;
 use crate::scenario::Scenario;
 use crate::scenario::parameter::Parameter;
-use crate::state::StateMemory;
-use crate::state::{Scalars, State};
-use crate::state::{restore, save, snapshot_size};
+use crate::state::{Scalars, State, StateMemory, restore, save, snapshot_size};
 use crate::step::steps;
 use crate::tensor::deviator::Deviator;
 

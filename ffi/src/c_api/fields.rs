@@ -5,15 +5,14 @@ use core::mem::MaybeUninit;
 
 use softanvil_kernel::Field;
 
-use crate::c_api::block;
 use crate::c_api::error::{SoftanvilError, report, status};
 use crate::c_api::failure::Failure;
 use crate::c_api::header::SoftanvilSimulation;
 use crate::c_api::ids::FIELD_BY_ID;
-use crate::c_api::ptr;
 use crate::c_api::status::SoftanvilStatus;
 use crate::c_api::tables::{SOFTANVIL_DESCRIPTION_SIZE, SOFTANVIL_UNIT_SIZE, field_row, find_field, texts};
 use crate::c_api::text::SOFTANVIL_NAME_SIZE;
+use crate::c_api::{block, ptr};
 
 /// One row of the table of fields.
 #[repr(C)]

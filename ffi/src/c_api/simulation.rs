@@ -4,14 +4,13 @@ use core::ffi::{c_char, c_void};
 
 use softanvil_kernel::{Constants, Model, Parameter, Size, State, StepInput, steps};
 
-use crate::c_api::block;
 use crate::c_api::error::{SoftanvilError, report, status};
 use crate::c_api::failure::Failure;
 use crate::c_api::header::{ALIGNMENT, SoftanvilSimulation};
-use crate::c_api::ptr;
 use crate::c_api::scenario::SoftanvilScenario;
 use crate::c_api::status::SoftanvilStatus;
 use crate::c_api::tables::{find_output, output_row};
+use crate::c_api::{block, ptr};
 use crate::whole_steps::{SAME, nearest};
 
 /// What acts on the impactor from outside during a call that makes steps, of one or of many. It always comes from

@@ -2,12 +2,11 @@
 
 use softanvil_kernel::state::{restore, snapshot_size, write_words};
 
-use crate::c_api::block;
 use crate::c_api::error::{SoftanvilError, report, status};
 use crate::c_api::failure::Failure;
 use crate::c_api::header::SoftanvilSimulation;
-use crate::c_api::ptr;
 use crate::c_api::status::SoftanvilStatus;
+use crate::c_api::{block, ptr};
 
 /// Tells how long a snapshot of a simulation is.
 ///

@@ -4,13 +4,12 @@ use core::ffi::c_void;
 
 use softanvil_kernel::{Constants, DrivenPath, Scalars, StepInput, step_along};
 
-use crate::c_api::block;
 use crate::c_api::error::{SoftanvilError, report};
 use crate::c_api::failure::Failure;
 use crate::c_api::header::SoftanvilSimulation;
-use crate::c_api::ptr;
 use crate::c_api::simulation::{SoftanvilInput, steps_in, steps_to_sample};
 use crate::c_api::status::SoftanvilStatus;
+use crate::c_api::{block, ptr};
 
 /// What `softanvil_run_traced` calls after every sample. It may call every function that takes a `const` simulation; it
 /// must not change the simulation, throw, or jump out.

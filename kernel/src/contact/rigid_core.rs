@@ -9,8 +9,7 @@ use crate::number::pack::{LANES, Pack, ZERO, packs, packs_mut, sum};
 use crate::number::real::Real;
 use crate::number::vector::{Simd, Vector};
 use crate::scenario::Interface;
-use crate::state::ContactWork;
-use crate::state::{State, StateNodes};
+use crate::state::{ContactWork, State, StateNodes};
 
 /// What the core does in one step: its upward force on the section, N, and the energy it takes.
 #[inline(always)]

@@ -3,8 +3,7 @@
 use crate::impactor::StepInput;
 use crate::model::Model;
 use crate::number::real::Real;
-use crate::scenario::Motion;
-use crate::scenario::prescribed;
+use crate::scenario::{Motion, prescribed};
 
 /// Motion of the impactor.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,7 +1,6 @@
 //! The choice of isochoric hyperelastic law, made once per block of triangles and outside the loop over lanes.
 
-use crate::material::{ElasticLaw, Material};
-use crate::material::{MooneyRivlin, NeoHookean, Ogden, Yeoh};
+use crate::material::{ElasticLaw, Material, MooneyRivlin, NeoHookean, Ogden, Yeoh};
 use crate::number::real::Real;
 use crate::number::vector::Simd;
 use crate::tensor::deviator::Deviator;

@@ -19,11 +19,10 @@
 //! (e^-y - 1)(e^-y - 1 - 2 (e^y - 1)).
 
 use crate::material::{MAX_OGDEN_TERMS, Material};
-use crate::number::math;
-use crate::number::power;
 use crate::number::real::consts::LN_2;
 use crate::number::real::{LARGEST_EXPONENT, Real, TINY_SQUARE};
 use crate::number::vector::{Scalar, Simd, Vector};
+use crate::number::{math, power};
 use crate::tensor::deviator::{Deviator, SQRT_THIRD};
 use crate::tensor::kinematics::Kinematics;
 use crate::tensor::stretch::IsochoricStretch;

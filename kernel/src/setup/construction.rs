@@ -2,8 +2,7 @@
 
 use crate::error::ModelError;
 use crate::mesh::{Grid, reference_position};
-use crate::model::Model;
-use crate::model::{ModelArrays, ModelMemory, Size};
+use crate::model::{Model, ModelArrays, ModelMemory, Size};
 use crate::number::real::Real;
 use crate::scenario::Scenario;
 use crate::setup::time_step::with_chosen_step;

@@ -8,8 +8,7 @@
 
 use crate::error::ModelError;
 use crate::mesh::{Grid, reference_position};
-use crate::model::Constants;
-use crate::model::ModelArrays;
+use crate::model::{Constants, ModelArrays};
 use crate::number::math;
 use crate::number::real::{self, Real};
 use crate::sampling::{MAX_STEPS_PER_SAMPLE, SAMPLING_INTERVAL, SMALLEST_STEP};

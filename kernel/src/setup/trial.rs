@@ -7,18 +7,15 @@
 use crate::error::{ModelError, StepError};
 use crate::impactor::StepInput;
 use crate::mesh::Grid;
-use crate::model::ModelArrays;
-use crate::model::{Constants, Model};
+use crate::model::{Constants, Model, ModelArrays};
 use crate::number::instruction_set::InstructionSet;
 use crate::number::math;
 use crate::number::real::Real;
 use crate::sampling::SMALLEST_STEP;
 use crate::scenario::{DropBy, Impactor, Motion, Scenario};
 use crate::setup::assembly::assemble;
-use crate::state::State;
-use crate::state::StateMemory;
-use crate::step::advance_once;
-use crate::step::{Cells, Critical};
+use crate::state::{State, StateMemory};
+use crate::step::{Cells, Critical, advance_once};
 
 /// What a trial has found.
 #[derive(Clone, Copy, Debug)]

@@ -3,12 +3,10 @@
 use crate::element::{CellHistory, Corners};
 use crate::error::MemoryError;
 use crate::mesh::Grid;
-use crate::model::Model;
-use crate::model::take;
+use crate::model::{Model, take};
 use crate::number::real::Real;
 use crate::number::vector::Simd;
-use crate::state::StateMemory;
-use crate::state::{Scalars, StateNodes, corners};
+use crate::state::{Scalars, StateMemory, StateNodes, corners};
 use crate::tensor::deviator::Deviator;
 
 /// The changing part of a simulation.

@@ -19,8 +19,7 @@
 //! after an impact nothing is stored, and what the branches took is gone.
 
 use crate::element::ElementEnergy;
-use crate::impactor::StepInput;
-use crate::impactor::{ImpactorState, Prediction};
+use crate::impactor::{ImpactorState, Prediction, StepInput};
 use crate::model::Model;
 use crate::number::math;
 use crate::number::pack::sum;

@@ -11,9 +11,7 @@ use crate::model::{Constants, Model};
 use crate::number::digest::Digest;
 use crate::number::pack::LANES;
 use crate::number::real::{self, Real};
-use crate::state::ENERGY_WORDS;
-use crate::state::StateView;
-use crate::state::{Scalars, State};
+use crate::state::{ENERGY_WORDS, Scalars, State, StateView};
 use crate::tensor::deviator::Deviator;
 
 /// "SOFTANVL" in ASCII, least significant byte first.

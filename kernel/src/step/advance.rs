@@ -2,9 +2,7 @@
 
 use core::hint::black_box;
 
-use crate::contact::face;
-use crate::contact::rigid_core;
-use crate::contact::surface;
+use crate::contact::{face, rigid_core, surface};
 use crate::element::{self, Block, CellHistory, Corners, ElementEnergy};
 use crate::error::StepError;
 use crate::impactor::{DrivenPath, StepInput};
@@ -13,9 +11,7 @@ use crate::number::instruction_set::InstructionSet;
 use crate::number::pack::{LANES, Pack, ZERO, sum};
 use crate::number::real::Real;
 use crate::number::vector::{Scalar, Simd, Vector, Work};
-use crate::state::ContactWork;
-use crate::state::StepWork;
-use crate::state::{Forces, Rows, State, corners};
+use crate::state::{ContactWork, Forces, Rows, State, StepWork, corners};
 use crate::step::monitor;
 use crate::tensor::deviator::Deviator;
 

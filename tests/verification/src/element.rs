@@ -1,8 +1,7 @@
 //! One cell of two triangles, driven through a history of deformation gradients, as the kernel's step drives it.
 
 use softanvil_kernel::element::{Block, CellHistory, Corners, ElementEnergy, internal_force};
-use softanvil_kernel::material::Material;
-use softanvil_kernel::material::MaterialModel;
+use softanvil_kernel::material::{Material, MaterialModel};
 use softanvil_kernel::number::pack::{ZERO, sum};
 use softanvil_kernel::number::vector::Scalar;
 use softanvil_kernel::sampling::SMALLEST_STEP;

@@ -1,6 +1,7 @@
 //! Impacts in a record: the reading before contact, the sign of a push, and where contact begins and ends.
 
 use super::ReadError;
+use super::robust::{median, median_and_deviation};
 
 /// One impact: the samples from the first to the last that are clearly in contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,7 +43,7 @@ pub struct Given {
 }
 
 /// Samples before contact that tell the offset, at least.
-pub const LEAST_BEFORE: usize = 10;
+pub const MIN_BEFORE: usize = 10;
 /// Samples at the beginning from which values are counted until the offset is known.
 const FIRST: usize = 5;
 /// Part of the peak above which a sample is in contact.
@@ -50,9 +51,9 @@ const IN_CONTACT: f64 = 0.05;
 /// Standard deviations of the noise above which a sample is in contact.
 const ABOVE_NOISE: f64 = 6.0;
 /// Part of the largest peak and of the largest impulse that an impact has, at least.
-const LEAST_IMPACT: f64 = 0.1;
+const MIN_IMPACT: f64 = 0.1;
 /// Time between two impacts, s, at least; less is an oscillation of one. It is also at least half of the longer one.
-const LEAST_FLIGHT: f64 = 2e-3;
+const MIN_FLIGHT: f64 = 2e-3;
 /// A value of the other sign that is as large, over the peak, leaves the sign open.
 const AS_LARGE: f64 = 0.8;
 
@@ -62,7 +63,7 @@ impl Contact {
     /// # Errors
     /// Values that are all the same, or of both signs alike.
     pub fn find(times: &[f64], values: &[f64], given: Given) -> Result<Self, ReadError> {
-        let start = given.offset.unwrap_or_else(|| median(&values[..values.len().min(FIRST)]));
+        let start = given.offset.unwrap_or_else(|| median(values[..values.len().min(FIRST)].to_vec()));
         let (low, high) = values.iter().fold((0.0_f64, 0.0_f64), |(l, h), v| (l.min(v - start), h.max(v - start)));
         let sign = given.sign.unwrap_or(if high >= -low { 1.0 } else { -1.0 });
         let (peak, opposite) = if sign > 0.0 { (high, -low) } else { (-low, high) };
@@ -80,9 +81,9 @@ impl Contact {
         }
         let before = quiet(values, |value| sign * (value - start) / peak);
         let quiet = &values[..before];
-        let (reading, enough) = (median(quiet), before >= LEAST_BEFORE);
+        let ((reading, scatter), enough) = (median_and_deviation(quiet), before >= MIN_BEFORE);
         let offset = given.offset.unwrap_or(if enough { reading } else { 0.0 });
-        let noise = if enough { scatter(quiet) } else { 0.0 };
+        let noise = if enough { scatter } else { 0.0 };
         let push = |index: usize| sign * (values[index] - offset);
         let peak = (0..values.len()).map(push).fold(0.0, f64::max);
         let impacts = impacts(times, push, (IN_CONTACT * peak).max(ABOVE_NOISE * noise));
@@ -127,7 +128,7 @@ fn impacts(times: &[f64], push: impl Fn(usize) -> f64, threshold: f64) -> Vec<Im
     for run in runs {
         let flight = joined.last().map(|last| times[run.first] - times[last.last]);
         match joined.last_mut() {
-            Some(last) if flight.is_some_and(|f| f < LEAST_FLIGHT.max(0.5 * duration(last).max(duration(&run)))) => {
+            Some(last) if flight.is_some_and(|f| f < MIN_FLIGHT.max(0.5 * duration(last).max(duration(&run)))) => {
                 (last.last, last.peak) = (run.last, last.peak.max(run.peak));
             }
             _ => joined.push(run),
@@ -136,25 +137,8 @@ fn impacts(times: &[f64], push: impl Fn(usize) -> f64, threshold: f64) -> Vec<Im
     let largest = joined.iter().map(|run| run.peak).fold(0.0, f64::max);
     let area = |run: &Impact| run.peak * (run.last - run.first + 1) as f64;
     let largest_area = joined.iter().map(area).fold(0.0, f64::max);
-    joined.retain(|run| run.peak >= LEAST_IMPACT * largest && area(run) >= LEAST_IMPACT * largest_area);
+    joined.retain(|run| run.peak >= MIN_IMPACT * largest && area(run) >= MIN_IMPACT * largest_area);
     joined
-}
-
-/// The median; 0 of nothing.
-fn median(values: &[f64]) -> f64 {
-    let mut sorted = values.to_vec();
-    if sorted.is_empty() {
-        return 0.0;
-    }
-    let middle = sorted.len() / 2;
-    let (_, value, _) = sorted.select_nth_unstable_by(middle, f64::total_cmp);
-    *value
-}
-
-/// The standard deviation of normal errors that have the median absolute deviation of `values`.
-fn scatter(values: &[f64]) -> f64 {
-    let center = median(values);
-    1.4826 * median(&values.iter().map(|value| (value - center).abs()).collect::<Vec<_>>())
 }
 
 #[cfg(test)]

@@ -2,8 +2,8 @@
 //!
 //! From the file to the numbers:
 //!
-//! 1. [`text`] decodes a file, [`workbook`] takes a sheet out of a spreadsheet.
-//! 2. [`sheet`] finds the tables of numbers with their titles (in [`cells`]), [`facts`] what stands around them.
+//! 1. [`text`] decodes a file.
+//! 2. [`sheet`] finds the tables of numbers with their titles (in [`cells`]), in text or in a spreadsheet, [`facts`] what stands around them.
 //! 3. [`mod@column`] says what the columns are (with [`mod@unit`], [`measure`] and [`number`]); [`series`] tells specimens apart.
 //! 4. [`trace`] makes a force over time of an impact (with [`impact`] and [`channel`]), and [`understood`] says how.
 //!
@@ -17,13 +17,13 @@ pub mod impact;
 pub mod kind;
 pub mod measure;
 pub mod number;
+pub mod robust;
 pub mod series;
 pub mod sheet;
 pub mod text;
 pub mod trace;
 pub mod understood;
 pub mod unit;
-pub mod workbook;
 
 /// Why a file is refused.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]

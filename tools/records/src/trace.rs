@@ -3,6 +3,7 @@
 mod choice;
 mod cut;
 mod plausible;
+mod record;
 
 use std::sync::Arc;
 
@@ -11,39 +12,16 @@ use serde_json::json;
 use super::ReadError;
 use super::channel::Filter;
 use super::column::{Column, Kind};
-use super::impact::{Contact, Given, LEAST_BEFORE};
+use super::impact::{Contact, Given, MIN_BEFORE};
 use super::series::Table;
-use super::sheet::{self, Layout, Sheet};
+use super::sheet::{self, Sheet};
 use super::understood::Understood;
 use super::unit::{Dimension, parse_quantity};
 pub use choice::Choice;
 use cut::Cut;
 use plausible::{SMALL_OFFSET, step};
-
-/// What a file leaves open.
-#[derive(Clone, Debug, Default)]
-pub struct Options {
-    /// Layout of the file.
-    pub layout: Layout,
-    /// Column of the time.
-    pub time: Option<Choice>,
-    /// Column of the force.
-    pub force: Option<Choice>,
-    /// Column of the acceleration.
-    pub acceleration: Option<Choice>,
-    /// Column of the impactor's displacement.
-    pub displacement: Option<Choice>,
-    /// Mass of the falling body, kg, that turns its acceleration into a force.
-    pub mass: Option<f64>,
-    /// Samples in a second, Hz, which count instead of a column of time.
-    pub rate: Option<f64>,
-    /// Force without contact, N, to be taken off; none for that before contact.
-    pub offset: Option<f64>,
-    /// 1 if a push is positive in the file, -1 if negative; none for the larger side.
-    pub sign: Option<f64>,
-    /// Which impact of the record, from 1; none for the first.
-    pub impact: Option<usize>,
-}
+use record::{Channels, Clock, Record, Samples};
+pub use record::{Expected, Options, Trace};
 
 /// The mass with its unit in `text`, kg.
 ///
@@ -73,30 +51,6 @@ pub fn sign(text: &str) -> Result<f64, String> {
     }
 }
 
-/// The impact that the record should be of.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Expected {
-    /// Mass of the falling body, kg.
-    pub mass: f64,
-    /// Its speed at the touch, m/s.
-    pub speed: f64,
-}
-
-/// A force over time.
-#[derive(Clone, Debug)]
-pub struct Trace {
-    /// Times, s, which rise.
-    pub times: Vec<f64>,
-    /// Forces, N, positive in compression, without the offset.
-    pub forces: Vec<f64>,
-    /// Largest displacement since the touch, m, if the file has it.
-    pub deformation: Option<f64>,
-    /// How the force was filtered, if the file says it.
-    pub filter: Option<Filter>,
-    /// How the file was read.
-    pub understood: Understood,
-}
-
 /// Reads the impact in `bytes` of the file called `name`; `expected` tells what is plausible.
 ///
 /// # Errors
@@ -113,23 +67,6 @@ pub fn read(name: &str, bytes: &[u8], options: &Options, expected: Option<&Expec
         }
     }
     Err(refused.unwrap_or_else(|| ReadError::file("no table")))
-}
-
-/// The columns of a table that a trace is made of.
-struct Channels {
-    table: Table,
-    load: Column,
-    time: Clock,
-    displacement: Option<Column>,
-    /// Whether the user states the units.
-    stated: bool,
-}
-
-/// Where the times come from.
-enum Clock {
-    Column(Column),
-    /// Time of the first sample and between two, s, and what states it.
-    Rate(f64, f64, String),
 }
 
 fn channels(sheet: &Arc<Sheet>, index: usize, options: &Options) -> Result<Channels, ReadError> {
@@ -239,25 +176,6 @@ fn clock(table: &Table, load: &Column, options: &Options) -> Result<Clock, ReadE
             "no column of time and no sampling rate: name the column, as in --time \"TITLE [ms]\", or give --rate \"20 kHz\"",
         )),
     }
-}
-
-/// A record that is being read.
-struct Record<'a> {
-    name: &'a str,
-    options: &'a Options,
-    expected: Option<&'a Expected>,
-    channels: Channels,
-}
-
-/// Samples of one block of a table.
-#[derive(Default)]
-struct Samples {
-    times: Vec<f64>,
-    loads: Vec<f64>,
-    displacements: Vec<f64>,
-    lines: Vec<u32>,
-    /// Rows without a time or a value.
-    dropped: usize,
 }
 
 impl Record<'_> {
@@ -409,8 +327,8 @@ impl Record<'_> {
         let offset = contact.offset * factor;
         let text = match (self.options.offset, contact.before) {
             (Some(_), _) => format!("{offset} N taken off, as --offset says"),
-            (None, count) if count < LEAST_BEFORE => {
-                format!("none taken off: {count} samples before contact, fewer than {LEAST_BEFORE}")
+            (None, count) if count < MIN_BEFORE => {
+                format!("none taken off: {count} samples before contact, fewer than {MIN_BEFORE}")
             }
             (None, count) => format!(
                 "{offset:.4} N taken off, the median of {count} samples before contact (noise {:.3} N)",

@@ -15,8 +15,7 @@ use crate::measurement::errors::error_percent;
 use crate::measurement::quantity::COUNT;
 use crate::measurement::reading::Reading;
 use crate::measurement::series::SeriesError;
-use crate::run::Ending;
-use crate::run::{Drop, Run, RunError};
+use crate::run::{Drop, Ending, Run, RunError};
 
 /// Score of values that cannot be simulated.
 pub const REFUSED: f64 = 1e3;

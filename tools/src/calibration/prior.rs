@@ -5,8 +5,7 @@
 //! score: a factor e between model and measurement costs one weight, the same in both directions.
 
 use serde::{Deserialize, Serialize};
-use softanvil_kernel::material::Elastic;
-use softanvil_kernel::material::Material;
+use softanvil_kernel::material::{Elastic, Material};
 use softanvil_kernel::tensor::stretch::IsochoricStretch;
 
 /// The demand, as the problem file states it; moduli in Pa. Numbers left out demand nothing.

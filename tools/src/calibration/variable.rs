@@ -1,8 +1,7 @@
 //! What a search varies: a row of the kernel's table of parameters, or the overstress of a Prony term.
 
 use serde::{Deserialize, Serialize};
-use softanvil_kernel::material::MAX_PRONY_TERMS;
-use softanvil_kernel::material::Material;
+use softanvil_kernel::material::{MAX_PRONY_TERMS, Material};
 use softanvil_kernel::parameter::Kind;
 use softanvil_kernel::{Changes, Parameter, Scenario};
 

@@ -19,10 +19,9 @@ use crate::plot::picture_format::PictureFormat;
 use crate::run::{Drop, Until};
 use crate::scenario_file::suggestion;
 use crate::studies::case::Case;
-use crate::studies::columns;
 use crate::studies::page::{Page, overview};
 use crate::studies::sweep::{Journal, sweep};
-use crate::studies::{STUDIES, Study};
+use crate::studies::{STUDIES, Study, columns};
 
 /// Change one thing of a drop at a time, and put what the paper says of it beside.
 ///

@@ -1,6 +1,8 @@
 //! Where in a record the impact is, whatever the noise: by what the force does without contact, and by its whole
 //! rising flank instead of one sample.
 
+use softanvil_records::robust::median_and_deviation;
+
 use crate::measurement::series::Series;
 
 /// Samples without contact from which noise is read, at least.
@@ -11,8 +13,6 @@ const QUIETER: f64 = 0.5;
 const LOWER_FLANK: f64 = 0.25;
 /// Standard deviations of the noise that its samples stay below: one of ten million does not.
 pub const CLEAR_OF_NOISE: f64 = 5.0;
-/// Standard deviations of a normal distribution in its median absolute deviation.
-const NORMAL: f64 = 1.482_602_218_505_602;
 /// Parts of the peak between which the rising flank is taken as a straight line.
 const FLANK: [f64; 2] = [0.1, 0.5];
 /// The part of the peak whose time on that line is that of the rise.
@@ -54,9 +54,8 @@ impl Floor {
     }
 
     fn of_quiet(force: &[f64]) -> Self {
-        let level = median(force.to_vec());
-        let distances = force.iter().map(|f| (f - level).abs()).collect();
-        Self { level, deviation: NORMAL * median(distances) }
+        let (level, deviation) = median_and_deviation(force);
+        Self { level, deviation }
     }
 
     /// The least force, N, that is no noise.
@@ -87,14 +86,6 @@ fn crossing(series: &Series, start: usize, end: usize, level: f64) -> f64 {
     }
     let beyond = if moment > 0.0 { (level - mean) * square / moment } else { 0.0 };
     series.time(start) + series.interval * (middle + beyond.clamp(-middle, middle))
-}
-
-fn median(mut values: Vec<f64>) -> f64 {
-    if values.is_empty() {
-        return 0.0;
-    }
-    let middle = values.len() / 2;
-    *values.select_nth_unstable_by(middle, f64::total_cmp).1
 }
 
 #[cfg(test)]

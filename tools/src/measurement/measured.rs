@@ -10,7 +10,7 @@ use softanvil_records::understood::Understood;
 use crate::measurement::series::Series;
 
 /// Bytes of a file, at most.
-const MOST_BYTES: u64 = 2_000_000_000;
+const MAX_BYTES: u64 = 2_000_000_000;
 
 /// A measured impact.
 #[derive(Clone, Debug)]
@@ -34,8 +34,8 @@ impl Measured {
         let refuse = |error: String| format!("{}: {error}", path.display());
         let size =
             std::fs::metadata(path).map_err(|error| format!("{} cannot be read: {error}", path.display()))?.len();
-        if size > MOST_BYTES {
-            return Err(refuse(format!("a file of {size} bytes is refused: expected {MOST_BYTES} at most")));
+        if size > MAX_BYTES {
+            return Err(refuse(format!("a file of {size} bytes is refused: expected {MAX_BYTES} at most")));
         }
         let bytes = std::fs::read(path).map_err(|error| format!("{} cannot be read: {error}", path.display()))?;
         let name = path.file_name().unwrap_or_default().to_string_lossy();

@@ -1,7 +1,6 @@
 //! A force over time at equal intervals, from a run or a measurement, and the four numbers of the test read from it.
 
-use softanvil_kernel::SAMPLING_INTERVAL;
-use softanvil_kernel::cfc;
+use softanvil_kernel::{SAMPLING_INTERVAL, cfc};
 
 use crate::run::Run;
 

@@ -13,8 +13,7 @@ use crate::measurement::quantity::{COUNT, QUANTITIES};
 use crate::measurement::reading::{Reading, Record, Threshold};
 use crate::measurement::series::{Sensor, Series};
 use crate::output::subject::Subject;
-use crate::run::Ending;
-use crate::run::Run;
+use crate::run::{Ending, Run};
 use crate::text::table::{align_right, new_plain_table, text as table_text};
 use crate::text::wrap::filled;
 

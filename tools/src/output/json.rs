@@ -8,8 +8,7 @@ use crate::measurement::quantity::{COUNT, QUANTITIES};
 use crate::output::subject::{self, Subject};
 use crate::paper;
 use crate::paper::validation::{Comparison, Validation};
-use crate::run::Ending;
-use crate::run::Run;
+use crate::run::{Ending, Run};
 
 /// Group of the outputs that are results of the whole test; their keys go without it.
 const RESULT: &str = "result.";

@@ -10,8 +10,7 @@ use softanvil_kernel::{Constants, ModelError, Scenario};
 
 use crate::output::material_summary;
 use crate::run::Until;
-use crate::text::number::four_digits;
-use crate::text::number::short;
+use crate::text::number::{four_digits, short};
 use crate::text::wrap::filled;
 
 /// The drop that a command simulates.

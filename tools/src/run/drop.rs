@@ -1,7 +1,6 @@
 //! A simulated drop, recorded at every force sample.
 
-use softanvil_kernel::scenario::Motion;
-use softanvil_kernel::scenario::prescribed;
+use softanvil_kernel::scenario::{Motion, prescribed};
 use softanvil_kernel::state::Scalars;
 use softanvil_kernel::{Constants, ModelError, Output, Scenario, Simulation, StepError, StepInput};
 

@@ -90,7 +90,7 @@ pub fn read_material(path: &Path, base: &Scenario) -> Result<Scenario, Failure> 
     if let Some((group, _)) = document.iter().find(|(group, _)| !MATERIALS.contains(group)) {
         let line = line_of(&text, key_span(document.as_table(), group));
         return Err(refuse(&format!(
-            "line {line}: {group} is refused: legal in a material is {}",
+            "line {line}: {group} is refused: expected {} in a material",
             MATERIALS.join(" or ")
         )));
     }

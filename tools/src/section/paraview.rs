@@ -6,8 +6,7 @@ use std::path::{Path, PathBuf};
 
 use quick_xml::Writer;
 use quick_xml::events::{BytesDecl, BytesText, Event};
-use softanvil_kernel::result;
-use softanvil_kernel::{FIELDS, Field, ModelError, Simulation};
+use softanvil_kernel::{FIELDS, Field, ModelError, Simulation, result};
 use tempfile::TempDir;
 
 use super::vtu::{Array, Cell, Grid};

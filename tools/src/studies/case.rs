@@ -6,8 +6,7 @@ use softanvil_kernel::scenario::Motion;
 use crate::measurement::quantity::{self, COUNT, PEAK_FORCE};
 use crate::measurement::reading::Reading;
 use crate::measurement::series::{Sensor, Series};
-use crate::run::Ending;
-use crate::run::{Drop, Run, Until};
+use crate::run::{Drop, Ending, Run, Until};
 
 /// What is to be simulated.
 #[derive(Clone, Debug)]

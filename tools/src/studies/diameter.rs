@@ -4,10 +4,8 @@ use softanvil_kernel::Scenario;
 
 use super::case::{Case, Outcome};
 use super::evaluation::{Evaluation, Finding, Picture};
-use super::results::Study;
-use super::results::{Results, percent};
-use super::values::set;
-use super::values::{numbers, with_own};
+use super::results::{Results, Study, percent};
+use super::values::{numbers, set, with_own};
 use crate::failure::Failure;
 use crate::measurement::errors::{error_percent, errors_percent, mean_absolute};
 use crate::measurement::quantity::{PEAK_FORCE, QUANTITIES};

@@ -6,10 +6,8 @@ use softanvil_kernel::scenario::Interface;
 
 use super::case::{Case, Outcome};
 use super::evaluation::{Evaluation, Finding, Picture, Sheet};
-use super::results::Study;
-use super::results::{Results, percent};
-use super::values::set;
-use super::values::{numbers, with_own};
+use super::results::{Results, Study, percent};
+use super::values::{numbers, set, with_own};
 use super::variants::{DEPTH, SPEED, press, ratio_of, set_ratio, undamped};
 use crate::failure::Failure;
 use crate::measurement::errors::error_percent;

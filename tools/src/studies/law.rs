@@ -4,14 +4,12 @@ use rayon::prelude::*;
 use softanvil_identify::law::fit::{Fit, Settings, Weighting};
 use softanvil_identify::law::{DataSet, LAWS, Law, Mode, stress};
 use softanvil_kernel::Scenario;
-use softanvil_kernel::material::Elastic;
-use softanvil_kernel::material::{Material, Moduli, VolumetricBy};
+use softanvil_kernel::material::{Elastic, Material, Moduli, VolumetricBy};
 
 use super::case::{Case, Outcome};
 use super::diameter::is_energy;
 use super::evaluation::{Evaluation, Finding, Picture};
-use super::results::Study;
-use super::results::{Results, percent};
+use super::results::{Results, Study, percent};
 use crate::failure::Failure;
 use crate::measurement::errors::error_percent;
 use crate::measurement::quantity::PEAK_FORCE;

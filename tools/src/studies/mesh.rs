@@ -8,8 +8,7 @@ use softanvil_kernel::{SAMPLING_INTERVAL, Scenario};
 
 use super::case::{CHANNEL_CLASS, Case, Outcome};
 use super::evaluation::{Evaluation, Finding, Picture, Sheet};
-use super::results::Results;
-use super::results::Study;
+use super::results::{Results, Study};
 use super::richardson::{Verdict, judge};
 use super::values::set;
 use crate::failure::Failure;

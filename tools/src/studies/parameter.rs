@@ -5,8 +5,7 @@ use softanvil_kernel::{Changes, Parameter, Scenario};
 
 use super::case::{Case, Outcome};
 use super::evaluation::{Evaluation, Picture};
-use super::results::Results;
-use super::results::Study;
+use super::results::{Results, Study};
 use crate::failure::Failure;
 use crate::measurement::errors::error_percent;
 use crate::measurement::quantity::QUANTITIES;

@@ -6,10 +6,8 @@ use softanvil_kernel::scenario::Interface;
 
 use super::case::Case;
 use super::evaluation::{Evaluation, Finding, Picture};
-use super::results::Study;
-use super::results::{Results, percent};
-use super::values::set;
-use super::values::{numbers, with_own};
+use super::results::{Results, Study, percent};
+use super::values::{numbers, set, with_own};
 use super::variants::{ratio_of, set_ratio};
 use crate::failure::Failure;
 use crate::measurement::errors::error_percent;

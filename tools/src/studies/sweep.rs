@@ -9,8 +9,7 @@ use softanvil_kernel::Scenario;
 
 use super::case::{Case, Outcome};
 use super::columns;
-use super::results::Results;
-use super::results::Study;
+use super::results::{Results, Study};
 use crate::failure::Failure;
 use crate::output::subject::Subject;
 use crate::progress;

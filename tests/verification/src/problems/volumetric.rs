@@ -1,7 +1,6 @@
 //! The volumetric laws: pressure of a dilatation, and gradient of the energy.
 
-use softanvil_kernel::material::Volumetric;
-use softanvil_kernel::material::{Material, VolumetricLaw};
+use softanvil_kernel::material::{Material, Volumetric, VolumetricLaw};
 use softanvil_kernel::number::vector::Scalar;
 use softanvil_kernel::scenario::Formulation;
 

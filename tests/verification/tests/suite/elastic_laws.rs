@@ -4,8 +4,7 @@
 //! Source: the definition of a hyperelastic material, P = dW/dF, and of objectivity, P(Q F) = Q P(F), e.g. Holzapfel,
 //! Nonlinear Solid Mechanics (2000).
 
-use softanvil_kernel::material::Elastic;
-use softanvil_kernel::material::{Material, VolumetricLaw};
+use softanvil_kernel::material::{Elastic, Material, VolumetricLaw};
 use softanvil_kernel::number::vector::Scalar;
 use softanvil_kernel::preset;
 use softanvil_kernel::scenario::Formulation;

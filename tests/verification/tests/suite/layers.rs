@@ -1,7 +1,6 @@
 //! Two layers: the same numbers as one where both have the same material, and conservation where they differ.
 
-use softanvil_kernel::material::MAX_PRONY_TERMS;
-use softanvil_kernel::material::Material;
+use softanvil_kernel::material::{MAX_PRONY_TERMS, Material};
 use softanvil_kernel::scenario::{Formulation, Layers, StepBy};
 use softanvil_kernel::state::{restore, save, snapshot_size};
 use softanvil_kernel::{Scenario, Simulation, StepInput, preset};

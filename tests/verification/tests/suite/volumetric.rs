@@ -2,8 +2,7 @@
 //!
 //! Source: Simo and Miehe (1992): U = K/4 (J^2 - 1 - 2 ln J), so p = K/2 (J - 1/J), which has no bound at J = 0.
 
-use softanvil_kernel::material::Volumetric;
-use softanvil_kernel::material::{ElasticLaw, Material, VolumetricLaw};
+use softanvil_kernel::material::{ElasticLaw, Material, Volumetric, VolumetricLaw};
 use softanvil_kernel::number::vector::Scalar;
 use softanvil_kernel::scenario::{Interface, Motion, StepBy};
 use softanvil_kernel::{Simulation, StepError, StepInput};

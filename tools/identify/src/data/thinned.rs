@@ -3,17 +3,17 @@
 use super::point::Point;
 
 /// Points of one curve that are fitted as they are, at most; a machine that samples at a kilohertz writes many more.
-pub const MOST_POINTS: usize = 2000;
+pub const MAX_POINTS: usize = 2000;
 /// Bins of equal width that more points are averaged in.
 const BINS: usize = 1000;
 
-/// `points` (sorted by stretch), or their means in bins of the stretch if there are more than [`MOST_POINTS`].
+/// `points` (sorted by stretch), or their means in bins of the stretch if there are more than [`MAX_POINTS`].
 ///
 /// A mean of many points scatters less than each of them, and so do the residuals that standard errors come from.
 pub fn thinned(points: Vec<Point>, notes: &mut Vec<String>) -> Vec<Point> {
     let (Some(first), Some(last)) = (points.first(), points.last()) else { return points };
     let (low, width) = (first.stretch, (last.stretch - first.stretch) / BINS as f64);
-    if points.len() <= MOST_POINTS || width <= 0.0 {
+    if points.len() <= MAX_POINTS || width <= 0.0 {
         return points;
     }
     let bin = |point: &Point| (((point.stretch - low) / width) as usize).min(BINS - 1);

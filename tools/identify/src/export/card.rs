@@ -1,7 +1,6 @@
 //! What a file says to its reader, and whether that is the material it was written from.
 
-use softanvil_kernel::material::Elastic;
-use softanvil_kernel::material::Material;
+use softanvil_kernel::material::{Elastic, Material};
 
 use super::viscous;
 use crate::law::fit::SMALLEST_RELATIVE;

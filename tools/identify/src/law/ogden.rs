@@ -7,9 +7,8 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::linear;
 use super::stress::stretches;
-use super::{DataSet, Mode};
+use super::{DataSet, Mode, linear};
 use crate::least_squares::{self, Bounded, Effort, Held, Model};
 
 /// Largest exponent, as in the kernel's table of parameters.

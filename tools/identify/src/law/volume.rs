@@ -117,8 +117,7 @@ pub fn collapse(points: &[(f64, f64)]) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::law::stress;
-    use crate::law::{Law, MODES};
+    use crate::law::{Law, MODES, stress};
     use softanvil_kernel::material::Elastic;
 
     #[test]

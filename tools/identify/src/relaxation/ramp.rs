@@ -1,5 +1,7 @@
 //! Whether a load rises to its peak during a ramp, or stands there at once and scatters.
 
+use softanvil_records::robust::{NORMAL, median};
+
 /// Part of the peak below which a first load is none that was there at once, whatever the scatter.
 const AT_ONCE: f64 = 0.5;
 /// Standard deviations of the scatter that a rise to the peak has at least: the larger of some dozen loads and the first are
@@ -9,8 +11,6 @@ const RISE: f64 = 6.0;
 const ALIKE: f64 = 4.0;
 /// A slope over its standard error that is one.
 const SLOPE: f64 = 3.0;
-/// Standard deviations of a normal distribution in its median absolute deviation.
-const NORMAL: f64 = 1.482_602_218_505_602;
 
 /// The time at which the load of `points` (time since loading began, load) has risen to its peak; none if it was there at
 /// once.
@@ -41,7 +41,9 @@ fn scatter(relaxing: &[(f64, f64)], top: f64) -> f64 {
     };
     let distances: Vec<f64> = relaxing.windows(3).map(distance).collect();
     let parts = relaxing.windows(3).zip(&distances).map(|(points, distance)| distance / points[1].1.abs()).collect();
-    NORMAL * f64::max(median(distances), top * median(parts))
+    // Loads of nothing, or at one time, tell no scatter.
+    let known = |deviation: f64| if deviation.is_finite() { deviation } else { 0.0 };
+    NORMAL * f64::max(known(median(distances)), top * known(median(parts)))
 }
 
 /// Whether the loads of `points` rise over time by more than they scatter around a straight line.
@@ -52,12 +54,6 @@ fn rises(points: &[(f64, f64)]) -> bool {
     let slope = moment(&|t, y| t * y) / moment(&|t, _| t * t);
     let residual = moment(&|t, y| (y - slope * t).powi(2));
     n > 2.0 && slope > SLOPE * (residual / (n - 2.0) / moment(&|t, _| t * t)).sqrt()
-}
-
-fn median(mut values: Vec<f64>) -> f64 {
-    let middle = values.len() / 2;
-    values.sort_by(f64::total_cmp);
-    values.get(middle).copied().filter(|value| value.is_finite()).unwrap_or_default()
 }
 
 #[cfg(test)]

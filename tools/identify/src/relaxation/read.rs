@@ -71,7 +71,7 @@ pub struct Test {
 
 /// Above this number, points are averaged in bins that are even over the logarithm of time, which costs nothing: a series
 /// hardly changes within a bin, and a mean counts as its number of points.
-const MOST_POINTS: usize = 1000;
+const MAX_POINTS: usize = 1000;
 /// Bins in a decade.
 const PER_DECADE: f64 = 100.0;
 
@@ -358,10 +358,10 @@ struct Mean {
     count: usize,
 }
 
-/// The `points` (time, value), or their means in bins of the logarithm of time if there are more than [`MOST_POINTS`]; none
+/// The `points` (time, value), or their means in bins of the logarithm of time if there are more than [`MAX_POINTS`]; none
 /// has points before and after `loaded`, s.
 fn means(points: &[(f64, f64)], loaded: f64) -> Vec<Mean> {
-    let few = points.len() <= MOST_POINTS;
+    let few = points.len() <= MAX_POINTS;
     let bin = |time: f64| if time > 0.0 { (time.log10() * PER_DECADE).floor() as i64 } else { i64::MIN };
     let mean = |points: &[(f64, f64)]| {
         let count = points.len();

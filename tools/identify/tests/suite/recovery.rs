@@ -3,9 +3,8 @@
 use std::fmt::Write;
 
 use softanvil_identify::law::fit::{Fit, Settings, Weighting, predict};
-use softanvil_identify::law::profile;
 use softanvil_identify::law::statistics::confidence_factor;
-use softanvil_identify::law::{DataSet, Law, MODES, Mode};
+use softanvil_identify::law::{DataSet, Law, MODES, Mode, profile};
 use softanvil_identify::relaxation::history::History;
 use softanvil_identify::relaxation::prony::{Prony, Relaxation, fit};
 use softanvil_identify::relaxation::read::{Options, read};

@@ -4,19 +4,40 @@ use std::cmp::Ordering;
 
 use super::head::{Head, Width, filled, is_row_of_units};
 use super::notation::{Notation, is_missing, is_numeric, is_plain};
-use super::{Body, Row, Sheet, no_table};
+use super::table::{Body, FIRST, Row, Sheet};
 use crate::ReadError;
-use crate::cells::{Cells, Separator};
+use crate::cells::{Cells, Separator, starts_with_digit};
 use crate::column::Column;
 use crate::facts::Facts;
 use crate::number::{self, Cell, Decimal};
 use crate::text::{self, Lines};
 
-/// Rows that tell which columns are of numbers.
-pub(super) const FIRST: usize = 20;
+/// The tables in `lines`; `cells` tells what separates the cells, if that is known.
+///
+/// # Errors
+/// As [`super::parse`].
+pub fn of_lines(lines: Lines, decimal: Option<Decimal>, cells: Option<Separator>) -> Result<Sheet, ReadError> {
+    let notation = Notation::find(&lines, decimal, cells).ok_or_else(|| no_table(&lines))?;
+    Assembly::new(lines, notation).finish()
+}
+
+fn no_table(lines: &Lines) -> ReadError {
+    let legal = "expected a table of numbers separated by tab ; , | or blanks, with units in its titles";
+    let first = (1..=lines.len())
+        .map(|number| (number, lines.get(number)))
+        .filter(|(_, line)| text::comment(line).is_none())
+        .find(|(_, line)| starts_with_digit(line.trim_start_matches(['"', ' '])));
+    match first {
+        Some((number, line)) => {
+            let shown: String = line.trim().chars().take(60).collect();
+            ReadError::line(number, format!("\"{shown}\" is no row of two or more numbers: {legal}"))
+        }
+        None => ReadError::file(format!("no row of two or more numbers: {legal}")),
+    }
+}
 
 /// Goes through the lines and gathers tables.
-pub(super) struct Assembly {
+struct Assembly {
     lines: Lines,
     separator: Separator,
     decimal: Decimal,

@@ -1,7 +1,7 @@
 //! One impact of a record as a trace.
 
 use super::plausible::{seconds, step};
-use super::{Channels, Samples, Trace};
+use super::record::{Channels, Samples, Trace};
 use crate::ReadError;
 use crate::impact::Contact;
 use crate::understood::Understood;

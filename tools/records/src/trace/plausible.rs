@@ -1,8 +1,9 @@
 //! Whether a record may be of the drop that it should be of.
 
-use super::{Clock, Record, Trace};
+use super::record::{Clock, Record, Trace};
 use crate::ReadError;
 use crate::column::{Column, Kind};
+use crate::robust::median;
 
 impl Record<'_> {
     /// The trace with what is unlikely of it; what can only be a wrong unit is refused.
@@ -94,9 +95,7 @@ pub(super) const SMALL_OFFSET: f64 = 5e-3;
 
 /// The median time between two samples.
 pub(super) fn step(times: &[f64]) -> f64 {
-    let mut steps: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).collect();
-    let middle = steps.len() / 2;
-    if steps.is_empty() { 0.0 } else { *steps.select_nth_unstable_by(middle, f64::total_cmp).1 }
+    median(times.windows(2).map(|pair| pair[1] - pair[0]).collect())
 }
 
 pub(super) fn seconds(time: f64) -> String {

@@ -7,13 +7,13 @@ use std::io::Cursor;
 use calamine::{Data, DataRef, Range, Reader, Sheets, open_workbook_auto_from_rs};
 
 /// Cells of a sheet, at most, empty ones among them: a file of a few bytes may claim any number.
-const MOST_CELLS: u64 = 30_000_000;
+const MAX_CELLS: u64 = 30_000_000;
 
 /// Bytes of a compressed workbook, at most.
-const MOST_BYTES: usize = 200_000_000;
+const MAX_BYTES: usize = 200_000_000;
 
 /// Bytes of a workbook when it is unpacked, at most: a small archive may hold any number.
-const MOST_UNPACKED: u128 = 2_000_000_000;
+const MAX_UNPACKED: u128 = 2_000_000_000;
 
 /// The size that the archive in `bytes` states; none if it is no archive.
 fn unpacked_size(bytes: &[u8]) -> Option<u128> {
@@ -34,11 +34,11 @@ impl<'a> Workbook<'a> {
     /// # Errors
     /// No workbook, or too large a one.
     pub fn open(bytes: &'a [u8]) -> Result<Self, String> {
-        if bytes.len() > MOST_BYTES {
-            return Err(format!("a workbook of {} bytes: expected {MOST_BYTES} at most", bytes.len()));
+        if bytes.len() > MAX_BYTES {
+            return Err(format!("a workbook of {} bytes: expected {MAX_BYTES} at most", bytes.len()));
         }
-        if let Some(size) = unpacked_size(bytes).filter(|size| *size > MOST_UNPACKED) {
-            return Err(format!("a workbook of {size} bytes when it is unpacked: expected {MOST_UNPACKED} at most"));
+        if let Some(size) = unpacked_size(bytes).filter(|size| *size > MAX_UNPACKED) {
+            return Err(format!("a workbook of {size} bytes when it is unpacked: expected {MAX_UNPACKED} at most"));
         }
         let refuse = |error: calamine::Error| format!("this is no workbook that can be read: {error}");
         open_workbook_auto_from_rs(Cursor::new(bytes)).map(Self).map_err(refuse)
@@ -106,8 +106,8 @@ impl Text {
         let lines = row.saturating_sub(self.row);
         let tabs = if lines > 0 { column } else { column.saturating_sub(self.column) };
         self.cells += u64::from(lines) + u64::from(tabs);
-        if self.cells > MOST_CELLS {
-            return Err(format!("more than {MOST_CELLS} cells: expected a table of measured data"));
+        if self.cells > MAX_CELLS {
+            return Err(format!("more than {MAX_CELLS} cells: expected a table of measured data"));
         }
         self.text.extend(std::iter::repeat_n('\n', lines as usize));
         self.text.extend(std::iter::repeat_n('\t', tabs as usize));

@@ -2,16 +2,17 @@
 
 use softanvil_workbooks::Workbook;
 
-use super::ReadError;
-use super::cells::Separator;
-use super::number::Decimal;
-use super::sheet::{self, Layout, Sheet};
-use super::text::Lines;
+use super::assembly::of_lines;
+use super::table::{Layout, Sheet};
+use crate::ReadError;
+use crate::cells::Separator;
+use crate::number::Decimal;
+use crate::text::Lines;
 
 /// The tables in the workbook `bytes`, in the sheet that `layout` names, or in the only one that has any.
 ///
 /// # Errors
-/// No workbook, no such sheet, several sheets with tables, or what [`sheet::of_lines`] refuses.
+/// No workbook, no such sheet, several sheets with tables, or what [`of_lines`] refuses.
 pub fn parse(bytes: &[u8], layout: &Layout) -> Result<Sheet, ReadError> {
     let mut workbook = Workbook::open(bytes).map_err(ReadError::file)?;
     let names = workbook.names();
@@ -47,7 +48,7 @@ fn quoted(names: &[String]) -> String {
 /// The tables in the sheet `name`: its rows as lines, with tabs between the cells.
 fn table(workbook: &mut Workbook, name: &str) -> Result<Sheet, ReadError> {
     let lines = Lines::of(workbook.text(name).map_err(ReadError::file)?, "workbook");
-    let mut sheet = sheet::of_lines(lines, Some(Decimal::Point), Some(Separator::Sign(b'\t')))?;
+    let mut sheet = of_lines(lines, Some(Decimal::Point), Some(Separator::Sign(b'\t')))?;
     sheet.name = Some(name.into());
     Ok(sheet)
 }
