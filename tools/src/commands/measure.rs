@@ -126,11 +126,14 @@ impl Options {
             let cut = run::suffix(run);
             // The axis has the name of the force.
             let filter = reading.channel_class.map_or("unfiltered".into(), |class| format!("CFC {class}"));
-            let ours = &record.series;
-            let mut curves = vec![(format!("Softanvil, {load}, {filter}{cut}"), ours.since_onset(record.threshold))];
+            let (ours, lag) = (&record.series, comparison.map_or(0.0, |comparison| comparison.score.alignment.lag));
+            let onset = ours.onset(record.threshold).unwrap_or(ours.start);
+            // From the earlier of the two, so that none loses its rise.
+            let measured = comparison.and_then(|comparison| comparison.measured.onset(comparison.threshold));
+            let zero = measured.map_or(onset, |measured| onset.min(measured + lag));
+            let mut curves = vec![(format!("Softanvil, {load}, {filter}{cut}"), ours.since(zero, record.threshold))];
             if let Some(comparison) = comparison {
-                let zero = ours.onset(record.threshold).unwrap_or(ours.start) - comparison.score.alignment.lag;
-                curves.push(("measured".into(), comparison.measured.since(zero, comparison.threshold)));
+                curves.push(("measured".into(), comparison.measured.since(zero - lag, comparison.threshold)));
             }
             let svg = plot::forces("Force over time", reading.sensor.axis(), curves)?;
             files.push((path.as_path(), output_files::picture(path, svg)?));

@@ -54,6 +54,29 @@ fn a_gain_is_found_in_peak_and_impulse() {
     assert!(svg_texts(&folder.path().join("read.svg")).iter().any(|text| text == "measured"));
 }
 
+/// Largest correlation lays the middle of a slow impact on that of a quick one, so that the slow one begins before.
+#[test]
+fn a_picture_shows_the_rise_of_both_forces() {
+    let folder = tempfile::tempdir().unwrap();
+    let force = |time: f64| if time < 16e-3 { 2500.0 * (std::f64::consts::PI * time / 16e-3).sin() } else { 0.0 };
+    let rows: String = (0..500).map(|i| f64::from(i) * 5e-5).map(|t| format!("{t},{}\n", force(t))).collect();
+    std::fs::write(folder.path().join("slow.csv"), format!("time [s],force [N]\n{rows}")).unwrap();
+    succeed(folder.path(), &["measure", "--trace", "slow.csv", "--plot", "slow.svg"]);
+    let svg = std::fs::read_to_string(folder.path().join("slow.svg")).unwrap();
+    // Downwards, in the units of the drawing; the lines of the legend have two points.
+    let heights = |line: &str| -> Vec<f64> {
+        let points = line.split("points=\"").nth(1).and_then(|rest| rest.split('"').next()).unwrap_or_default();
+        points.split_whitespace().filter_map(|point| point.split(',').nth(1)?.parse().ok()).collect()
+    };
+    let curves: Vec<Vec<f64>> =
+        svg.split("<polyline").skip(1).map(heights).filter(|heights| heights.len() > 20).collect();
+    assert_eq!(curves.len(), 2);
+    for curve in curves {
+        let (top, bottom) = curve.iter().fold((f64::MAX, f64::MIN), |(t, b), y| (t.min(*y), b.max(*y)));
+        assert!(curve[0] > bottom - 0.1 * (bottom - top), "begins at {} of {top} to {bottom}", curve[0]);
+    }
+}
+
 #[test]
 fn instruments_change_what_is_read() {
     let folder = tempfile::tempdir().unwrap();

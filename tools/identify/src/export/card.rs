@@ -172,8 +172,6 @@ mod tests {
         assert!(card(|m| m.density *= 1.01).contains("density"));
         assert!(card(|m| m.poissons_ratio = 0.4).contains("bulk modulus"));
         assert!(card(|m| m.c20 *= 1.1).contains("stress at the stretch"));
-        assert!(
-            card(|m| m.prony_g[0] = 0.1).contains("viscous terms") || card(|m| m.prony_g[0] = 0.1).contains("stress")
-        );
+        assert!(card(|m| m.prony_g[0] = 0.1).contains("it has 1 viscous terms instead of 0"));
     }
 }
