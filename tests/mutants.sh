@@ -11,6 +11,7 @@ case $package in
     softanvil-ffi) tests=softanvil-ffi ;;
     *) echo "mutants.sh softanvil-kernel|softanvil-ffi SHARD" >&2; exit 2 ;;
 esac
+mkdir -p target/mutation
 # A mutant that runs on without an end is one that the tests see: 300 s are four times what they take.
 cargo mutants --package "$package" --test-package "$tests" --sharding round-robin --shard "$shard" --timeout 300 \
     --shuffle --output "target/mutation/$package-${shard/\//-of-}" "$@"

@@ -1,18 +1,23 @@
 //! Stress, stretch and rotation of single triangles, at the time of the last step's stresses.
 
+use nalgebra::{Matrix2, Point2, Rotation2, UnitComplex};
+
+use crate::element::{CellConstants, CellHistory, TriangleHistory};
+use crate::material::MaterialModel;
 use crate::mesh::{CORNERS, triangles};
 use crate::model::Model;
 use crate::number::math;
 use crate::number::pack::LANES;
 use crate::number::real::Real;
 use crate::state::StateView;
+use crate::tensor::deviator::Deviator;
 use crate::tensor::stretch::largest_in_plane;
 
 /// Cauchy stress of a triangle in its unrotated frame, Pa, positive in tension.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stress {
-    /// Deviator: xx, yy, xy; zz is minus the sum of the first two.
-    pub deviator: [Real; 3],
+    /// Deviator in the section, shape (2 x 2); out of it it is minus the trace.
+    pub deviator: Matrix2<Real>,
     /// Mean stress of the cell, from its mean dilatation.
     pub mean: Real,
 }
@@ -20,91 +25,112 @@ pub struct Stress {
 impl Stress {
     /// Stress of triangle `column` (two per cell) in `row`, counted from the core and the first column; none outside.
     pub fn of(model: &Model, state: &StateView, row: usize, column: usize) -> Option<Self> {
-        let grid = &model.constants.grid;
-        let (u, t) = (column / 2, column % 2);
-        if u >= grid.n_u || row >= grid.n_v {
-            return None;
+        let triangle = Triangle::find(model, state, row, column)?;
+        let laws = triangle.laws;
+        let mut kirchhoff = triangle.history.elastic_prev.lane(triangle.lane)?;
+        let overstress = triangle.overstress(model, state)?;
+        for part in core::iter::once(&triangle.history.slider_stress).chain(overstress) {
+            kirchhoff = kirchhoff + part.lane(triangle.lane)?;
         }
-        let (block, l) = (row * grid.blocks_per_row() + u / LANES, u % LANES);
-        let history = state.cells.get(block)?.triangle.get(t)?;
-        let laws = model.constants.laws_of(block);
-        // The terms of the first triangle, then those of the second, in a block's share of the history.
-        let first = 2 * block * model.constants.n_term() + t * laws.n_term();
-        let overstress = state.viscous.get(first..first + laws.n_term())?;
-        let mut deviator = history.elastic_prev.lane(l)?;
-        for part in core::iter::once(&history.slider_stress).chain(overstress) {
-            deviator = deviator + part.lane(l)?;
-        }
-        let deviator = deviator.section();
-        let whole = if laws.tear.active() { laws.tear.factor(*history.largest_stretch.get(l)?) } else { 1.0 };
-        let jacobian = jacobian(&history.stretch_prev, l)?;
-        let mean = laws.volumetric.stress(mean_jacobian(model, state, block, l)?);
-        Some(Self { deviator: deviator.map(|kirchhoff| whole * kirchhoff / jacobian), mean })
+        let [xx, yy, xy] = kirchhoff.section();
+        let largest = *triangle.history.largest_stretch.get(triangle.lane)?;
+        let whole = if laws.tear.active() { laws.tear.factor(largest) } else { 1.0 };
+        let deviator = Matrix2::new(xx, xy, xy, yy) * (whole / jacobian(triangle.stretch()?));
+        Some(Self { deviator, mean: laws.volumetric.stress(triangle.mean_jacobian()?) })
     }
 
     /// Von Mises stress, Pa.
     pub fn von_mises(&self) -> Real {
-        let [xx, yy, xy] = self.deviator;
-        math::sqrt(3.0 * (xx * (xx + yy) + yy * yy + xy * xy))
+        let trace = self.deviator.trace();
+        math::sqrt(1.5 * (self.deviator.norm_squared() + trace * trace))
     }
 
     /// Principal stresses, Pa: the larger and the smaller one of the section, then the one out of the plane.
     pub fn principal(&self) -> [Real; 3] {
-        let [xx, yy, xy] = self.deviator;
-        let (centre, half) = (0.5 * (xx + yy), 0.5 * (xx - yy));
-        let radius = math::sqrt(half * half + xy * xy);
-        [self.mean + centre + radius, self.mean + centre - radius, self.mean - (xx + yy)]
+        let (xx, yy, xy) = (self.deviator.m11, self.deviator.m22, self.deviator.m12);
+        let largest = largest_in_plane(0.5 * (xx + yy), 0.5 * (xx - yy), xy);
+        [self.mean + largest, self.mean + (xx + yy - largest), self.mean - (xx + yy)]
     }
 }
 
-/// J of a triangle from its right stretch.
-fn jacobian(stretch: &[[Real; LANES]; 4], l: usize) -> Option<Real> {
-    let [mean, difference, shear, hoop] = stretch.each_ref().map(|lane| lane.get(l).copied());
-    let (mean, difference, shear) = (mean?, difference?, shear?);
-    Some((mean * mean - (difference * difference + shear * shear)) * hoop?)
+/// One triangle of one cell, and what it remembers.
+struct Triangle<'a> {
+    /// Number in its cell.
+    number: usize,
+    /// Block of the cell, and lane in it.
+    block: usize,
+    lane: usize,
+    laws: &'a MaterialModel,
+    constants: &'a CellConstants,
+    cell: &'a CellHistory,
+    history: &'a TriangleHistory,
 }
 
-/// Volume-weighted mean J of a cell.
-fn mean_jacobian(model: &Model, state: &StateView, block: usize, l: usize) -> Option<Real> {
-    let (constants, history) = (model.cells.get(block)?, state.cells.get(block)?);
-    let mut mean = 1.0;
-    for (constants, history) in constants.triangle.iter().zip(&history.triangle) {
-        mean += constants.volume_fraction.get(l)? * (jacobian(&history.stretch_prev, l)? - 1.0);
+impl<'a> Triangle<'a> {
+    /// Triangle `column` (two per cell) of `row`; none outside.
+    fn find(model: &Model<'a>, state: &StateView<'a>, row: usize, column: usize) -> Option<Self> {
+        let grid = &model.constants.grid;
+        let (u, number) = (column / 2, column % 2);
+        if u >= grid.n_u || row >= grid.n_v {
+            return None;
+        }
+        let (block, lane) = (row * grid.blocks_per_row() + u / LANES, u % LANES);
+        let (constants, cell) = (model.cells.get(block)?, state.cells.get(block)?);
+        let history = cell.triangle.get(number)?;
+        Some(Self { number, block, lane, laws: model.constants.laws_of(block), constants, cell, history })
     }
-    Some(mean)
+
+    /// Overstresses of its viscous terms, Pa.
+    fn overstress(&self, model: &Model, state: &StateView<'a>) -> Option<&'a [Deviator]> {
+        // The terms of the first triangle, then those of the second, in a block's share of the history.
+        let first = 2 * self.block * model.constants.n_term() + self.number * self.laws.n_term();
+        state.viscous.get(first..first + self.laws.n_term())
+    }
+
+    /// Right stretch: mean and half difference in the section, shear, hoop.
+    fn stretch(&self) -> Option<[Real; 4]> {
+        stretch(self.history, self.lane)
+    }
+
+    /// Volume-weighted mean J of its cell.
+    fn mean_jacobian(&self) -> Option<Real> {
+        let mut mean = 1.0;
+        for (constants, history) in self.constants.triangle.iter().zip(&self.cell.triangle) {
+            mean += constants.volume_fraction.get(self.lane)? * (jacobian(stretch(history, self.lane)?) - 1.0);
+        }
+        Some(mean)
+    }
+}
+
+/// Right stretch of lane `l`: mean and half difference in the section, shear, hoop.
+fn stretch(history: &TriangleHistory, l: usize) -> Option<[Real; 4]> {
+    let [mean, difference, shear, hoop] = history.stretch_prev.each_ref().map(|lane| lane.get(l).copied());
+    Some([mean?, difference?, shear?, hoop?])
+}
+
+/// J of a right stretch.
+fn jacobian([mean, difference, shear, hoop]: [Real; 4]) -> Real {
+    (mean * mean - (difference * difference + shear * shear)) * hoop
 }
 
 /// Cauchy stress of triangle `column` (two per cell) in `row` along the fixed axes, Pa, positive in tension: xx, yy, xy,
 /// and zz out of the section; none outside.
 pub fn cauchy_stress(model: &Model, state: &StateView, row: usize, column: usize) -> Option<[Real; 4]> {
-    let stress = Stress::of(model, state, row, column)?;
-    let [cos, sin] = rotation(model, state, row, column)?;
-    // R s R^T of the deviator's part in the section, whose trace does not turn.
-    let [xx, yy, xy] = stress.deviator;
-    let (centre, half) = (0.5 * (xx + yy), 0.5 * (xx - yy));
-    let (cos_double, sin_double) = (cos * cos - sin * sin, 2.0 * cos * sin);
-    let turned = half * cos_double - xy * sin_double;
-    let shear = half * sin_double + xy * cos_double;
-    Some([stress.mean + centre + turned, stress.mean + centre - turned, shear, stress.mean - (xx + yy)])
+    let Stress { deviator, mean } = Stress::of(model, state, row, column)?;
+    let rotation = rotation(model, state, row, column)?.into_inner();
+    let turned = rotation * deviator * rotation.transpose();
+    Some([mean + turned.m11, mean + turned.m22, turned.m12, mean - deviator.trace()])
 }
 
 /// Principal stretches of a triangle: the larger and the smaller one in the section, then the one out of it.
 pub fn principal_stretch(model: &Model, state: &StateView, row: usize, column: usize) -> Option<[Real; 3]> {
-    let grid = &model.constants.grid;
-    let (u, t) = (column / 2, column % 2);
-    if u >= grid.n_u || row >= grid.n_v {
-        return None;
-    }
-    let (block, l) = (row * grid.blocks_per_row() + u / LANES, u % LANES);
-    let history = state.cells.get(block)?.triangle.get(t)?;
-    let [mean, difference, shear, hoop] = history.stretch_prev.each_ref().map(|lane| lane.get(l).copied());
-    let (mean, difference, shear) = (mean?, difference?, shear?);
+    let [mean, difference, shear, hoop] = Triangle::find(model, state, row, column)?.stretch()?;
     let largest = largest_in_plane(mean, difference, shear);
-    Some([largest, (mean * mean - (difference * difference + shear * shear)) / largest, hoop?])
+    Some([largest, (mean * mean - (difference * difference + shear * shear)) / largest, hoop])
 }
 
-/// Cosine and sine of the rotation R of F = R U.
-fn rotation(model: &Model, state: &StateView, row: usize, column: usize) -> Option<[Real; 2]> {
+/// The rotation R of F = R U.
+fn rotation(model: &Model, state: &StateView, row: usize, column: usize) -> Option<Rotation2<Real>> {
     let corners = triangles(&model.constants.grid, column / 2, row).get(column % 2)?.map(|corner| {
         let (du, dv) = CORNERS.get(corner).copied()?;
         let node = (row + dv) * model.constants.grid.stride() + column / 2 + du;
@@ -112,28 +138,21 @@ fn rotation(model: &Model, state: &StateView, row: usize, column: usize) -> Opti
     });
     let [a, b, c] = corners;
     let ((a, x), (b, y), (c, z)) = (a?, b?, c?);
-    let (edge, other) = ([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]);
-    let (now, other_now) = ([y[0] - x[0], y[1] - x[1]], [z[0] - x[0], z[1] - x[1]]);
-    // Det times F, by the adjugate of the edges; R has the angle of (F11 + F22, F21 - F12).
-    let f = |i: usize| {
-        let (p, q) = (now.get(i).copied()?, other_now.get(i).copied()?);
-        Some([p * other[1] - q * edge[1], q * edge[0] - p * other[0]])
-    };
-    let ([f11, f12], [f21, f22]) = (f(0)?, f(1)?);
-    let (a, b) = (f11 + f22, f21 - f12);
-    let length = math::sqrt(a * a + b * b);
-    Some([a / length, b / length])
+    let (rest, now) = (Matrix2::from_columns(&[b - a, c - a]), Matrix2::from_columns(&[y - x, z - x]));
+    // F times the determinant at rest, by the adjugate; R has the angle of (F11 + F22, F21 - F12).
+    let f = now * Matrix2::new(rest.m22, -rest.m12, -rest.m21, rest.m11);
+    let (cos, sin) = (f.m11 + f.m22, f.m21 - f.m12);
+    let length = math::sqrt(cos * cos + sin * sin);
+    Some(UnitComplex::from_cos_sin_unchecked(cos / length, sin / length).to_rotation_matrix())
 }
 
 /// Position of a node at the time of the last step's stresses, which is one step before that of its displacement, m.
-fn position(model: &Model, state: &StateView, node: usize) -> Option<[Real; 2]> {
-    let dt = model.constants.dt;
-    let (rest, moved, velocity) =
-        (at(model.reference_position(), node)?, at(state.displacement(), node)?, at(state.velocity(), node)?);
-    Some([rest[0] + (moved[0] - dt * velocity[0]), rest[1] + (moved[1] - dt * velocity[1])])
+fn position(model: &Model, state: &StateView, node: usize) -> Option<Point2<Real>> {
+    let (moved, velocity) = (at(state.displacement(), node)?, at(state.velocity(), node)?);
+    Some(at(model.reference_position(), node)? + (moved - velocity.coords * model.constants.dt).coords)
 }
 
-fn at(arrays: [&[Real]; 2], node: usize) -> Option<[Real; 2]> {
+fn at(arrays: [&[Real]; 2], node: usize) -> Option<Point2<Real>> {
     let [x, y] = arrays;
-    Some([*x.get(node)?, *y.get(node)?])
+    Some(Point2::new(*x.get(node)?, *y.get(node)?))
 }

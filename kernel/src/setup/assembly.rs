@@ -81,7 +81,7 @@ fn build_cells(
             if u >= grid.n_u {
                 continue;
             }
-            let corners = CORNERS.map(|(du, dv)| position(u + du, v + dv));
+            let corners = CORNERS.map(|(du, dv)| position(u + du, v + dv).into());
             let nodes = triangles(grid, u, v);
             cell.diagonal[l] = if nodes[0] == RISING { 1.0 } else { 0.0 };
             let pair = nodes.map(|nodes| Triangle::new(scenario, &corners, nodes));
