@@ -78,7 +78,7 @@ impl Simulation {
         let (nodes, cells, hoops) = (&mut model_nodes, &mut model_cells, &mut model_hoops);
         let model = model(ModelMemory { constants: &mut constants, nodes, cells, hoops }, &mut state)?;
         State::new(&model, state)?;
-        let constants = *model.constants;
+        let constants = model.constants.clone();
         Ok(Self { constants, scalars, model_nodes, model_cells, model_hoops, state_nodes, state_cells, state_viscous })
     }
 

@@ -63,7 +63,7 @@ pub(crate) fn build(scenario: &Scenario, size: &Size, mut region: Region) -> Res
     Ok(slot.place(SoftanvilSimulation {
         marker: SoftanvilSimulation::MARKER,
         bytes: bytes(size),
-        constants: *model.constants,
+        constants: model.constants.clone(),
         scalars,
     }))
 }

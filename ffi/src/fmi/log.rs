@@ -152,16 +152,17 @@ const LONGEST: usize = 1024;
 
 /// A message in memory of its own, because there may be no other.
 struct Message {
-    text: [u8; LONGEST + 1],
-    length: usize,
+    text: heapless::Vec<u8, { LONGEST + 1 }>,
     /// Whether it goes where "%" starts a conversion and "#" the name of a variable.
     is_format: bool,
 }
 
 impl Message {
     fn new(message: &dyn Display, is_format: bool) -> Self {
-        let mut text = Self { text: [0; LONGEST + 1], length: 0, is_format };
+        let mut text = Self { text: heapless::Vec::new(), is_format };
         let _ = write!(text, "{message}");
+        // There is room for the final zero: see `push`.
+        let _ = text.text.push(0);
         text
     }
 
@@ -171,14 +172,10 @@ impl Message {
 
     /// Adds a character as a whole; refused if there is no room for it.
     fn push(&mut self, character: &[u8]) -> fmt::Result {
-        let end = self.length + character.len();
-        let room = self.text.get_mut(self.length..end.min(LONGEST)).ok_or(fmt::Error)?;
-        if room.len() < character.len() {
+        if self.text.len() + character.len() > LONGEST {
             return Err(fmt::Error);
         }
-        room.iter_mut().zip(character).for_each(|(to, from)| *to = *from);
-        self.length = end;
-        Ok(())
+        self.text.extend_from_slice(character).map_err(|_| fmt::Error)
     }
 }
 

@@ -15,7 +15,7 @@ mod variable;
 pub use inputs::{INPUTS, Input, Inputs};
 pub use table::Table;
 pub(crate) use table::same_bits;
-pub use token::{Token, token};
+pub use token::token;
 pub use variable::{Source, ValueType, Variable, Version};
 
 #[cfg(test)]

@@ -6,7 +6,7 @@ use crate::number::vector::{Simd, Vector};
 use crate::tensor::stretch::IsochoricStretch;
 
 /// The laws of one layer with everything precomputed that does not change.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct MaterialModel {
     /// EnergyDensity, kg/m3.
     pub density: Real,

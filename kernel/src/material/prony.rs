@@ -15,7 +15,7 @@ use crate::number::vector::Simd;
 use crate::tensor::deviator::Deviator;
 
 /// The constants of the recurrence, for one step size.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Prony {
     branches: Branches,
     overstress: Real,

@@ -8,6 +8,8 @@
 //! The difference is taken as such: of a tau far above dt the exponential is 1 but for its last digits. Where dt/tau is
 //! below half a last digit (6e-8 in single precision) it is 1, and the branch holds what it has.
 
+use heapless::Vec;
+
 use crate::number::math;
 use crate::number::real::Real;
 use crate::number::vector::{Simd, Vector};
@@ -17,11 +19,14 @@ use crate::tensor::deviator::Deviator;
 pub const MAX_BRANCHES: usize = 5;
 
 /// The constants of the recurrences, for one step size.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Branches(Vec<Branch, MAX_BRANCHES>);
+
+/// e^(-dt/tau), and what the increment of the drive is multiplied by.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Branches {
-    n_term: usize,
-    decay: [Real; MAX_BRANCHES],
-    gain: [Real; MAX_BRANCHES],
+struct Branch {
+    decay: Real,
+    gain: Real,
 }
 
 /// Stress of neighbouring triangles with their overstress.
@@ -49,20 +54,18 @@ impl<V: Vector> Overstress<V> {
 
 impl Branches {
     /// No branch.
-    pub const NONE: Self = Self { n_term: 0, decay: [0.0; MAX_BRANCHES], gain: [0.0; MAX_BRANCHES] };
+    pub const NONE: Self = Self(Vec::new());
 
     /// Adds a branch: `ratio` of what drives it, Pa per its unit, `steps` = dt / tau.
     pub(crate) fn push(&mut self, ratio: Real, steps: Real) {
-        if let (Some(decay), Some(gain)) = (self.decay.get_mut(self.n_term), self.gain.get_mut(self.n_term)) {
-            *decay = math::exp(-steps);
-            *gain = ratio * (-math::exp_m1(-steps) / steps);
-            self.n_term += 1;
-        }
+        let branch = Branch { decay: math::exp(-steps), gain: ratio * (-math::exp_m1(-steps) / steps) };
+        // A material has no more terms than there is room for.
+        let _ = self.0.push(branch);
     }
 
     /// Number of branches.
     pub fn n_term(&self) -> usize {
-        self.n_term
+        self.0.len()
     }
 
     /// Advances the histories of the two triangles of each cell of a block (one entry per branch) by the increments of
@@ -76,8 +79,7 @@ impl Branches {
         [first, second]: [&mut [Deviator]; 2],
         overstress: &mut [Overstress<S::Vector>; 2],
     ) {
-        let constants = self.decay.iter().zip(&self.gain);
-        for ((first, second), (decay, gain)) in first.iter_mut().zip(second).zip(constants) {
+        for ((first, second), Branch { decay, gain }) in first.iter_mut().zip(second).zip(&self.0) {
             for (t, history) in [first, second].into_iter().enumerate() {
                 let (sum, before) = (&mut overstress[t], Deviator::load(simd, history, chunk));
                 let stress = before.scaled(simd.splat(*decay)) + increment[t].scaled(simd.splat(*gain));
@@ -120,7 +122,7 @@ mod tests {
         for (tau, decay, gain) in CLOSED_FORM {
             let mut branches = Branches::NONE;
             branches.push(2.5, (5e-6 / tau) as Real);
-            let [found_decay, found_gain] = [branches.decay[0], branches.gain[0]].map(f64::from);
+            let [found_decay, found_gain] = [branches.0[0].decay, branches.0[0].gain].map(f64::from);
             let counts = 1.0 + 5e-6 / tau;
             assert!((found_decay / decay - 1.0).abs() <= bound * counts, "tau = {tau} s: {found_decay}, not {decay}");
             assert!((found_gain / (2.5 * gain) - 1.0).abs() <= bound, "tau = {tau} s: {found_gain}, not 2.5 {gain}");

@@ -23,7 +23,7 @@ use crate::scenario::{MAX_LAYERS, Scenario};
 /// assert!((steps as f64 * constants.dt - 1e-3).abs() < 1e-15);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Constants {
     /// The scenario that the model was built from.
     pub scenario: Scenario,

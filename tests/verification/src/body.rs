@@ -54,7 +54,7 @@ impl Body {
         let (scalars, (lent, histories, viscous)) = (&mut Scalars::BLANK.clone(), &mut state);
         let mut lent = StateMemory { scalars, nodes: lent, cells: histories, viscous };
         let model = Model::with_positions(&scenario, position, memory, &mut lent).expect("a legal mesh");
-        let constants = *model.constants;
+        let constants = model.constants.clone();
         State::new(&model, lent).expect("memory of the right size");
         let cells = match pressure {
             Pressure::Patch => vec![cells],
