@@ -1,6 +1,6 @@
-//! ContactWork and friction between the impactor's flat face and the surface nodes.
+//! Contact and friction between the impactor's flat face and the surface nodes.
 //!
-//! ContactWork is a constraint, not a penalty: the forces are those that leave every touching node on the face at the end
+//! Contact is a constraint, not a penalty: the forces are those that leave every touching node on the face at the end
 //! of the step, with the impactor's own reaction included (forward increment Lagrange multipliers, Carpenter, Taylor
 //! and Katona 1991; here in closed form, because the lumped masses decouple). Nothing penetrates and no energy hides in
 //! springs. A node that is caught loses the kinetic energy of its velocity relative to the face; the energy balance counts it.
@@ -8,9 +8,10 @@
 //! Friction stops a node within the limit of Coulomb's law in the same step: a sticking node has exactly no velocity.
 
 use crate::contact::friction::limited;
+use crate::contact::node_row::NodeRow;
 use crate::impactor::Prediction;
 use crate::model::{Constants, Model};
-use crate::number::pack::{LANES, Pack, ZERO, packs, packs_mut, sum};
+use crate::number::pack::{LANES, Pack, ZERO, packs_mut, sum};
 use crate::number::real::Real;
 use crate::number::vector::{Simd, Vector};
 use crate::state::{ContactWork, State, StateNodes};
@@ -35,14 +36,9 @@ pub(crate) fn contact<S: Simd>(simd: S, model: &Model, state: &mut State, predic
     ContactWork { normal_force, contact_dissipation, frictional_dissipation }
 }
 
-/// The nodes at the surface, in lanes of as many numbers each; x before y.
+/// The nodes at the surface.
 struct Surface<'s> {
-    mass: &'s [Pack],
-    inverse_mass: [&'s [Pack]; 2],
-    reference: [&'s [Pack]; 2],
-    displacement: [&'s [Pack]; 2],
-    velocity: [&'s [Pack]; 2],
-    force: [&'s mut [Pack]; 2],
+    row: NodeRow<'s>,
     /// Normal forces, N. Until they are known, the height of each node above the undeformed anvil's top at the end of a step
     /// without contact, m; far below where it is not under the face.
     normal: &'s mut [Pack],
@@ -55,18 +51,14 @@ const FAR_BELOW: Real = -1e30;
 impl<'s> Surface<'s> {
     /// None if a row is too short, which the sizes of [`crate::mesh::Grid`] exclude.
     #[inline(always)]
-    fn of(model: &'s Model, nodes: &'s mut StateNodes) -> Option<Self> {
-        let (grid, fixed) = (&model.constants.grid, &model.nodes);
-        let (top, count) = (grid.n_v * grid.stride(), grid.stride() / LANES);
+    fn of(model: &'s Model, nodes: &'s mut StateNodes<&mut [Real]>) -> Option<Self> {
+        let grid = &model.constants.grid;
+        let count = grid.stride() / LANES;
+        let StateNodes { displacement, velocity, force, contact: [normal, tangential] } = nodes;
         Some(Self {
-            mass: packs(fixed.nodal_mass, top, count)?,
-            inverse_mass: [packs(fixed.inverse_mass_x, top, count)?, packs(fixed.inverse_mass_y, top, count)?],
-            reference: [packs(fixed.reference_x, top, count)?, packs(fixed.reference_y, top, count)?],
-            displacement: [packs(nodes.displacement_x, top, count)?, packs(nodes.displacement_y, top, count)?],
-            velocity: [packs(nodes.velocity_x, top, count)?, packs(nodes.velocity_y, top, count)?],
-            force: [packs_mut(nodes.force_x, top, count)?, packs_mut(nodes.force_y, top, count)?],
-            normal: packs_mut(nodes.contact_normal, 0, count)?,
-            tangential: packs_mut(nodes.contact_tangential, 0, count)?,
+            row: NodeRow::of(model, grid.n_v, displacement, velocity, force)?,
+            normal: packs_mut(normal, 0, count)?,
+            tangential: packs_mut(tangential, 0, count)?,
         })
     }
 
@@ -78,15 +70,15 @@ impl<'s> Surface<'s> {
         let (zero, far_below) = (simd.splat(0.0), simd.splat(FAR_BELOW));
         for i in 0..self.normal.len() {
             for chunk in 0..LANES / S::WIDTH {
-                let change = simd.load(&self.inverse_mass[1][i], chunk) * simd.load(&self.force[1][i], chunk);
-                let velocity = simd.load(&self.velocity[1][i], chunk) + change.mul_scalar(constants.dt);
-                let level = simd.load(&self.reference[1][i], chunk).add_scalar(-constants.top_height);
-                let height = level + simd.load(&self.displacement[1][i], chunk) + velocity.mul_scalar(constants.dt);
-                let x = simd.load(&self.reference[0][i], chunk) + simd.load(&self.displacement[0][i], chunk);
+                let change = simd.load(&self.row.inverse_mass[1][i], chunk) * simd.load(&self.row.force[1][i], chunk);
+                let velocity = simd.load(&self.row.velocity[1][i], chunk) + change.mul_scalar(constants.dt);
+                let level = simd.load(&self.row.reference[1][i], chunk).add_scalar(-constants.top_height);
+                let height = level + simd.load(&self.row.displacement[1][i], chunk) + velocity.mul_scalar(constants.dt);
+                let x = self.row.position(simd, 0, i, chunk);
                 let from_centre = x.add_scalar(-impactor.offset);
                 let distance = from_centre.max(from_centre.mul_scalar(-1.0));
                 let under_face = distance.select_greater(half_width, far_below, height);
-                let height = simd.load(&self.mass[i], chunk).select_greater(zero, under_face, far_below);
+                let height = simd.load(&self.row.mass[i], chunk).select_greater(zero, under_face, far_below);
                 simd.store(height, &mut self.normal[i], chunk);
             }
         }
@@ -107,7 +99,7 @@ impl<'s> Surface<'s> {
             let (face, mut masses, mut moments) = (simd.splat(position), ZERO, ZERO);
             for i in 0..self.normal.len() {
                 for chunk in 0..LANES / S::WIDTH {
-                    let (mass, height) = (simd.load(&self.mass[i], chunk), simd.load(&self.normal[i], chunk));
+                    let (mass, height) = (simd.load(&self.row.mass[i], chunk), simd.load(&self.normal[i], chunk));
                     simd.add(height.select_greater(face, mass, zero), &mut masses, chunk);
                     simd.add(height.select_greater(face, mass * (height - start), zero), &mut moments, chunk);
                 }
@@ -125,10 +117,10 @@ impl<'s> Surface<'s> {
         for i in 0..self.normal.len() {
             for chunk in 0..LANES / S::WIDTH {
                 let height = simd.load(&self.normal[i], chunk);
-                let force = (simd.load(&self.mass[i], chunk) * (height - face)).mul_scalar(inverse_dt_squared);
+                let force = (simd.load(&self.row.mass[i], chunk) * (height - face)).mul_scalar(inverse_dt_squared);
                 let normal = height.select_greater(face, force, zero);
                 simd.store(normal, &mut self.normal[i], chunk);
-                simd.store(simd.load(&self.force[1][i], chunk) - normal, &mut self.force[1][i], chunk);
+                simd.store(simd.load(&self.row.force[1][i], chunk) - normal, &mut self.row.force[1][i], chunk);
                 simd.add(normal, &mut total, chunk);
             }
         }
@@ -144,19 +136,20 @@ impl<'s> Surface<'s> {
         let (zero, mut contact_dissipation, mut frictional_dissipation) = (simd.splat(0.0), ZERO, ZERO);
         for i in 0..self.normal.len() {
             for chunk in 0..LANES / S::WIDTH {
-                let (normal, mass) = (simd.load(&self.normal[i], chunk), simd.load(&self.mass[i], chunk));
-                let (x, y) = (simd.load(&self.velocity[0][i], chunk), simd.load(&self.velocity[1][i], chunk));
+                let (normal, mass) = (simd.load(&self.normal[i], chunk), simd.load(&self.row.mass[i], chunk));
+                let (x, y) = (simd.load(&self.row.velocity[0][i], chunk), simd.load(&self.row.velocity[1][i], chunk));
                 let (inverse_mass, force) =
-                    (simd.load(&self.inverse_mass[0][i], chunk), simd.load(&self.force[0][i], chunk));
+                    (simd.load(&self.row.inverse_mass[0][i], chunk), simd.load(&self.row.force[0][i], chunk));
                 // The force that stops the node in this step, where it can move at all.
                 let stick = ((mass * x).mul_scalar(inverse_dt) + force).mul_scalar(-1.0);
                 let limit = inverse_mass.select_greater(zero, normal.mul_scalar(coefficient), zero);
                 let friction = limited(stick, limit);
                 let force = force + friction;
                 simd.store(friction, &mut self.tangential[i], chunk);
-                simd.store(force, &mut self.force[0][i], chunk);
+                simd.store(force, &mut self.row.force[0][i], chunk);
                 let after_x = x + (inverse_mass * force).mul_scalar(dt);
-                let acceleration = simd.load(&self.inverse_mass[1][i], chunk) * simd.load(&self.force[1][i], chunk);
+                let acceleration =
+                    simd.load(&self.row.inverse_mass[1][i], chunk) * simd.load(&self.row.force[1][i], chunk);
                 let after_y = y + acceleration.mul_scalar(dt);
                 simd.add(normal * (y + after_y).add_scalar(-face), &mut contact_dissipation, chunk);
                 simd.add(zero - friction * (x + after_x), &mut frictional_dissipation, chunk);

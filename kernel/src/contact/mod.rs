@@ -2,5 +2,6 @@
 
 pub(crate) mod face;
 mod friction;
+mod node_row;
 pub(crate) mod rigid_core;
 pub mod surface;

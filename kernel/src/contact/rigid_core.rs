@@ -4,8 +4,9 @@
 //! surface at the end of the step, the tangential one stops it within the limit of Coulomb's law.
 
 use crate::contact::friction::limited;
+use crate::contact::node_row::NodeRow;
 use crate::model::{Constants, Model};
-use crate::number::pack::{LANES, Pack, ZERO, packs, packs_mut, sum};
+use crate::number::pack::{LANES, Pack, ZERO, sum};
 use crate::number::real::Real;
 use crate::number::vector::{Simd, Vector};
 use crate::scenario::Interface;
@@ -17,25 +18,21 @@ pub(crate) fn react<S: Simd>(simd: S, model: &Model, state: &mut State) -> Conta
     match model.constants.scenario.core.interface {
         // The core balances the forces on nodes that are fixed.
         Interface::Bonded => {
-            let forces = state.nodes.force_y.get(..=model.constants.grid.n_u).unwrap_or_default();
+            let forces = state.nodes.force[1].get(..=model.constants.grid.n_u).unwrap_or_default();
             ContactWork { normal_force: forces.iter().fold(0.0, |sum, force| sum - force), ..ContactWork::default() }
         }
-        Interface::Frictional | Interface::Sliding => match Base::of(model, &mut state.nodes) {
-            Some(mut base) => base.touch(simd, model.constants),
-            None => ContactWork::default(),
-        },
+        Interface::Frictional | Interface::Sliding => {
+            let StateNodes { displacement, velocity, force, .. } = &mut state.nodes;
+            match NodeRow::of(model, 0, displacement, velocity, force) {
+                Some(row) => Base(row).touch(simd, model.constants),
+                None => ContactWork::default(),
+            }
+        }
     }
 }
 
-/// The nodes at the core, in lanes of as many numbers each; x before y.
-struct Base<'s> {
-    mass: &'s [Pack],
-    inverse_mass: [&'s [Pack]; 2],
-    reference: [&'s [Pack]; 2],
-    displacement: [&'s [Pack]; 2],
-    velocity: [&'s [Pack]; 2],
-    force: [&'s mut [Pack]; 2],
-}
+/// The nodes at the core.
+struct Base<'s>(NodeRow<'s>);
 
 /// Forces of the core on neighbouring nodes, N, its outward normal below them, and the velocities before the forces, m/s.
 struct Touch<V> {
@@ -45,37 +42,23 @@ struct Touch<V> {
     before: [V; 2],
 }
 
-impl<'s> Base<'s> {
-    /// None if a row is too short, which the sizes of [`crate::mesh::Grid`] exclude.
-    #[inline(always)]
-    fn of(model: &'s Model, nodes: &'s mut StateNodes) -> Option<Self> {
-        let (fixed, count) = (&model.nodes, model.constants.grid.stride() / LANES);
-        Some(Self {
-            mass: packs(fixed.nodal_mass, 0, count)?,
-            inverse_mass: [packs(fixed.inverse_mass_x, 0, count)?, packs(fixed.inverse_mass_y, 0, count)?],
-            reference: [packs(fixed.reference_x, 0, count)?, packs(fixed.reference_y, 0, count)?],
-            displacement: [packs(nodes.displacement_x, 0, count)?, packs(nodes.displacement_y, 0, count)?],
-            velocity: [packs(nodes.velocity_x, 0, count)?, packs(nodes.velocity_y, 0, count)?],
-            force: [packs_mut(nodes.force_x, 0, count)?, packs_mut(nodes.force_y, 0, count)?],
-        })
-    }
-
+impl Base<'_> {
     /// Adds the forces of the core to those of nodes that may slide and, unless they are on rollers, lift.
     #[inline(always)]
     fn touch<S: Simd>(&mut self, simd: S, constants: &Constants) -> ContactWork {
         let (mut total, mut contact_dissipation, mut frictional_dissipation) = (ZERO, ZERO, ZERO);
         let zero = simd.splat(0.0);
-        for i in 0..self.mass.len() {
+        for i in 0..self.0.mass.len() {
             for chunk in 0..LANES / S::WIDTH {
                 let Touch { pressure, shear, normal, before } = self.forces(simd, constants, i, chunk);
                 let pull = [pressure * normal[0] + shear * normal[1], pressure * normal[1] - shear * normal[0]];
                 let [force_x, force_y] =
-                    [simd.load(&self.force[0][i], chunk) + pull[0], simd.load(&self.force[1][i], chunk) + pull[1]];
-                simd.store(force_x, &mut self.force[0][i], chunk);
-                simd.store(force_y, &mut self.force[1][i], chunk);
+                    [simd.load(&self.0.force[0][i], chunk) + pull[0], simd.load(&self.0.force[1][i], chunk) + pull[1]];
+                simd.store(force_x, &mut self.0.force[0][i], chunk);
+                simd.store(force_y, &mut self.0.force[1][i], chunk);
                 let after = [
-                    before[0] + (simd.load(&self.inverse_mass[0][i], chunk) * force_x).mul_scalar(constants.dt),
-                    before[1] + (simd.load(&self.inverse_mass[1][i], chunk) * force_y).mul_scalar(constants.dt),
+                    before[0] + (simd.load(&self.0.inverse_mass[0][i], chunk) * force_x).mul_scalar(constants.dt),
+                    before[1] + (simd.load(&self.0.inverse_mass[1][i], chunk) * force_y).mul_scalar(constants.dt),
                 ];
                 simd.add(pull[1], &mut total, chunk);
                 let twice_mean = [before[0] + after[0], before[1] + after[1]];
@@ -98,12 +81,12 @@ impl<'s> Base<'s> {
     fn forces<S: Simd>(&self, simd: S, constants: &Constants, i: usize, chunk: usize) -> Touch<S::Vector> {
         let (core, inverse_dt) = (&constants.scenario.core, 1.0 / constants.dt);
         let rollers = core.interface == Interface::Sliding;
-        let (zero, mass) = (simd.splat(0.0), simd.load(&self.mass[i], chunk));
-        let inverse = [simd.load(&self.inverse_mass[0][i], chunk), simd.load(&self.inverse_mass[1][i], chunk)];
-        let before = [simd.load(&self.velocity[0][i], chunk), simd.load(&self.velocity[1][i], chunk)];
-        let (x, y) = (self.place(simd, 0, i, chunk), self.place(simd, 1, i, chunk));
+        let (zero, mass) = (simd.splat(0.0), simd.load(&self.0.mass[i], chunk));
+        let inverse = [simd.load(&self.0.inverse_mass[0][i], chunk), simd.load(&self.0.inverse_mass[1][i], chunk)];
+        let before = [simd.load(&self.0.velocity[0][i], chunk), simd.load(&self.0.velocity[1][i], chunk)];
+        let (x, y) = (self.0.position(simd, 0, i, chunk), self.0.position(simd, 1, i, chunk));
         let (normal, depth) = surface_normal(simd, constants.scenario.core_radius(), x, y);
-        let change = |axis: usize| (inverse[axis] * simd.load(&self.force[axis][i], chunk)).mul_scalar(constants.dt);
+        let change = |axis: usize| (inverse[axis] * simd.load(&self.0.force[axis][i], chunk)).mul_scalar(constants.dt);
         let free = [before[0] + change(0), before[1] + change(1)];
         // On the centre line the normal is vertical, so the fixed direction takes no part in it.
         let approach = depth.mul_scalar(inverse_dt) - (free[0] * normal[0] + free[1] * normal[1]);
@@ -118,12 +101,6 @@ impl<'s> Base<'s> {
             inverse[0].select_greater(zero, friction, zero)
         };
         Touch { pressure, shear, normal, before }
-    }
-
-    /// Coordinate `axis` of some nodes of lane `i`, m.
-    #[inline(always)]
-    fn place<S: Simd>(&self, simd: S, axis: usize, i: usize, chunk: usize) -> S::Vector {
-        simd.load(&self.reference[axis][i], chunk) + simd.load(&self.displacement[axis][i], chunk)
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::element::{CellHistory, Corners};
 use crate::error::MemoryError;
 use crate::mesh::Grid;
-use crate::model::{Model, take};
+use crate::model::{Model, split_row, take};
 use crate::number::real::Real;
 use crate::number::vector::Simd;
 use crate::state::{Scalars, StateMemory, StateNodes, corners};
@@ -27,7 +27,7 @@ use crate::tensor::deviator::Deviator;
 pub struct State<'a> {
     /// The numbers that are not arrays.
     pub scalars: &'a mut Scalars,
-    pub(crate) nodes: StateNodes<'a>,
+    pub(crate) nodes: StateNodes<&'a mut [Real]>,
     pub(crate) cells: &'a mut [CellHistory],
     pub(crate) viscous: &'a mut [Deviator],
 }
@@ -53,8 +53,8 @@ impl<'a> State<'a> {
         let size = &model.constants.size;
         let grid = &model.constants.grid;
         let given = memory.nodes.len();
-        let nodes = take(memory.nodes, size.state_nodes, "state nodes")?;
-        let nodes = StateNodes::cut(nodes, grid.n_node(), grid.stride());
+        let mut nodes = take(memory.nodes, size.state_nodes, "state nodes")?;
+        let nodes = StateNodes::of(grid.n_node(), grid.stride(), |n| split_row(&mut nodes, n));
         Ok(Self {
             scalars: memory.scalars,
             nodes: nodes.ok_or(MemoryError { what: "state nodes", given, needed: size.state_nodes })?,
@@ -66,8 +66,8 @@ impl<'a> State<'a> {
     /// Back to the start of the drop.
     pub fn reset(&mut self, model: &Model) {
         *self.scalars = Scalars::start(model);
-        for array in self.nodes.arrays_mut() {
-            array.fill(0.0);
+        for row in self.nodes.all() {
+            row.fill(0.0);
         }
         self.cells.fill(CellHistory::REST);
         self.viscous.fill(Deviator::ZERO);
@@ -80,38 +80,38 @@ impl<'a> State<'a> {
 
     /// Displacements of the nodes, m, laid out as [`Model::reference_position`].
     pub fn displacement(&self) -> [&[Real]; 2] {
-        [self.nodes.displacement_x, self.nodes.displacement_y]
+        self.nodes.as_read().displacement
     }
 
     /// Displacements of the nodes, m, to be changed: initial conditions, prescribed fields. Nodes beyond `n_u + 1` in a
     /// row are padding and stay at zero.
     pub fn displacement_mut(&mut self) -> [&mut [Real]; 2] {
-        [self.nodes.displacement_x, self.nodes.displacement_y]
+        self.nodes.displacement.each_mut().map(|row| &mut **row)
     }
 
     /// Velocities of the nodes half a step back, m/s, laid out alike.
     pub fn velocity(&self) -> [&[Real]; 2] {
-        [self.nodes.velocity_x, self.nodes.velocity_y]
+        self.nodes.as_read().velocity
     }
 
     /// Velocities of the nodes half a step back, m/s, to be changed.
     pub fn velocity_mut(&mut self) -> [&mut [Real]; 2] {
-        [self.nodes.velocity_x, self.nodes.velocity_y]
+        self.nodes.velocity.each_mut().map(|row| &mut **row)
     }
 
     /// Total force on each node in the last step, N: contact and friction minus internal forces.
     pub fn force(&self) -> [&[Real]; 2] {
-        [self.nodes.force_x, self.nodes.force_y]
+        self.nodes.as_read().force
     }
 
     /// Normal force of the face on each surface node in the last step, N, by column.
     pub fn contact_normal(&self) -> &[Real] {
-        self.nodes.contact_normal
+        self.nodes.contact[0]
     }
 
     /// Friction force of the face on each surface node in the last step, N, outwards, by column.
     pub fn contact_tangential(&self) -> &[Real] {
-        self.nodes.contact_tangential
+        self.nodes.contact[1]
     }
 
     /// Displacements of the corners of neighbouring cells of a block.

@@ -1,36 +1,60 @@
 //! The arrays of the nodes.
 
 use crate::element::Corners;
-use crate::model::split_row;
 use crate::number::pack::{LANES, Pack};
 use crate::number::real::Real;
 use crate::number::vector::{Simd, Vector};
 
-/// The arrays of the nodes, rows of [`Grid::stride`] from the core to the surface.
-pub(crate) struct StateNodes<'a> {
-    /// Displacement along x, m.
-    pub displacement_x: &'a mut [Real],
-    /// Displacement along y, m.
-    pub displacement_y: &'a mut [Real],
-    /// Velocity along x half a step back, m/s.
-    pub velocity_x: &'a mut [Real],
-    /// Velocity along y half a step back, m/s.
-    pub velocity_y: &'a mut [Real],
-    /// Force of the step along x, N.
-    pub force_x: &'a mut [Real],
-    /// Force of the step along y, N.
-    pub force_y: &'a mut [Real],
-    /// Contact force on the surface nodes, downwards, N.
-    pub contact_normal: &'a mut [Real],
-    /// Friction force on the surface nodes, outwards, N.
-    pub contact_tangential: &'a mut [Real],
+/// The arrays of the nodes, rows of [`crate::mesh::Grid::stride`] from the core to the surface, x before y: to be changed
+/// (`&mut [Real]`) or to be read.
+#[derive(Clone, Copy)]
+pub(crate) struct StateNodes<R> {
+    /// Displacement, m.
+    pub displacement: [R; 2],
+    /// Velocity half a step back, m/s.
+    pub velocity: [R; 2],
+    /// Force of the step, N.
+    pub force: [R; 2],
+    /// Contact force on the surface nodes, downwards, N, then friction on them, outwards.
+    pub contact: [R; 2],
 }
 
-impl StateNodes<'_> {
+impl<R> StateNodes<R> {
+    /// The arrays that `row` gives by their lengths, in the order of storage: `n` for one number per node, then `surface`;
+    /// none if there is one that it does not give.
+    #[inline(always)]
+    pub(crate) fn of(n: usize, surface: usize, mut row: impl FnMut(usize) -> Option<R>) -> Option<Self> {
+        Some(Self {
+            displacement: [row(n)?, row(n)?],
+            velocity: [row(n)?, row(n)?],
+            force: [row(n)?, row(n)?],
+            contact: [row(surface)?, row(surface)?],
+        })
+    }
+
+    /// Every array, in the order of storage.
+    pub(crate) fn all(&mut self) -> [&mut R; 8] {
+        let Self { displacement: [a, b], velocity: [c, d], force: [e, f], contact: [g, h] } = self;
+        [a, b, c, d, e, f, g, h]
+    }
+}
+
+impl StateNodes<&mut [Real]> {
+    /// The same, to be read.
+    #[inline(always)]
+    pub(crate) fn as_read(&self) -> StateNodes<&[Real]> {
+        StateNodes {
+            displacement: self.displacement.each_ref().map(|row| &**row),
+            velocity: self.velocity.each_ref().map(|row| &**row),
+            force: self.force.each_ref().map(|row| &**row),
+            contact: self.contact.each_ref().map(|row| &**row),
+        }
+    }
+
     /// Displacements of the rows of nodes below and above the block whose first nodes are `first`.
     #[inline(always)]
     pub(crate) fn rows(&self, [lower, upper]: [usize; 2]) -> Rows<'_> {
-        let (x, y) = (&*self.displacement_x, &*self.displacement_y);
+        let [x, y] = &self.displacement;
         [[span(x, lower), span(y, lower)], [span(x, upper), span(y, upper)]]
     }
 
@@ -39,7 +63,7 @@ impl StateNodes<'_> {
     pub(crate) fn subtract_force<S: Simd>(&mut self, simd: S, [lower, upper]: [usize; 2], force: &Corners<Pack>) {
         let [c0, c1, c2, c3] = force;
         for i in 0..2 {
-            let row = if i == 0 { &mut *self.force_x } else { &mut *self.force_y };
+            let row = &mut *self.force[i];
             subtract_ends(simd, row, lower, &c0[i], &c1[i]);
             subtract_ends(simd, row, upper, &c3[i], &c2[i]);
         }
@@ -85,36 +109,4 @@ fn subtract_ends<S: Simd>(simd: S, row: &mut [Real], start: usize, left: &Pack, 
         before = of_right;
     }
     *last -= right[LANES - 1];
-}
-
-impl<'a> StateNodes<'a> {
-    /// Cuts `memory` into rows of `n` numbers, one per node, and two of `surface`; none if it is too short.
-    #[inline(always)]
-    pub(crate) fn cut(mut memory: &'a mut [Real], n: usize, surface: usize) -> Option<Self> {
-        let mut row = |n| split_row(&mut memory, n);
-        Some(Self {
-            displacement_x: row(n)?,
-            displacement_y: row(n)?,
-            velocity_x: row(n)?,
-            velocity_y: row(n)?,
-            force_x: row(n)?,
-            force_y: row(n)?,
-            contact_normal: row(surface)?,
-            contact_tangential: row(surface)?,
-        })
-    }
-
-    /// Every array, in the order of storage.
-    pub(crate) fn arrays_mut(&mut self) -> [&mut [Real]; 8] {
-        [
-            self.displacement_x,
-            self.displacement_y,
-            self.velocity_x,
-            self.velocity_y,
-            self.force_x,
-            self.force_y,
-            self.contact_normal,
-            self.contact_tangential,
-        ]
-    }
 }

@@ -144,7 +144,8 @@ pub fn state_digest(state: &State) -> u64 {
 fn read(state: &StateView, f: &mut dyn FnMut(u64)) {
     let mut scalars = *state.scalars;
     visit_scalars(&mut scalars, &mut |word| f(*word));
-    for number in state.arrays.into_iter().flatten() {
+    let mut nodes = state.nodes;
+    for number in nodes.all().into_iter().flat_map(|row| *row) {
         f(real::to_word(*number));
     }
     for triangle in state.cells.iter().flat_map(|cell| &cell.triangle) {
@@ -165,8 +166,8 @@ fn visit(state: &mut State, f: &mut dyn FnMut(&mut u64)) {
         f(&mut bits);
         *value = real::from_word(bits);
     };
-    for array in state.nodes.arrays_mut() {
-        array.iter_mut().for_each(&mut number);
+    for row in state.nodes.all() {
+        row.iter_mut().for_each(&mut number);
     }
     for triangle in state.cells.iter_mut().flat_map(|cell| &mut cell.triangle) {
         visit_triangle(triangle, &mut number);

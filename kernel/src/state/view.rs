@@ -4,7 +4,7 @@ use crate::element::CellHistory;
 use crate::error::MemoryError;
 use crate::model::Model;
 use crate::number::real::Real;
-use crate::state::{Scalars, State};
+use crate::state::{Scalars, State, StateNodes};
 use crate::tensor::deviator::Deviator;
 
 /// A state to read from.
@@ -27,8 +27,7 @@ use crate::tensor::deviator::Deviator;
 pub struct StateView<'a> {
     /// The numbers that are not arrays.
     pub scalars: &'a Scalars,
-    /// Displacement, velocity and force of the nodes, then the contact forces of the surface, x before y; see [`State`].
-    pub(crate) arrays: [&'a [Real]; 8],
+    pub(crate) nodes: StateNodes<&'a [Real]>,
     pub(crate) cells: &'a [CellHistory],
     pub(crate) viscous: &'a [Deviator],
 }
@@ -77,68 +76,41 @@ impl<'a> StateView<'a> {
     pub fn new(model: &Model, scalars: &'a Scalars, content: StateContent<'a>) -> Result<Self, MemoryError> {
         let (size, grid) = (&model.constants.size, &model.constants.grid);
         let mut nodes = content.nodes;
-        let (n, surface) = (grid.n_node(), grid.stride());
-        let mut short = None;
-        let arrays = [n, n, n, n, n, n, surface, surface].map(|length| match nodes.split_at_checked(length) {
-            Some((row, rest)) => {
-                nodes = rest;
-                row
-            }
-            None => {
-                let given = content.nodes.len();
-                short = Some(MemoryError { what: "state nodes", given, needed: size.state_nodes });
-                &[]
-            }
-        });
-        match short {
-            Some(error) => Err(error),
-            None => Ok(Self { scalars, arrays, cells: content.cells, viscous: content.viscous }),
-        }
+        let row = |n| {
+            let (row, rest) = nodes.split_at_checked(n)?;
+            nodes = rest;
+            Some(row)
+        };
+        let (given, needed) = (content.nodes.len(), size.state_nodes);
+        let nodes = StateNodes::of(grid.n_node(), grid.stride(), row);
+        let nodes = nodes.ok_or(MemoryError { what: "state nodes", given, needed })?;
+        Ok(Self { scalars, nodes, cells: content.cells, viscous: content.viscous })
     }
 
     /// Displacements of the nodes, m, laid out as [`Model::reference_position`].
     pub fn displacement(&self) -> [&'a [Real]; 2] {
-        let [x, y, ..] = self.arrays;
-        [x, y]
+        self.nodes.displacement
     }
 
     /// Velocities of the nodes half a step back, m/s, laid out alike.
     pub fn velocity(&self) -> [&'a [Real]; 2] {
-        let [_, _, x, y, ..] = self.arrays;
-        [x, y]
+        self.nodes.velocity
     }
 
     /// Total force on each node in the last step, N: contact and friction minus internal forces.
     pub fn force(&self) -> [&'a [Real]; 2] {
-        let [_, _, _, _, x, y, ..] = self.arrays;
-        [x, y]
+        self.nodes.force
     }
 
     /// Normal force of the face on each surface node in the last step, N, then its friction force outwards, by column.
     pub fn contact_force(&self) -> [&'a [Real]; 2] {
-        let [.., normal, tangential] = self.arrays;
-        [normal, tangential]
+        self.nodes.contact
     }
 }
 
 impl State<'_> {
     /// This state, to read from.
     pub fn as_view(&self) -> StateView<'_> {
-        let nodes = &self.nodes;
-        StateView {
-            scalars: self.scalars,
-            arrays: [
-                nodes.displacement_x,
-                nodes.displacement_y,
-                nodes.velocity_x,
-                nodes.velocity_y,
-                nodes.force_x,
-                nodes.force_y,
-                nodes.contact_normal,
-                nodes.contact_tangential,
-            ],
-            cells: self.cells,
-            viscous: self.viscous,
-        }
+        StateView { scalars: self.scalars, nodes: self.nodes.as_read(), cells: self.cells, viscous: self.viscous }
     }
 }

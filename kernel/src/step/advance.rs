@@ -11,7 +11,7 @@ use crate::number::instruction_set::InstructionSet;
 use crate::number::pack::{LANES, Pack, ZERO, sum};
 use crate::number::real::Real;
 use crate::number::vector::{Scalar, Simd, Vector, Work};
-use crate::state::{ContactWork, Forces, Rows, State, StepWork, corners};
+use crate::state::{ContactWork, Forces, Rows, State, StateNodes, StepWork, corners};
 use crate::step::monitor;
 use crate::tensor::deviator::Deviator;
 
@@ -138,8 +138,9 @@ fn internal_forces<S: Simd>(
 ) -> Result<(), StepError> {
     let grid = &model.constants.grid;
     let terms = (2 * model.constants.n_term()).max(1);
-    state.nodes.force_x.fill(0.0);
-    state.nodes.force_y.fill(0.0);
+    for force in &mut state.nodes.force {
+        force.fill(0.0);
+    }
     let viscous = state.viscous.chunks_exact_mut(terms).map(Some).chain(core::iter::repeat_with(|| None));
     let blocks = model.cells.iter().zip(state.cells.iter_mut()).zip(viscous).enumerate();
     let (per_row, mut place, mut nodes) = (grid.blocks_per_row(), 0, grid.first_nodes([0, 0]));
@@ -214,10 +215,9 @@ fn first_inverted(model: &Model, state: &State) -> StepError {
 fn move_nodes<S: Simd>(simd: S, model: &Model, state: &mut State) -> [Real; 2] {
     let dt = model.constants.dt;
     let (fixed, nodes) = (&model.nodes, &mut state.nodes);
-    let masses = [fixed.nodal_mass, fixed.inverse_mass_x];
-    let along_x = move_along(simd, dt, masses, nodes.force_x, nodes.velocity_x, nodes.displacement_x);
-    let masses = [fixed.nodal_mass, fixed.inverse_mass_y];
-    let along_y = move_along(simd, dt, masses, nodes.force_y, nodes.velocity_y, nodes.displacement_y);
+    let StateNodes { displacement: [ux, uy], velocity: [vx, vy], force: [fx, fy], .. } = nodes;
+    let along_x = move_along(simd, dt, [fixed.nodal_mass, fixed.inverse_mass_x], fx, vx, ux);
+    let along_y = move_along(simd, dt, [fixed.nodal_mass, fixed.inverse_mass_y], fy, vy, uy);
     [along_x[0] + along_y[0], along_x[1] + along_y[1]]
 }
 
