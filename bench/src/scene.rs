@@ -1,6 +1,6 @@
 //! Scenarios to measure.
 
-use softanvil_kernel::material::{ElasticLaw, Material, VolumetricBy};
+use softanvil_kernel::material::{ElasticLaw, Material, MooneyRivlin, VolumetricBy};
 use softanvil_kernel::{Scenario, preset};
 
 /// Element sizes, m, from some 70 to some 100,000 triangles. All but the first fill their lanes: the last block of a row
@@ -38,18 +38,19 @@ fn bare() -> Material {
     }
 }
 
-/// The elastic laws alone, all with the stiffness that takes the study's drop.
-pub fn laws() -> [(&'static str, Material); 4] {
-    let base = Material { c10: 0.25e6, c01: 0.0, c11: 0.0, c20: 0.0, c02: 0.0, ..bare() };
-    [
-        ("neo-Hooke", Material { law: ElasticLaw::NeoHookean, ..base }),
-        ("Mooney-Rivlin 5", Material { c10: 0.15e6, c01: 0.1e6, c11: 0.09e6, c20: 0.1e3, c02: 15e3, ..base }),
-        ("Yeoh 3", Material { law: ElasticLaw::Yeoh, c20: 50e3, c30: 10e3, ..base }),
-        (
-            "Ogden 3",
-            Material { law: ElasticLaw::Ogden, ogden_mu: [0.4e6, 20e3, -20e3], ogden_alpha: [1.3, 5.0, -2.0], ..base },
-        ),
-    ]
+/// Shear modulus at rest, Pa, that takes the study's drop without memory or damping.
+const STIFF_ENOUGH: f64 = 0.5e6;
+
+/// The elastic laws alone, each with all of its coefficients.
+pub fn laws() -> Vec<(&'static str, Material)> {
+    let law = |law: &ElasticLaw| {
+        let description = law.description();
+        let example = bare().with_values(*law, description.example);
+        let coefficients = example.coefficients.scaled(STIFF_ENOUGH / example.shear_modulus_inf());
+        let label = description.variants.last().map_or(description.label, |variant| variant.label);
+        (label, Material { coefficients, ..example })
+    };
+    ElasticLaw::ALL.iter().map(law).collect()
 }
 
 /// A law of five coefficients with 0, 2 and 5 Prony terms, without and with the slider.
@@ -65,12 +66,7 @@ pub fn overlays() -> Vec<(String, Material)> {
                 prony_tau: [0.3e-3, 1e-3, 10e-3, 0.1, 1.0],
                 slider_stiffness: stiffness,
                 slider_yield_stress: limit,
-                c10: 0.15e6,
-                c01: 0.1e6,
-                c11: 0.09e6,
-                c20: 0.1e3,
-                c02: 15e3,
-                ..bare()
+                ..bare().with(MooneyRivlin { c10: 0.15e6, c01: 0.1e6, c11: 0.09e6, c20: 0.1e3, c02: 15e3 })
             };
             let name = format!("{terms} Prony terms{}", if slider { ", slider" } else { "" });
             overlays.push((name, material));

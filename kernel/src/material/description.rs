@@ -2,6 +2,8 @@
 
 use strum::{FromRepr, VariantNames};
 
+use crate::material::coefficients::Coefficients;
+use crate::material::elastic::{ElasticLaw, ListedLaw};
 use crate::material::relaxation::MAX_BRANCHES;
 use crate::number::real::Real;
 
@@ -26,20 +28,6 @@ pub enum VolumetricBy {
     PoissonsRatio,
 }
 
-/// The isochoric hyperelastic law.
-#[derive(Clone, Copy, Debug, FromRepr, PartialEq, Eq, VariantNames)]
-#[strum(serialize_all = "snake_case")]
-pub enum ElasticLaw {
-    /// C10.
-    NeoHookean,
-    /// C10, C01, C11, C20, C02; zeros give the laws of two and three parameters.
-    MooneyRivlin,
-    /// C10, C20, C30.
-    Yeoh,
-    /// Up to three pairs of mu and alpha.
-    Ogden,
-}
-
 /// Which moduli the coefficients of the elastic law are.
 #[derive(Clone, Copy, Debug, FromRepr, PartialEq, Eq, VariantNames)]
 #[strum(serialize_all = "snake_case")]
@@ -50,38 +38,31 @@ pub enum Moduli {
     Instantaneous,
 }
 
-/// Most terms of an Ogden law.
-pub const MAX_OGDEN_TERMS: usize = 3;
 /// Most terms of a Prony series.
 pub const MAX_PRONY_TERMS: usize = MAX_BRANCHES;
 /// Most additive Maxwell terms.
 pub const MAX_MAXWELL_TERMS: usize = MAX_BRANCHES;
 
 /// A visco-hyperelastic material with frequency-independent damping.
+///
+/// ```
+/// use softanvil_kernel::material::{ElasticLaw, MooneyRivlin};
+/// use softanvil_kernel::preset::elastic_silicone;
+///
+/// let silicone = elastic_silicone().with(MooneyRivlin { c10: 148e3, c01: 104e3, c20: 132e3, ..MooneyRivlin::ZERO });
+/// assert_eq!((silicone.law, silicone.coefficient("c20")), (ElasticLaw::MooneyRivlin, Some(132e3)));
+/// assert_eq!(silicone.shear_modulus_inf(), 504e3);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material {
-    /// EnergyDensity, kg/m3.
+    /// Mass density, kg/m3.
     pub density: Real,
-    /// Isochoric hyperelastic law; it uses those of the next coefficients that belong to it.
+    /// Isochoric hyperelastic law.
     pub law: ElasticLaw,
     /// Whether the coefficients are long-term or instantaneous.
     pub moduli: Moduli,
-    /// Coefficient of (I1 - 3) in all laws but Ogden's, Pa.
-    pub c10: Real,
-    /// Mooney-Rivlin coefficient of (I2 - 3), Pa.
-    pub c01: Real,
-    /// Mooney-Rivlin coefficient of (I1 - 3)(I2 - 3), Pa.
-    pub c11: Real,
-    /// Mooney-Rivlin and Yeoh coefficient of (I1 - 3)^2, Pa.
-    pub c20: Real,
-    /// Mooney-Rivlin coefficient of (I2 - 3)^2, Pa.
-    pub c02: Real,
-    /// Yeoh coefficient of (I1 - 3)^3, Pa.
-    pub c30: Real,
-    /// Ogden coefficients mu_i, Pa; a term with mu = 0 is off.
-    pub ogden_mu: [Real; MAX_OGDEN_TERMS],
-    /// Ogden exponents alpha_i.
-    pub ogden_alpha: [Real; MAX_OGDEN_TERMS],
+    /// Coefficients of the laws, of which those act that belong to the chosen one.
+    pub coefficients: Coefficients,
     /// Energy of volume change.
     pub volumetric_law: VolumetricLaw,
     /// Which of the next two counts.
@@ -111,6 +92,24 @@ pub struct Material {
 }
 
 impl Material {
+    /// The same with another elastic law; every coefficient that is not of it is as where none is given.
+    #[must_use]
+    pub fn with<L: ListedLaw>(self, law: L) -> Self {
+        Self { law: L::LAW, coefficients: Coefficients::of(&law), ..self }
+    }
+
+    /// The same with `law` by the values of its coefficients, in its order, of which the last may be missing: they are as where
+    /// none is given.
+    #[must_use]
+    pub fn with_values(self, law: ElasticLaw, values: &[Real]) -> Self {
+        Self { law, coefficients: Coefficients::of_values(law, values), ..self }
+    }
+
+    /// The coefficient called `name`, whether or not the law has it; none of a name that no law has.
+    pub fn coefficient(&self, name: &str) -> Option<Real> {
+        self.coefficients.get(name)
+    }
+
     /// g_inf = 1 - sum g_i: the part of the instantaneous modulus that does not relax.
     pub fn prony_g_inf(&self) -> Real {
         1.0 - self.prony_g.iter().fold(0.0, |sum, g| sum + g)

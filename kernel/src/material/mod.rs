@@ -3,15 +3,19 @@
 //! All deviatoric stresses are Kirchhoff stresses tau = J sigma in the unrotated frame, R^T tau R with F = R U, so that
 //! they can be added, carry their history through any rotation unchanged and have no pressure by construction:
 //!
-//! * [`elastic`]: isochoric hyperelastic stress, by [`neo_hookean`], [`mooney_rivlin`], [`yeoh`] or [`ogden`];
+//! * [`elastic`]: isochoric hyperelastic stress, by one of the laws that it lists; [`law`] says what makes one;
 //! * [`prony`]: quasi-linear viscous overstress on it;
 //! * [`maxwell`]: additive viscous overstress, from absolute moduli; both are branches of [`relaxation`];
 //! * [`slider`]: frequency-independent damping, a spring and a slider in series;
 //! * [`tear`]: irreversible loss of the deviatoric stress beyond a stretch;
 //! * [`volumetric`]: pressure from the mean dilatation of a cell.
 
+pub mod coefficient;
+mod coefficients;
 mod description;
 pub mod elastic;
+mod invariants;
+pub mod law;
 pub mod maxwell;
 mod model;
 mod moduli;
@@ -20,21 +24,22 @@ pub mod neo_hookean;
 pub mod ogden;
 pub mod prony;
 pub mod relaxation;
-mod shear_tangent;
 pub mod slider;
 pub mod tear;
+mod union;
 pub mod volumetric;
 pub mod yeoh;
 
-pub use description::{
-    ElasticLaw, MAX_MAXWELL_TERMS, MAX_OGDEN_TERMS, MAX_PRONY_TERMS, Material, Moduli, VolumetricBy, VolumetricLaw,
-};
-pub use elastic::Elastic;
+pub use coefficient::{Coefficient, Role};
+pub use coefficients::Coefficients;
+pub use description::{MAX_MAXWELL_TERMS, MAX_PRONY_TERMS, Material, Moduli, VolumetricBy, VolumetricLaw};
+pub use elastic::{COEFFICIENTS, Elastic, ElasticLaw, ListedLaw, N_COEFFICIENT};
+pub use law::{IsochoricLaw, LawDescription, Variant};
 pub use maxwell::Maxwell;
 pub use model::MaterialModel;
 pub use mooney_rivlin::MooneyRivlin;
 pub use neo_hookean::NeoHookean;
-pub use ogden::Ogden;
+pub use ogden::{MAX_OGDEN_TERMS, Ogden};
 pub use prony::Prony;
 pub use slider::Slider;
 pub use tear::Tear;

@@ -8,7 +8,7 @@ use crate::tensor::stretch::IsochoricStretch;
 /// The laws of one layer with everything precomputed that does not change.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MaterialModel {
-    /// EnergyDensity, kg/m3.
+    /// Mass density, kg/m3.
     pub density: Real,
     /// Long-term isochoric elasticity.
     pub elastic: Elastic,

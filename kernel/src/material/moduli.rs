@@ -1,7 +1,14 @@
-//! Moduli at rest of what a user says of a material.
+//! The long-term law of what a user says of a material, and its moduli at rest.
 
 use crate::material::{Elastic, Material, VolumetricBy};
 use crate::number::real::Real;
+
+impl Elastic {
+    /// The long-term law of `material`.
+    pub fn new(material: &Material) -> Self {
+        Self::of(material.law, material.coefficients.values(), material.long_term_scale())
+    }
+}
 
 impl Material {
     /// Shear modulus of the long-term law at rest, Pa.

@@ -6,15 +6,16 @@
 //! with the invariants of C-bar = J^(-2/3) C. With W1 = dW/dI1 and W2 = dW/dI2 the Kirchhoff stress in the unrotated
 //! frame is tau = dev(2 W1 C-bar - 2 W2 C-bar^-1), because I2 = tr C-bar^-1 when det C-bar = 1.
 
-use crate::material::Material;
-use crate::material::shear_tangent::invariant_shear_tangent;
+use crate::material::coefficient::Coefficient;
+use crate::material::invariants::{C10, C20, invariant_principal_stress, invariant_shear_tangent};
+use crate::material::law::{IsochoricLaw, Variant};
 use crate::number::real::Real;
 use crate::number::vector::{Simd, Vector};
 use crate::tensor::deviator::{Deviator, SQRT_THIRD};
 use crate::tensor::kinematics::Kinematics;
 use crate::tensor::stretch::IsochoricStretch;
 
-/// Long-term coefficients, Pa.
+/// Coefficients, Pa.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MooneyRivlin {
     /// Of (I1-3).
@@ -30,44 +31,48 @@ pub struct MooneyRivlin {
 }
 
 impl MooneyRivlin {
-    /// The long-term law of `material`.
-    pub fn new(material: &Material) -> Self {
-        let scale = material.long_term_scale();
-        Self {
-            c10: scale * material.c10,
-            c01: scale * material.c01,
-            c11: scale * material.c11,
-            c20: scale * material.c20,
-            c02: scale * material.c02,
-        }
+    /// No stress.
+    pub const ZERO: Self = Self { c10: 0.0, c01: 0.0, c11: 0.0, c20: 0.0, c02: 0.0 };
+}
+
+impl IsochoricLaw for MooneyRivlin {
+    const NAME: &'static str = "mooney_rivlin";
+    const LABEL: &'static str = "Mooney-Rivlin";
+    const DESCRIPTION: &'static str =
+        "W = C10 (I1 - 3) + C01 (I2 - 3) + C11 (I1 - 3)(I2 - 3) + C20 (I1 - 3)^2 + C02 (I2 - 3)^2";
+    const COEFFICIENTS: &'static [Coefficient] = &[
+        C10,
+        Coefficient::modulus("c01", (0.0, 1.0), "mooney_rivlin coefficient of (I2 - 3)"),
+        Coefficient::modulus("c11", (0.0, 0.4), "mooney_rivlin coefficient of (I1 - 3)(I2 - 3)"),
+        C20,
+        Coefficient::modulus("c02", (0.0, 0.2), "mooney_rivlin coefficient of (I2 - 3)^2"),
+    ];
+    const VARIANTS: &'static [Variant] = &[
+        Variant { name: "mooney_rivlin_2", label: "Mooney-Rivlin 2", n_coefficient: 2 },
+        Variant { name: "mooney_rivlin_3", label: "Mooney-Rivlin 3", n_coefficient: 3 },
+        Variant { name: "mooney_rivlin_5", label: "Mooney-Rivlin 5", n_coefficient: 5 },
+    ];
+    const MODULUS_AT_REST: &'static str = "c10 and c01 give";
+    const EXAMPLE: &'static [Real] = &[0.1e6, 0.05e6, 0.02e6, 0.004e6, 0.003e6];
+
+    type Values = [Real; 5];
+
+    fn from_values([c10, c01, c11, c20, c02]: [Real; 5]) -> Self {
+        Self { c10, c01, c11, c20, c02 }
     }
 
-    /// (dW/dI1, dW/dI2), Pa.
-    #[inline(always)]
-    fn derivatives<V: Vector>(&self, i1: V, i2: V) -> (V, V) {
-        let (a, b) = (i1.add_scalar(-3.0), i2.add_scalar(-3.0));
-        let first = a.mul_scalar(2.0 * self.c20).add_scalar(self.c10) + b.mul_scalar(self.c11);
-        (first, b.mul_scalar(2.0 * self.c02).add_scalar(self.c01) + a.mul_scalar(self.c11))
+    fn values(&self) -> [Real; 5] {
+        [self.c10, self.c01, self.c11, self.c20, self.c02]
     }
 
-    /// W at the invariants.
-    #[inline(always)]
-    fn energy(&self, i1: Real, i2: Real) -> Real {
-        let (a, b) = (i1 - 3.0, i2 - 3.0);
-        a * (self.c10 + self.c20 * a + self.c11 * b) + b * (self.c01 + self.c02 * b)
-    }
-
-    /// W, J/m3 of reference volume.
-    pub fn strain_energy_density(&self, stretch: &IsochoricStretch) -> Real {
-        let (i1, i2) = stretch.invariants();
-        self.energy(i1, i2)
-    }
-
-    /// Kirchhoff stress in the unrotated frame, Pa, and W, J/m3, of neighbouring triangles; without `axisymmetric`, U33 = 1.
-    ///
     /// In the section, C-bar^-1 is the adjugate of C-bar times C33, and out of it the determinant of the section.
     #[inline(always)]
-    pub fn stress<V: Vector>(&self, kinematics: &Kinematics<V>, axisymmetric: bool) -> (Deviator<V>, V) {
+    fn response<S: Simd>(
+        &self,
+        _: S,
+        kinematics: &Kinematics<S::Vector>,
+        axisymmetric: bool,
+    ) -> (Deviator<S::Vector>, S::Vector) {
         let Kinematics { mean, difference, shear, .. } = *kinematics;
         let scale = kinematics.inverse_cbrt_j * kinematics.inverse_cbrt_j;
         let squares = [mean * mean, difference * difference + shear * shear];
@@ -92,17 +97,24 @@ impl MooneyRivlin {
         (tau, energy)
     }
 
-    /// Shear modulus at rest, Pa.
-    pub fn shear_modulus(&self) -> Real {
+    fn shear_modulus(&self) -> Real {
         2.0 * (self.c10 + self.c01)
     }
 
-    /// A majorant of the shear tangent, Pa; see `invariant_shear_tangent`.
     #[inline(always)]
-    pub fn shear_tangent<S: Simd>(&self, simd: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
+    fn shear_tangent<S: Simd>(&self, simd: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
         let (i1, i2) = stretch.invariants();
-        let (w1, w2) = self.derivatives(i1, i2);
+        let (a, b) = (i1.add_scalar(-3.0), i2.add_scalar(-3.0));
+        let w1 = a.mul_scalar(2.0 * self.c20).add_scalar(self.c10) + b.mul_scalar(self.c11);
+        let w2 = b.mul_scalar(2.0 * self.c02).add_scalar(self.c01) + a.mul_scalar(self.c11);
         let second = [2.0 * self.c20, self.c11, 2.0 * self.c02].map(|c| simd.splat(c));
         invariant_shear_tangent(simd, stretch, [w1, w2], second)
+    }
+
+    fn principal_stress(&self, stretches: [Real; 3]) -> [Real; 3] {
+        invariant_principal_stress(stretches, |i1, i2| {
+            let (a, b) = (i1 - 3.0, i2 - 3.0);
+            (self.c10 + 2.0 * self.c20 * a + self.c11 * b, self.c01 + 2.0 * self.c02 * b + self.c11 * a)
+        })
     }
 }

@@ -1,35 +1,43 @@
 //! Neo-Hooke, isochoric (Treloar 1943): W = C10 (I1-3), I1 = tr C-bar, so that the Kirchhoff stress in the unrotated
 //! frame is tau = dev(2 C10 C-bar).
 
-use crate::material::Material;
-use crate::material::shear_tangent::invariant_shear_tangent;
+use crate::material::coefficient::Coefficient;
+use crate::material::invariants::{C10, first_invariant, invariant_principal_stress, invariant_shear_tangent};
+use crate::material::law::{IsochoricLaw, Variant};
 use crate::number::real::Real;
 use crate::number::vector::{Simd, Vector};
 use crate::tensor::deviator::{Deviator, SQRT_THIRD};
 use crate::tensor::kinematics::Kinematics;
 use crate::tensor::stretch::IsochoricStretch;
 
-/// Long-term coefficient, Pa.
+/// Coefficient, Pa.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NeoHookean {
     /// Of (I1-3).
     pub c10: Real,
 }
 
-impl NeoHookean {
-    /// The long-term law of `material`.
-    pub fn new(material: &Material) -> Self {
-        Self { c10: material.long_term_scale() * material.c10 }
+impl IsochoricLaw for NeoHookean {
+    const NAME: &'static str = "neo_hookean";
+    const LABEL: &'static str = "neo-Hookean";
+    const DESCRIPTION: &'static str = "W = C10 (I1 - 3)";
+    const COEFFICIENTS: &'static [Coefficient] = &[C10];
+    const VARIANTS: &'static [Variant] = &[Variant { name: "neo_hookean", label: "neo-Hookean", n_coefficient: 1 }];
+    const MODULUS_AT_REST: &'static str = "c10 gives";
+    const EXAMPLE: &'static [Real] = &[0.1e6];
+
+    type Values = [Real; 1];
+
+    fn from_values([c10]: [Real; 1]) -> Self {
+        Self { c10 }
     }
 
-    /// W, J/m3 of reference volume.
-    pub fn strain_energy_density(&self, stretch: &IsochoricStretch) -> Real {
-        self.c10 * (stretch.invariants().0 - 3.0)
+    fn values(&self) -> [Real; 1] {
+        [self.c10]
     }
 
-    /// Kirchhoff stress in the unrotated frame, Pa, and W, J/m3, of neighbouring triangles.
     #[inline(always)]
-    pub fn stress<V: Vector>(&self, kinematics: &Kinematics<V>) -> (Deviator<V>, V) {
+    fn response<S: Simd>(&self, _: S, kinematics: &Kinematics<S::Vector>, _: bool) -> (Deviator<S::Vector>, S::Vector) {
         let c = kinematics.isochoric_cauchy_green();
         let factor = 2.0 * self.c10;
         let tau = Deviator {
@@ -37,18 +45,20 @@ impl NeoHookean {
             difference: c.difference.mul_scalar(factor),
             shear: c.shear.mul_scalar(factor),
         };
-        (tau, (c.mean + c.mean + c.out.add_scalar(-3.0)).mul_scalar(self.c10))
+        (tau, first_invariant(&c).mul_scalar(self.c10))
     }
 
-    /// Shear modulus at rest, Pa.
-    pub fn shear_modulus(&self) -> Real {
+    fn shear_modulus(&self) -> Real {
         2.0 * self.c10
     }
 
-    /// A majorant of the shear tangent, Pa; see `invariant_shear_tangent`.
     #[inline(always)]
-    pub fn shear_tangent<S: Simd>(&self, simd: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
+    fn shear_tangent<S: Simd>(&self, simd: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
         let zero = simd.splat(0.0);
         invariant_shear_tangent(simd, stretch, [simd.splat(self.c10), zero], [zero; 3])
+    }
+
+    fn principal_stress(&self, stretches: [Real; 3]) -> [Real; 3] {
+        invariant_principal_stress(stretches, |_, _| (self.c10, 0.0))
     }
 }

@@ -15,25 +15,30 @@
 //!
 //! where no difference of nearly equal powers is taken: sinh(alpha x) / r is a quotient of two numbers that both carry
 //! their full relative accuracy, and tends to alpha / m where the stretches coincide. All is written with e^y - 1,
-//! e^-y - 1, e^(alpha x) - 1 and e^(-alpha x) - 1, which [`crate::number::power`] gives accurately however small the strain is: cosh(alpha x) - 1 is -1/2 of the product of the last two, and the part of W without x is
+//! e^-y - 1, e^(alpha x) - 1 and e^(-alpha x) - 1, which [`crate::number::power`] gives accurately however small the
+//! strain is: cosh(alpha x) - 1 is -1/2 of the product of the last two, and the part of W without x is
 //! (e^-y - 1)(e^-y - 1 - 2 (e^y - 1)).
 
-use crate::material::{MAX_OGDEN_TERMS, Material};
+use crate::material::coefficient::Coefficient;
+use crate::material::law::{IsochoricLaw, Variant};
 use crate::number::real::consts::LN_2;
 use crate::number::real::{LARGEST_EXPONENT, Real, TINY_SQUARE};
-use crate::number::vector::{Scalar, Simd, Vector};
+use crate::number::vector::{Simd, Vector};
 use crate::number::{math, power};
 use crate::tensor::deviator::{Deviator, SQRT_THIRD};
 use crate::tensor::kinematics::Kinematics;
 use crate::tensor::stretch::IsochoricStretch;
 
-/// Long-term coefficients.
+/// Most terms of the law.
+pub const MAX_OGDEN_TERMS: usize = 3;
+
+/// Coefficients.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ogden {
     /// Coefficients, Pa; 0 where a term is off.
-    pub mu: [Real; MAX_OGDEN_TERMS],
+    mu: [Real; MAX_OGDEN_TERMS],
     /// Exponents.
-    pub alpha: [Real; MAX_OGDEN_TERMS],
+    alpha: [Real; MAX_OGDEN_TERMS],
     /// mu / alpha, Pa; 0 where a term is off.
     energy_factor: [Real; MAX_OGDEN_TERMS],
     /// Binary logarithms of stretches are taken to be this at most, so that no power leaves the domain of
@@ -42,12 +47,9 @@ pub struct Ogden {
 }
 
 impl Ogden {
-    /// The long-term law of `material`.
-    pub fn new(material: &Material) -> Self {
-        let scale = material.long_term_scale();
-        let alpha = material.ogden_alpha;
+    /// The law of these coefficients, Pa, and exponents; a term with mu = 0 is off.
+    pub fn new(mu: [Real; MAX_OGDEN_TERMS], alpha: [Real; MAX_OGDEN_TERMS]) -> Self {
         let steepest = alpha.into_iter().fold(1.0, |steepest, alpha| math::max(steepest, math::abs(0.5 * alpha)));
-        let mu = material.ogden_mu.map(|mu| scale * mu);
         let mut energy_factor = [0.0; MAX_OGDEN_TERMS];
         for k in 0..MAX_OGDEN_TERMS {
             energy_factor[k] = if alpha[k] == 0.0 { 0.0 } else { mu[k] / alpha[k] };
@@ -61,23 +63,10 @@ impl Ogden {
         self.mu.into_iter().zip(self.alpha).filter(|(mu, alpha)| *mu != 0.0 && *alpha != 0.0)
     }
 
-    /// W, J/m3 of reference volume.
-    pub fn strain_energy_density(&self, stretch: &IsochoricStretch) -> Real {
-        let [mean, difference] = [0.5 * (stretch.u11 + stretch.u22), 0.5 * (stretch.u11 - stretch.u22)];
-        self.response(Scalar, [mean, difference, stretch.u12], stretch.u33).1
-    }
-
-    /// Kirchhoff stress in the unrotated frame, Pa, and W, J/m3, of neighbouring triangles.
-    #[inline(always)]
-    pub fn stress<S: Simd>(&self, simd: S, kinematics: &Kinematics<S::Vector>) -> (Deviator<S::Vector>, S::Vector) {
-        let Kinematics { mean, difference, shear, hoop, inverse_cbrt_j, .. } = *kinematics;
-        self.response(simd, [mean, difference, shear], inverse_cbrt_j * hoop)
-    }
-
     /// Kirchhoff stress, Pa, and W, J/m3, from mean, half difference and shear of U in the section, whatever its volume, and
     /// the isochoric stretch out of it.
     #[inline(always)]
-    fn response<S: Simd>(
+    fn of_stretch<S: Simd>(
         &self,
         simd: S,
         [mean, difference, shear]: [S::Vector; 3],
@@ -99,8 +88,8 @@ impl Ogden {
             // e^-y and e^y, e^(alpha x) and e^(-alpha x).
             let [inverse, power] = power::exp2_of_both_signs(log_out.mul_scalar(0.5 * alpha));
             let [longer, shorter] = power::exp2_of_both_signs(log_in.mul_scalar(0.5 * alpha));
-            let (inverse, direct, power) = (inverse.less_one, power.less_one, power.whole);
-            let (longer, shorter) = (longer.less_one, shorter.less_one);
+            let (inverse, direct, power) = (inverse.exp2_m1, power.exp2_m1, power.whole);
+            let (longer, shorter) = (longer.exp2_m1, shorter.exp2_m1);
             // -2 e^y (cosh(alpha x) - 1).
             let spread = simd.splat(TINY_SQUARE).select_greater(square, zero, power * (longer * shorter));
             step = step + (direct - inverse * inverse.add_scalar(2.0) - spread.mul_scalar(0.5)).mul_scalar(mu);
@@ -118,9 +107,51 @@ impl Ogden {
         let log = log.select_greater(most, most, log);
         least.select_greater(log, least, log)
     }
+}
 
-    /// Shear modulus at rest, Pa.
-    pub fn shear_modulus(&self) -> Real {
+impl IsochoricLaw for Ogden {
+    const NAME: &'static str = "ogden";
+    const LABEL: &'static str = "Ogden";
+    const DESCRIPTION: &'static str = "W = sum mu/alpha (l1^alpha + l2^alpha + l3^alpha - 3)";
+    const COEFFICIENTS: &'static [Coefficient] = &[
+        mu("ogden_mu_1", (0.0, 1.0)),
+        alpha("ogden_alpha_1", "ogden_mu_1", 2.0, (0.5, 6.0)),
+        mu("ogden_mu_2", (-1.0, 0.0)),
+        alpha("ogden_alpha_2", "ogden_mu_2", -2.0, (-6.0, -0.5)),
+        mu("ogden_mu_3", (0.0, 0.1)),
+        alpha("ogden_alpha_3", "ogden_mu_3", 4.0, (4.0, 8.0)),
+    ];
+    const VARIANTS: &'static [Variant] = &[
+        Variant { name: "ogden_1", label: "Ogden 1", n_coefficient: 2 },
+        Variant { name: "ogden_2", label: "Ogden 2", n_coefficient: 4 },
+        Variant { name: "ogden_3", label: "Ogden 3", n_coefficient: 6 },
+    ];
+    const MODULUS_AT_REST: &'static str = "ogden_mu_1 to _3 and ogden_alpha_1 to _3 give";
+    const EXAMPLE: &'static [Real] = &[0.63e6, 1.3, -0.01e6, -2.0, 0.0012e6, 5.0];
+
+    type Values = [Real; 6];
+
+    fn from_values([mu_1, alpha_1, mu_2, alpha_2, mu_3, alpha_3]: [Real; 6]) -> Self {
+        Self::new([mu_1, mu_2, mu_3], [alpha_1, alpha_2, alpha_3])
+    }
+
+    fn values(&self) -> [Real; 6] {
+        let ([mu_1, mu_2, mu_3], [alpha_1, alpha_2, alpha_3]) = (self.mu, self.alpha);
+        [mu_1, alpha_1, mu_2, alpha_2, mu_3, alpha_3]
+    }
+
+    #[inline(always)]
+    fn response<S: Simd>(
+        &self,
+        simd: S,
+        kinematics: &Kinematics<S::Vector>,
+        _: bool,
+    ) -> (Deviator<S::Vector>, S::Vector) {
+        let Kinematics { mean, difference, shear, hoop, inverse_cbrt_j, .. } = *kinematics;
+        self.of_stretch(simd, [mean, difference, shear], inverse_cbrt_j * hoop)
+    }
+
+    fn shear_modulus(&self) -> Real {
         0.5 * self.terms().fold(0.0, |sum, (mu, alpha)| sum + mu * alpha)
     }
 
@@ -133,7 +164,7 @@ impl Ogden {
     /// between -2 and 2, by less than (1 + h^2/3) / (1 + |a| h/2) with h = |ln(l_i / l_j)|, as h coth h < 1 + h^2/3 and
     /// (1 - e^-x)/x < 1 / (1 + x/2).
     #[inline(always)]
-    pub fn shear_tangent<S: Simd>(&self, simd: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
+    fn shear_tangent<S: Simd>(&self, simd: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
         let zero = simd.splat(0.0);
         let logs = stretch.principal().map(|stretch| self.limited(simd, power::log2(simd, stretch)));
         let largest = |logs: [S::Vector; 3]| logs[0].max(logs[1]).max(logs[2]);
@@ -162,4 +193,21 @@ impl Ogden {
         }
         tangent
     }
+
+    /// mu_k l^alpha_k, summed (Ogden 1972).
+    fn principal_stress(&self, stretches: [Real; 3]) -> [Real; 3] {
+        let power = |stretch: Real, alpha: Real| math::exp(alpha * math::ln(stretch));
+        stretches.map(|stretch| self.terms().fold(0.0, |sum, (mu, alpha)| sum + mu * power(stretch, alpha)))
+    }
+}
+
+const fn mu(name: &'static str, plausible: (Real, Real)) -> Coefficient {
+    const MEANING: &str =
+        "ogden coefficient, W = sum mu/alpha (l1^alpha + l2^alpha + l3^alpha - 3); 0 switches the term off";
+    Coefficient::modulus(name, plausible, MEANING)
+}
+
+const fn alpha(name: &'static str, of: &'static str, start: Real, plausible: (Real, Real)) -> Coefficient {
+    const MEANING: &str = "ogden exponent; the shear modulus at rest is sum mu alpha / 2";
+    Coefficient::shape(name, of, (-30.0, 30.0), start, plausible, MEANING)
 }

@@ -1,15 +1,18 @@
 //! Yeoh with three terms, isochoric (Yeoh 1993): W = sum_k Ck0 (I1-3)^k, k = 1, 2, 3, with I1 = tr C-bar, so that the
 //! Kirchhoff stress in the unrotated frame is tau = dev(2 dW/dI1 C-bar). Zero coefficients give one or two terms.
 
-use crate::material::Material;
-use crate::material::shear_tangent::invariant_shear_tangent;
+use crate::material::coefficient::Coefficient;
+use crate::material::invariants::{
+    C10, C20, first_invariant, first_invariant_stress, invariant_principal_stress, invariant_shear_tangent,
+};
+use crate::material::law::{IsochoricLaw, Variant};
 use crate::number::real::Real;
 use crate::number::vector::{Simd, Vector};
-use crate::tensor::deviator::{Deviator, SQRT_THIRD};
+use crate::tensor::deviator::Deviator;
 use crate::tensor::kinematics::Kinematics;
 use crate::tensor::stretch::IsochoricStretch;
 
-/// Long-term coefficients, Pa.
+/// Coefficients, Pa.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Yeoh {
     /// Of (I1-3).
@@ -20,56 +23,65 @@ pub struct Yeoh {
     pub c30: Real,
 }
 
+/// It softens many rubbers, before C30 stiffens them.
+const C20_OF_YEOH: Coefficient = Coefficient { plausible: (-0.05, 0.3), ..C20 };
+
 impl Yeoh {
-    /// The long-term law of `material`.
-    pub fn new(material: &Material) -> Self {
-        let scale = material.long_term_scale();
-        Self { c10: scale * material.c10, c20: scale * material.c20, c30: scale * material.c30 }
+    /// No stress.
+    pub const ZERO: Self = Self { c10: 0.0, c20: 0.0, c30: 0.0 };
+}
+
+impl IsochoricLaw for Yeoh {
+    const NAME: &'static str = "yeoh";
+    const LABEL: &'static str = "Yeoh";
+    const DESCRIPTION: &'static str = "W = C10 (I1 - 3) + C20 (I1 - 3)^2 + C30 (I1 - 3)^3";
+    const COEFFICIENTS: &'static [Coefficient] =
+        &[C10, C20_OF_YEOH, Coefficient::modulus("c30", (0.001, 0.1), "yeoh coefficient of (I1 - 3)^3")];
+    const VARIANTS: &'static [Variant] = &[
+        Variant { name: "yeoh_1", label: "Yeoh 1", n_coefficient: 1 },
+        Variant { name: "yeoh_2", label: "Yeoh 2", n_coefficient: 2 },
+        Variant { name: "yeoh_3", label: "Yeoh 3", n_coefficient: 3 },
+    ];
+    const MODULUS_AT_REST: &'static str = "c10 gives";
+    const EXAMPLE: &'static [Real] = &[0.1e6, -0.002e6, 0.0004e6];
+
+    type Values = [Real; 3];
+
+    fn from_values([c10, c20, c30]: [Real; 3]) -> Self {
+        Self { c10, c20, c30 }
     }
 
-    /// W at a = I1 - 3.
+    fn values(&self) -> [Real; 3] {
+        [self.c10, self.c20, self.c30]
+    }
+
     #[inline(always)]
-    fn energy(&self, a: Real) -> Real {
-        a * (self.c10 + a * (self.c20 + a * self.c30))
-    }
-
-    /// dW/dI1 at a = I1 - 3.
-    #[inline(always)]
-    fn slope<V: Vector>(&self, a: V) -> V {
-        (a * a.mul_scalar(3.0 * self.c30).add_scalar(2.0 * self.c20)).add_scalar(self.c10)
-    }
-
-    /// W, J/m3 of reference volume.
-    pub fn strain_energy_density(&self, stretch: &IsochoricStretch) -> Real {
-        self.energy(stretch.invariants().0 - 3.0)
-    }
-
-    /// Kirchhoff stress in the unrotated frame, Pa, and W, J/m3, of neighbouring triangles.
-    #[inline(always)]
-    pub fn stress<V: Vector>(&self, kinematics: &Kinematics<V>) -> (Deviator<V>, V) {
+    fn response<S: Simd>(&self, _: S, kinematics: &Kinematics<S::Vector>, _: bool) -> (Deviator<S::Vector>, S::Vector) {
         let c = kinematics.isochoric_cauchy_green();
-        let a = c.mean + c.mean + c.out.add_scalar(-3.0);
+        let a = first_invariant(&c);
         let slope = a * (a.mul_scalar(3.0 * self.c30)).add_scalar(2.0 * self.c20);
         let factor = slope.add_scalar(self.c10).mul_scalar(2.0);
-        let tau = Deviator {
-            mean: factor * (c.mean - c.out).mul_scalar(SQRT_THIRD),
-            difference: factor * c.difference,
-            shear: factor * c.shear,
-        };
-        (tau, a * (a * a.mul_scalar(self.c30).add_scalar(self.c20)).add_scalar(self.c10))
+        let energy = a * (a * a.mul_scalar(self.c30).add_scalar(self.c20)).add_scalar(self.c10);
+        (first_invariant_stress(&c, factor), energy)
     }
 
-    /// Shear modulus at rest, Pa.
-    pub fn shear_modulus(&self) -> Real {
+    fn shear_modulus(&self) -> Real {
         2.0 * self.c10
     }
 
-    /// A majorant of the shear tangent, Pa; see `invariant_shear_tangent`.
     #[inline(always)]
-    pub fn shear_tangent<S: Simd>(&self, simd: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
+    fn shear_tangent<S: Simd>(&self, simd: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
         let zero = simd.splat(0.0);
         let a = stretch.invariants().0.add_scalar(-3.0);
+        let first = (a * a.mul_scalar(3.0 * self.c30).add_scalar(2.0 * self.c20)).add_scalar(self.c10);
         let second = a.mul_scalar(6.0 * self.c30).add_scalar(2.0 * self.c20);
-        invariant_shear_tangent(simd, stretch, [self.slope(a), zero], [second, zero, zero])
+        invariant_shear_tangent(simd, stretch, [first, zero], [second, zero, zero])
+    }
+
+    fn principal_stress(&self, stretches: [Real; 3]) -> [Real; 3] {
+        invariant_principal_stress(stretches, |i1, _| {
+            let a = i1 - 3.0;
+            (self.c10 + 2.0 * self.c20 * a + 3.0 * self.c30 * a * a, 0.0)
+        })
     }
 }

@@ -9,6 +9,7 @@ pub mod math;
 pub mod pack;
 pub mod power;
 pub mod real;
+pub(crate) mod text;
 pub mod vector;
 #[cfg(all(feature = "dispatch", target_arch = "x86_64", not(miri), not(feature = "single")))]
 pub(crate) mod x86;

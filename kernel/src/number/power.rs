@@ -40,7 +40,7 @@ pub struct Power<V> {
     /// 2^x.
     pub whole: V,
     /// 2^x - 1.
-    pub less_one: V,
+    pub exp2_m1: V,
 }
 
 /// 2^x and 2^-x for x between plus and minus [`crate::number::real::LARGEST_EXPONENT`].
@@ -59,8 +59,8 @@ pub fn exp2_of_both_signs<V: Vector>(x: V) -> [Power<V>; 2] {
     let even = square * polynomial(square, &COSH);
     let (more, further) = (power * (even + odd), inverse * (even - odd));
     [
-        Power { whole: power + more, less_one: power.add_scalar(-1.0) + more },
-        Power { whole: inverse + further, less_one: inverse.add_scalar(-1.0) + further },
+        Power { whole: power + more, exp2_m1: power.add_scalar(-1.0) + more },
+        Power { whole: inverse + further, exp2_m1: inverse.add_scalar(-1.0) + further },
     ]
 }
 
@@ -98,7 +98,7 @@ mod tests {
     }
 
     /// 2^x - 1 by `libm`, with the rounding of the product by ln 2 made good.
-    fn reference_exp2_less_one(x: f64) -> f64 {
+    fn reference_exp2_m1(x: f64) -> f64 {
         if x.abs() > 1.0 {
             return libm::exp2(x) - 1.0;
         }
@@ -154,7 +154,7 @@ mod tests {
             let found = exp2_of_both_signs(x);
             for (found, x) in found.into_iter().zip([x, -x]) {
                 assert_close(found.whole, libm::exp2(f64::from(x)), STATED[1], x);
-                assert_close(found.less_one, reference_exp2_less_one(f64::from(x)), STATED[1], x);
+                assert_close(found.exp2_m1, reference_exp2_m1(f64::from(x)), STATED[1], x);
             }
             let [power, inverse] = found;
             assert_eq!(exp2_of_both_signs(-x), [inverse, power]);
@@ -164,12 +164,12 @@ mod tests {
     #[test]
     fn known_values_are_exact() {
         assert_eq!(log2(Scalar, 1.0), 0.0);
-        assert_eq!(exp2_of_both_signs(0.0), [Power { whole: 1.0, less_one: 0.0 }; 2]);
+        assert_eq!(exp2_of_both_signs(0.0), [Power { whole: 1.0, exp2_m1: 0.0 }; 2]);
         let largest = LARGEST_EXPONENT as i32;
         for k in -largest..=largest {
             let (k, power) = (k as Real, libm::exp2(f64::from(k)) as Real);
             assert_eq!(log2(Scalar, power), k);
-            let exact = [power, 1.0 / power].map(|whole| Power { whole, less_one: whole - 1.0 });
+            let exact = [power, 1.0 / power].map(|whole| Power { whole, exp2_m1: whole - 1.0 });
             assert_eq!(exp2_of_both_signs(k), exact);
         }
     }

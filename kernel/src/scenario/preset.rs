@@ -1,6 +1,8 @@
 //! Ready-made scenarios. The parameter sets stand here and nowhere else.
 
-use crate::material::{ElasticLaw, Material, Moduli, VolumetricBy, VolumetricLaw};
+use crate::material::{
+    Coefficients, ElasticLaw, Material, Moduli, MooneyRivlin, NeoHookean, Ogden, VolumetricBy, VolumetricLaw, Yeoh,
+};
 use crate::number::real::Real;
 use crate::sampling::SAMPLING_INTERVAL;
 use crate::scenario::{
@@ -198,15 +200,12 @@ fn consistent(mut scenario: Scenario) -> Scenario {
 fn study_silicone() -> Material {
     // Instantaneous overstress of the Prony term over the long-term stress.
     let overstress = 28.7;
+    let law = MooneyRivlin { c10: 148e3, c01: 104e3, c20: 132e3, ..MooneyRivlin::ZERO };
     Material {
         density: 1072.0,
-        law: ElasticLaw::MooneyRivlin,
-        c10: 148e3,
-        c01: 104e3,
-        c20: 132e3,
         prony_g: [overstress / (1.0 + overstress), 0.0, 0.0, 0.0, 0.0],
         prony_tau: [0.0871e-3, 1.0, 1.0, 1.0, 1.0],
-        ..elastic_silicone()
+        ..elastic_silicone().with(law)
     }
 }
 
@@ -217,14 +216,7 @@ pub fn elastic_silicone() -> Material {
         density: 1072.0,
         law: ElasticLaw::NeoHookean,
         moduli: Moduli::LongTerm,
-        c10: 100e3,
-        c01: 0.0,
-        c11: 0.0,
-        c20: 0.0,
-        c02: 0.0,
-        c30: 0.0,
-        ogden_mu: [0.0; 3],
-        ogden_alpha: [2.0, -2.0, 4.0],
+        coefficients: Coefficients::of(&NeoHookean { c10: 100e3 }),
         volumetric_law: VolumetricLaw::Quadratic,
         volumetric_by: VolumetricBy::PoissonsRatio,
         bulk_modulus: 0.0,
@@ -251,12 +243,9 @@ pub fn study_14_7() -> Scenario {
     let study = study();
     let overstress = 8.5;
     let silicone = Material {
-        c10: 155e3,
-        c01: 0.0,
-        c20: 90e3,
         prony_g: [overstress / (1.0 + overstress), 0.0, 0.0, 0.0, 0.0],
         prony_tau: [0.3e-3, 1.0, 1.0, 1.0, 1.0],
-        ..study.silicone
+        ..study.silicone.with(MooneyRivlin { c10: 155e3, c20: 90e3, ..MooneyRivlin::ZERO })
     };
     of_silicone(silicone, 7.0)
 }
@@ -270,14 +259,11 @@ pub fn study_incompressible() -> Scenario {
     let study = study();
     let overstress = 18.9;
     let silicone = Material {
-        c10: 30.2e3,
-        c01: 251e3,
-        c20: 116e3,
         volumetric_by: VolumetricBy::BulkModulus,
         bulk_modulus: 200e6,
         prony_g: [overstress / (1.0 + overstress), 0.0, 0.0, 0.0, 0.0],
         prony_tau: [0.117e-3, 1.0, 1.0, 1.0, 1.0],
-        ..study.silicone
+        ..study.silicone.with(MooneyRivlin { c10: 30.2e3, c01: 251e3, c20: 116e3, ..MooneyRivlin::ZERO })
     };
     of_silicone(silicone, 17.0)
 }
@@ -314,32 +300,28 @@ pub fn block() -> Scenario {
 /// test (ASTM D412, 450 mm/min) of Marechal et al., Soft Robotics 8 (2021) 284, up to a stretch of 2; density by the
 /// maker. Elastic: its viscosity is not in that test. Poisson's ratio of 0.49 is chosen.
 pub fn ecoflex_00_30() -> Scenario {
-    let silicone = Material { density: 1070.0, law: ElasticLaw::Yeoh, c10: 7.50e3, c20: 238.0, ..elastic_silicone() };
+    let silicone =
+        Material { density: 1070.0, ..elastic_silicone().with(Yeoh { c10: 7.50e3, c20: 238.0, ..Yeoh::ZERO }) };
     elastic_of(silicone, 17.0)
 }
 
 /// The same of Dragon Skin 30 (Smooth-On), from the same source.
 pub fn dragon_skin_30() -> Scenario {
-    let silicone = Material { density: 1080.0, law: ElasticLaw::Yeoh, c10: 90.4e3, c20: 9.08e3, ..elastic_silicone() };
+    let silicone =
+        Material { density: 1080.0, ..elastic_silicone().with(Yeoh { c10: 90.4e3, c20: 9.08e3, ..Yeoh::ZERO }) };
     elastic_of(silicone, 6.0)
 }
 
 /// The anvil of [`study`] made of the vulcanised natural rubber of Treloar (1944), with the coefficients of Ogden, Proc. R. Soc.
 /// A 326 (1972) 565. Elastic; a Poisson's ratio of 0.49 is chosen, the density is that of such rubbers.
 pub fn natural_rubber() -> Scenario {
-    let silicone = Material {
-        density: 930.0,
-        law: ElasticLaw::Ogden,
-        c10: 0.0,
-        ogden_mu: [0.63e6, 0.0012e6, -0.01e6],
-        ogden_alpha: [1.3, 5.0, -2.0],
-        ..elastic_silicone()
-    };
+    let law = Ogden::new([0.63e6, 0.0012e6, -0.01e6], [1.3, 5.0, -2.0]);
+    let silicone = Material { density: 930.0, ..elastic_silicone().with(law) };
     elastic_of(silicone, 8.0)
 }
 
 /// A synthetic chamois for two layers. Not from the study, which gives its skin the silicone's material: the density and
 /// the modulus of 3 MPa are of the order of soft leather, and nothing is fitted.
 fn chamois() -> Material {
-    Material { density: 600.0, c10: 0.5e6, poissons_ratio: 0.45, ..elastic_silicone() }
+    Material { density: 600.0, poissons_ratio: 0.45, ..elastic_silicone().with(NeoHookean { c10: 0.5e6 }) }
 }

@@ -1,7 +1,6 @@
 //! What a scenario has to be: each value in its range, and all of them together.
 
 use crate::error::ScenarioError;
-use crate::material::ElasticLaw;
 use crate::number::math;
 use crate::number::real::Real;
 use crate::scenario::parameter::PARAMETERS;
@@ -50,7 +49,7 @@ impl Layer<'_> {
         }
         let modulus = material.shear_modulus_inf();
         if modulus <= 0.0 {
-            return Err(ScenarioError::ShearModulus { layer, coefficients: coefficients(material.law), modulus });
+            return Err(ScenarioError::ShearModulus { layer, coefficients: material.law.modulus_at_rest(), modulus });
         }
         let stretch = material.tear_stretch;
         if stretch > 0.0 && stretch < 1.0 {
@@ -65,12 +64,3 @@ const MIN_SKIN: Real = 1e-5;
 
 /// The face's chord is the thickness of the section, so the face must reach past the anvil's side by this factor.
 const FACE_MARGIN: Real = 1.02;
-
-/// What gives the shear modulus at rest.
-fn coefficients(law: ElasticLaw) -> &'static str {
-    match law {
-        ElasticLaw::NeoHookean | ElasticLaw::Yeoh => "c10 gives",
-        ElasticLaw::MooneyRivlin => "c10 and c01 give",
-        ElasticLaw::Ogden => "ogden_mu_1 to _3 and ogden_alpha_1 to _3 give",
-    }
-}

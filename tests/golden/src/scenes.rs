@@ -1,7 +1,9 @@
 //! The table of scenes. The drops of the study follow the preset; every other scene states its own numbers, so that it
 //! changes only with the mathematics.
 
-use softanvil_kernel::material::{ElasticLaw, Material, Moduli, VolumetricBy, VolumetricLaw};
+use softanvil_kernel::material::{
+    Coefficients, ElasticLaw, Material, Moduli, MooneyRivlin, NeoHookean, Ogden, VolumetricBy, VolumetricLaw, Yeoh,
+};
 use softanvil_kernel::number::real::Real;
 use softanvil_kernel::scenario::{DropBy, Formulation, Interface, Layers, Motion, Section, StepBy};
 use softanvil_kernel::{Constants, Scenario, StepInput, preset};
@@ -111,14 +113,7 @@ fn rubber() -> Material {
         density: 1070.0,
         law: ElasticLaw::MooneyRivlin,
         moduli: Moduli::LongTerm,
-        c10: 0.12e6,
-        c01: 0.06e6,
-        c11: 0.03e6,
-        c20: 2e3,
-        c02: 12e3,
-        c30: 0.0,
-        ogden_mu: [0.0; 3],
-        ogden_alpha: [2.0, -2.0, 4.0],
+        coefficients: Coefficients::of(&MooneyRivlin { c10: 0.12e6, c01: 0.06e6, c11: 0.03e6, c20: 2e3, c02: 12e3 }),
         volumetric_law: VolumetricLaw::Quadratic,
         volumetric_by: VolumetricBy::BulkModulus,
         bulk_modulus: 2e6,
@@ -137,29 +132,22 @@ fn rubber() -> Material {
 
 fn ogden() -> Scenario {
     base(Material {
-        law: ElasticLaw::Ogden,
-        ogden_mu: [0.3e6, 2e3, -0.02e6],
-        ogden_alpha: [1.3, 5.0, -2.0],
         volumetric_law: VolumetricLaw::Simo,
         prony_g: [0.3, 0.2, 0.0, 0.0, 0.0],
         prony_tau: [0.5e-3, 20e-3, 1.0, 1.0, 1.0],
-        ..rubber()
+        ..rubber().with(Ogden::new([0.3e6, 2e3, -0.02e6], [1.3, 5.0, -2.0]))
     })
 }
 
 fn yeoh() -> Scenario {
     base(Material {
-        law: ElasticLaw::Yeoh,
         moduli: Moduli::Instantaneous,
-        c10: 0.3e6,
-        c20: -4e3,
-        c30: 1e3,
         volumetric_by: VolumetricBy::PoissonsRatio,
         prony_g: [0.5, 0.0, 0.0, 0.0, 0.0],
         prony_tau: [1e-3, 1.0, 1.0, 1.0, 1.0],
         slider_stiffness: 10e6,
         slider_yield_stress: 20e3,
-        ..rubber()
+        ..rubber().with(Yeoh { c10: 0.3e6, c20: -4e3, c30: 1e3 })
     })
 }
 
@@ -170,15 +158,13 @@ fn two_layers() -> Scenario {
     scenario.geometry.skin_thickness = 1.5e-3;
     scenario.skin = Material {
         density: 900.0,
-        law: ElasticLaw::NeoHookean,
-        c10: 0.5e6,
         bulk_modulus: 8e6,
         maxwell_g: [0.4e6, 0.2e6, 0.1e6, 0.0, 0.0],
         maxwell_beta: [5e3, 500.0, 20.0, 1e3, 1e3],
         tear_stretch: 1.02,
         tear_width: 0.1,
         tear_residual: 0.2,
-        ..rubber()
+        ..rubber().with(NeoHookean { c10: 0.5e6 })
     };
     scenario.time.step = 1.25e-6;
     scenario.time.duration = 4e-3;

@@ -1,7 +1,7 @@
 //! Scenarios and runs that several problems use.
 
 use crate::deformation::Samples;
-use softanvil_kernel::material::{ElasticLaw, Material, Moduli, VolumetricBy, VolumetricLaw};
+use softanvil_kernel::material::{ElasticLaw, Material, Moduli, MooneyRivlin, Ogden, VolumetricBy, VolumetricLaw};
 use softanvil_kernel::scenario::{Interface, Motion, Shape};
 use softanvil_kernel::{Scenario, Simulation, StepInput, preset};
 
@@ -27,77 +27,48 @@ pub fn run(scenario: &Scenario) -> Simulation {
 /// Mooney-Rivlin without memory or damping.
 pub fn elastic(c10: f64, c01: f64, bulk_modulus: f64) -> Material {
     Material {
-        law: ElasticLaw::MooneyRivlin,
         moduli: Moduli::LongTerm,
-        c10,
-        c01,
-        c11: 0.0,
-        c20: 0.0,
-        c02: 0.0,
         volumetric_law: VolumetricLaw::Quadratic,
         volumetric_by: VolumetricBy::BulkModulus,
         bulk_modulus,
         prony_g: [0.0; 5],
         slider_stiffness: 0.0,
         slider_yield_stress: 0.0,
-        ..preset::study().silicone
+        ..preset::study().silicone.with(MooneyRivlin { c10, c01, ..MooneyRivlin::ZERO })
     }
 }
 
 /// Ogden's law without memory or damping.
 pub fn ogden(bulk_modulus: f64, mu: [f64; 3], alpha: [f64; 3]) -> Material {
-    Material { law: ElasticLaw::Ogden, ogden_mu: mu, ogden_alpha: alpha, ..elastic(0.0, 0.0, bulk_modulus) }
+    elastic(0.0, 0.0, bulk_modulus).with(Ogden::new(mu, alpha))
 }
 
-/// One material of each law, and of each number of parameters, without memory or damping.
+/// The example of each law, and of each number of its coefficients, without memory or damping.
 pub fn laws(bulk_modulus: f64) -> Vec<(&'static str, Material)> {
-    let base = elastic(0.1e6, 0.0, bulk_modulus);
-    vec![
-        ("neo-Hooke", Material { law: ElasticLaw::NeoHookean, ..base }),
-        ("Mooney-Rivlin 2", elastic(0.1e6, 0.05e6, bulk_modulus)),
-        ("Mooney-Rivlin 3", Material { c11: 0.02e6, ..elastic(0.1e6, 0.05e6, bulk_modulus) }),
-        (
-            "Mooney-Rivlin 5",
-            Material { c11: 0.02e6, c20: 0.004e6, c02: 0.003e6, ..elastic(0.1e6, 0.05e6, bulk_modulus) },
-        ),
-        ("Yeoh 1", Material { law: ElasticLaw::Yeoh, ..base }),
-        ("Yeoh 2", Material { law: ElasticLaw::Yeoh, c20: -0.002e6, ..base }),
-        ("Yeoh 3", Material { law: ElasticLaw::Yeoh, c20: -0.002e6, c30: 0.0004e6, ..base }),
-        ("Ogden 1", ogden(bulk_modulus, [0.15e6, 0.0, 0.0], [1.3, 0.0, 0.0])),
-        ("Ogden 2", ogden(bulk_modulus, [0.02e6, -0.03e6, 0.0], [4.5, -3.1, 0.0])),
-        ("Ogden 3", ogden(bulk_modulus, [0.63e6, 0.0012e6, -0.01e6], [1.3, 5.0, -2.0])),
-    ]
+    let of_law = |law: &ElasticLaw| {
+        let (law, description) = (*law, law.description());
+        description.variants.iter().map(move |variant| {
+            let values = &description.example[..variant.n_coefficient];
+            (variant.label, elastic(0.0, 0.0, bulk_modulus).with_values(law, values))
+        })
+    };
+    ElasticLaw::ALL.iter().flat_map(of_law).collect()
 }
 
-/// A law at random without memory or damping, as stiff at rest as a neo-Hookean material of the coefficient `c10`, Pa.
+/// A law at random without memory or damping, as stiff at rest as a neo-Hookean material of the coefficient `c10`, Pa: any of
+/// the kernel's, with any number of coefficients, which are drawn from where they are plausible.
 pub fn random_law(samples: &mut Samples, c10: f64) -> Material {
     let mut between = |low: f64, high: f64| low + (high - low) * 0.5 * (1.0 + samples.number());
-    let base = elastic(c10, 0.0, 1e6);
-    let part = between(0.0, 1.0);
-    let (first, second) = (c10 * part, c10 * (1.0 - part));
-    match between(0.0, 7.0) as usize {
-        0 => Material { law: ElasticLaw::NeoHookean, ..base },
-        1 => Material { c10: first, c01: second, ..base },
-        2 => Material { c10: first, c01: second, c11: c10 * between(0.0, 0.4), ..base },
-        3 => {
-            let [c11, c20, c02] = [0.4, 0.2, 0.2].map(|most| c10 * between(0.0, most));
-            Material { c10: first, c01: second, c11, c20, c02, ..base }
-        }
-        4 => {
-            let (c20, c30) = (c10 * between(-0.05, 0.3), c10 * between(0.001, 0.1));
-            Material { law: ElasticLaw::Yeoh, c20, c30, ..base }
-        }
-        5 => {
-            let alpha = between(0.5, 6.0);
-            let alpha = if between(0.0, 1.0) < 0.5 { alpha } else { -alpha };
-            ogden(1e6, [4.0 * c10 / alpha, 0.0, 0.0], [alpha, 2.0, 2.0])
-        }
-        _ => {
-            let alpha = [between(1.0, 6.0), -between(1.0, 6.0), between(4.0, 8.0)];
-            let mu = [first / alpha[0], 0.8 * second / alpha[1], 0.2 * second / alpha[2]].map(|mu| 4.0 * mu);
-            ogden(1e6, mu, alpha)
-        }
-    }
+    let laws: Vec<_> = ElasticLaw::ALL
+        .iter()
+        .flat_map(|law| law.description().variants.iter().map(move |variant| (*law, variant.n_coefficient)))
+        .collect();
+    let (law, n) = laws[(between(0.0, laws.len() as f64) as usize).min(laws.len() - 1)];
+    let plausible = law.description().coefficients[..n].iter().map(|coefficient| coefficient.plausible);
+    let values: Vec<f64> = plausible.map(|(low, high)| between(low, high)).collect();
+    let material = elastic(0.0, 0.0, 1e6).with_values(law, &values);
+    let coefficients = material.coefficients.scaled(2.0 * c10 / material.shear_modulus_inf());
+    Material { coefficients, ..material }
 }
 
 /// A flat block of `width` by `height` m on a frictionless core under a frictionless face that nothing moves.

@@ -49,7 +49,12 @@ pub fn of_identification(identification: &Identification) -> Value {
 fn of_fit(fit: &Fit) -> Value {
     let statistics = &fit.statistics;
     let named = |values: &[f64]| -> Map<String, Value> {
-        fit.law.parameters.iter().zip(values).map(|(name, value)| ((*name).into(), (*value).into())).collect()
+        fit.law
+            .parameters
+            .iter()
+            .zip(values)
+            .map(|(parameter, value)| (parameter.name.into(), (*value).into()))
+            .collect()
     };
     let correlation = statistics.correlation.row_iter().map(|row| row.iter().copied().collect::<Vec<f64>>());
     let stable: Map<String, Value> =

@@ -54,6 +54,11 @@ impl Files {
             Err(reason) => self.refused.push((name.into(), reason)),
         }
     }
+
+    /// Notes that there is no file `name`, because `program` does not have the law of `material`.
+    fn lacks(&mut self, name: &str, program: &str, material: &Material) {
+        self.refused.push((name.into(), format!("{program} has no law {}", material.law.description().label)));
+    }
 }
 
 /// States for a material that no curve was fitted for: uniaxial, half to twice the length.
@@ -162,12 +167,14 @@ impl Identified {
         let text = c_source::text(&self.comment, material, layer);
         let read = c_source::read(&text, layer);
         files.add(self, "material.h", text, read);
-        let text = ls_dyna::text("Softanvil", &self.comment, material);
-        let read = ls_dyna::read(&text);
-        files.add(self, "material-lsdyna.k", text, read);
-        let text = abaqus::text("SOFTANVIL", &self.comment, material);
-        let read = abaqus::read(&text);
-        files.add(self, "material-abaqus.inp", text, read);
+        match ls_dyna::text("Softanvil", &self.comment, material) {
+            Some(text) => files.add(self, "material-lsdyna.k", text.clone(), ls_dyna::read(&text)),
+            None => files.lacks("material-lsdyna.k", "LS-DYNA", material),
+        }
+        match abaqus::text("SOFTANVIL", &self.comment, material) {
+            Some(text) => files.add(self, "material-abaqus.inp", text.clone(), abaqus::read(&text)),
+            None => files.lacks("material-abaqus.inp", "Abaqus", material),
+        }
         Ok(files)
     }
 

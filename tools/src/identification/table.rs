@@ -92,12 +92,12 @@ fn stable(fit: &Fit) -> String {
 fn coefficients(fit: &Fit) -> String {
     let mut table = new_plain_table(&["parameter", "value", "standard error", "95 % interval", "unit"]);
     let factor = fit.statistics.interval();
-    for (index, (name, value)) in fit.law.parameters.iter().zip(&fit.values).enumerate() {
+    for (index, (parameter, value)) in fit.law.parameters.iter().zip(&fit.values).enumerate() {
         let error = fit.statistics.standard_errors[index];
         let (low, high) = (value - factor * error, value + factor * error);
         let interval = if error.is_finite() { format!("{} to {}", digits(low), digits(high)) } else { "none".into() };
         let error = if error.is_finite() { digits(error) } else { "none".into() };
-        table.add_row([*name, &digits(*value), &error, &interval, fit.law.unit(index)]);
+        table.add_row([parameter.name, &digits(*value), &error, &interval, parameter.unit]);
     }
     align_right(&mut table, 1..4);
     format!("{}\n", text_of(&mut table))

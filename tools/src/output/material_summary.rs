@@ -25,7 +25,7 @@ fn describe(layer: &Layer) -> String {
     let bulk = material.effective_bulk_modulus();
     let speed = |modulus: f64| four_digits((modulus / material.density).sqrt());
     let mut lines = vec![
-        format!("{name}: {}, {} kg/m3", law(material), four_digits(material.density)),
+        format!("{name}: {}, {} kg/m3", material.law.description().label, four_digits(material.density)),
         format!("  shear modulus    {} in the end, {} at once", pascal(end), pascal(at_once)),
         format!(
             "  Poisson's ratio  {:.4} in the end, {:.4} at once (bulk modulus {})",
@@ -41,16 +41,6 @@ fn describe(layer: &Layer) -> String {
     ];
     lines.extend(mechanisms(material).into_iter().map(|(label, adds)| format!("  {label:<15}  {adds}")));
     lines.join("\n") + "\n"
-}
-
-fn law(material: &Material) -> &'static str {
-    use softanvil_kernel::material::ElasticLaw::{MooneyRivlin, NeoHookean, Ogden, Yeoh};
-    match material.law {
-        NeoHookean => "neo-Hookean",
-        MooneyRivlin => "Mooney-Rivlin",
-        Yeoh => "Yeoh",
-        Ogden => "Ogden",
-    }
 }
 
 /// What is on beside the elastic law, and what it adds.

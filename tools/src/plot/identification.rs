@@ -7,8 +7,9 @@ use plotters::drawing::{DrawingArea, IntoDrawingArea};
 use plotters::element::{Circle, DashedPathElement, PathElement, Text};
 use plotters::prelude::{Cartesian2d, SVGBackend};
 use plotters::style::{Color, IntoFont, RGBColor, ShapeStyle, TRANSPARENT, TextStyle};
-use softanvil_identify::law::{Family, stress};
+use softanvil_identify::law::stress;
 use softanvil_identify::relaxation::read::Load;
+use softanvil_kernel::material::ElasticLaw;
 
 use super::error::PlotError;
 use super::span::Span;
@@ -73,7 +74,7 @@ fn of_curves(identification: &Identification, curves: &Curves) -> Picture {
     let (scale, unit) = if largest > 1e3 * KILO_LIMIT { (1e-6, "MPa") } else { (1e-3, "kPa") };
     let shown = |(stretch, stress): (f64, f64)| (100.0 * (stretch - 1.0), scale * stress);
     let stretches: Vec<f64> = (0..=CURVE_POINTS).map(|k| low + (high - low) * k as f64 / CURVE_POINTS as f64).collect();
-    let mut families: Vec<Family> = Vec::new();
+    let mut families: Vec<ElasticLaw> = Vec::new();
     let mut fitted = Vec::new();
     for (index, fit) in identification.fits.iter().enumerate() {
         let behind = families.iter().filter(|family| **family == fit.law.family).count();

@@ -110,14 +110,7 @@ fn with_law(own: &Material, other: Material) -> Material {
     Material {
         law: other.law,
         moduli: Moduli::LongTerm,
-        c10: other.c10,
-        c01: other.c01,
-        c11: other.c11,
-        c20: other.c20,
-        c02: other.c02,
-        c30: other.c30,
-        ogden_mu: other.ogden_mu,
-        ogden_alpha: other.ogden_alpha,
+        coefficients: other.coefficients,
         // A law that is softer at rest is not to be more compressible.
         volumetric_by: VolumetricBy::BulkModulus,
         bulk_modulus: own.effective_bulk_modulus(),

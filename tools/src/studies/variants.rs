@@ -31,18 +31,7 @@ pub fn press(mut scenario: Scenario) -> Scenario {
 /// `scenario` without Prony series, Maxwell terms and damping spring: its long-term law alone.
 pub fn undamped(mut scenario: Scenario) -> Scenario {
     for material in [&mut scenario.silicone, &mut scenario.skin] {
-        let scale = material.long_term_scale();
-        for coefficient in [
-            &mut material.c10,
-            &mut material.c01,
-            &mut material.c11,
-            &mut material.c20,
-            &mut material.c02,
-            &mut material.c30,
-        ] {
-            *coefficient *= scale;
-        }
-        material.ogden_mu.iter_mut().for_each(|mu| *mu *= scale);
+        material.coefficients = material.coefficients.scaled(material.long_term_scale());
         material.prony_g = [0.0; 5];
         material.maxwell_g = [0.0; 5];
         material.slider_stiffness = 0.0;

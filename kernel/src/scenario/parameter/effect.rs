@@ -2,7 +2,9 @@
 
 use super::{Kind, Parameter};
 use crate::error::NoEffect;
+use crate::material::{COEFFICIENTS, Coefficient, ElasticLaw, N_COEFFICIENT, Role};
 use crate::number::real::Real;
+use crate::number::text::same;
 use crate::scenario::Scenario;
 
 /// What a parameter needs to act.
@@ -21,6 +23,8 @@ enum Acts {
     Under(&'static [&'static str]),
     /// Under these choices; 0 says that there is nothing, which is so under the others, too.
     CoefficientUnder(&'static [&'static str]),
+    /// Under the elastic laws that have the coefficient of this place; a modulus of 0 is nothing under the others, too.
+    InLaw(usize),
     /// Under this choice, which is made by giving the parameter.
     Chosen(&'static str),
     /// Where the other parameter is not 0.
@@ -50,6 +54,10 @@ impl Condition {
         let acts = match self.acts {
             Acts::Under(labels) => labels.contains(&says),
             Acts::CoefficientUnder(labels) => value == 0.0 || labels.contains(&says),
+            Acts::InLaw(place) => {
+                let law = ElasticLaw::from_repr(by.get(scenario) as usize);
+                law.is_some_and(|law| law.places().contains(&place)) || value == 0.0 && is_modulus(place)
+            }
             Acts::Chosen(label) => label == says,
             Acts::Beside => by.get(scenario) != 0.0,
         };
@@ -70,13 +78,19 @@ impl Parameter {
 
 /// Every condition, those first that stand above others.
 pub(super) fn conditions() -> impl Iterator<Item = &'static Condition> {
-    TEST.iter().chain(SILICONE).chain(SKIN)
+    let coefficients = COEFFICIENTS_OF_SILICONE.iter().chain(&COEFFICIENTS_OF_SKIN);
+    TEST.iter().chain(coefficients).chain(SILICONE).chain(SKIN)
+}
+
+fn is_modulus(place: usize) -> bool {
+    COEFFICIENTS.get(place).is_some_and(Coefficient::is_modulus)
 }
 
 /// Whether the parameter called `name` is a coefficient, or switches others on: at 0 there is nothing.
 pub(super) fn is_off_at_zero(name: &str) -> bool {
     conditions().any(|condition| match condition.acts {
         Acts::CoefficientUnder(_) => condition.of == name,
+        Acts::InLaw(place) => condition.of == name && is_modulus(place),
         Acts::Beside => condition.by == name,
         Acts::Under(_) | Acts::Chosen(_) => false,
     })
@@ -126,24 +140,8 @@ static TEST: &[Condition] = &[
 
 macro_rules! material_conditions {
     ($layer:literal) => {{
-        const LAW: &str = concat!($layer, ".law");
         const VOLUMETRIC_BY: &str = concat!($layer, ".volumetric_by");
         &[
-            coefficient_under(concat!($layer, ".c10"), LAW, &["neo_hookean", "mooney_rivlin", "yeoh"]),
-            coefficient_under(concat!($layer, ".c01"), LAW, &["mooney_rivlin"]),
-            coefficient_under(concat!($layer, ".c11"), LAW, &["mooney_rivlin"]),
-            coefficient_under(concat!($layer, ".c20"), LAW, &["mooney_rivlin", "yeoh"]),
-            coefficient_under(concat!($layer, ".c02"), LAW, &["mooney_rivlin"]),
-            coefficient_under(concat!($layer, ".c30"), LAW, &["yeoh"]),
-            coefficient_under(concat!($layer, ".ogden_mu_1"), LAW, &["ogden"]),
-            coefficient_under(concat!($layer, ".ogden_mu_2"), LAW, &["ogden"]),
-            coefficient_under(concat!($layer, ".ogden_mu_3"), LAW, &["ogden"]),
-            under(concat!($layer, ".ogden_alpha_1"), LAW, &["ogden"]),
-            under(concat!($layer, ".ogden_alpha_2"), LAW, &["ogden"]),
-            under(concat!($layer, ".ogden_alpha_3"), LAW, &["ogden"]),
-            only_with(concat!($layer, ".ogden_alpha_1"), concat!($layer, ".ogden_mu_1")),
-            only_with(concat!($layer, ".ogden_alpha_2"), concat!($layer, ".ogden_mu_2")),
-            only_with(concat!($layer, ".ogden_alpha_3"), concat!($layer, ".ogden_mu_3")),
             chosen(concat!($layer, ".bulk_modulus"), VOLUMETRIC_BY, "bulk_modulus"),
             chosen(concat!($layer, ".poissons_ratio"), VOLUMETRIC_BY, "poissons_ratio"),
             only_with(concat!($layer, ".prony_tau_1"), concat!($layer, ".prony_g_1")),
@@ -161,6 +159,50 @@ macro_rules! material_conditions {
             only_with(concat!($layer, ".tear_residual"), concat!($layer, ".tear_stretch")),
         ]
     }};
+}
+
+static COEFFICIENTS_OF_SILICONE: [Condition; N_CONDITION] =
+    coefficient_conditions(super::material::SILICONE, "silicone.law");
+static COEFFICIENTS_OF_SKIN: [Condition; N_CONDITION] = coefficient_conditions(super::material::SKIN, "skin.law");
+
+/// A condition for each coefficient of the elastic laws, and another for those that shape the term of a modulus.
+const N_CONDITION: usize = {
+    let (mut n, mut place) = (N_COEFFICIENT, 0);
+    while place < N_COEFFICIENT {
+        n += !COEFFICIENTS[place].is_modulus() as usize;
+        place += 1;
+    }
+    n
+};
+
+/// The conditions of the coefficients among the `rows` of a layer, whose choice of a law is called `law`.
+const fn coefficient_conditions(rows: &'static [Parameter], law: &'static str) -> [Condition; N_CONDITION] {
+    let mut conditions = [const { only_with("", "") }; N_CONDITION];
+    let (mut n, mut place) = (0, 0);
+    while place < N_COEFFICIENT {
+        let of = row_of(rows, COEFFICIENTS[place].name);
+        conditions[n] = Condition { of, by: law, acts: Acts::InLaw(place) };
+        n += 1;
+        if let Role::Shape { of: modulus } = COEFFICIENTS[place].role {
+            conditions[n] = only_with(of, row_of(rows, modulus));
+            n += 1;
+        }
+        place += 1;
+    }
+    conditions
+}
+
+/// The whole name of the row whose name ends with a dot and `field`.
+const fn row_of(rows: &'static [Parameter], field: &str) -> &'static str {
+    let mut i = 0;
+    while i < rows.len() {
+        let (name, at) = (rows[i].name, rows[i].name.len().saturating_sub(field.len()));
+        if at > 0 && name.as_bytes()[at - 1] == b'.' && same(name.split_at(at).1, field) {
+            return name;
+        }
+        i += 1;
+    }
+    panic!("a coefficient without a row")
 }
 
 static SILICONE: &[Condition] = material_conditions!("silicone");

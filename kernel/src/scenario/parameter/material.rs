@@ -1,11 +1,15 @@
 //! The rows of a material, written once for every layer.
 
-use super::row::{Kind, Parameter, choice, real};
-use crate::material::{ElasticLaw, Moduli, VolumetricBy, VolumetricLaw};
+use super::coefficient::{Name, for_each_place, names, rows};
+use super::row::{Kind, Parameter, choice, join, real};
+use crate::material::{ElasticLaw, Moduli, N_COEFFICIENT, VolumetricBy, VolumetricLaw};
+use crate::number::real::Real;
+use crate::scenario::Scenario;
 
-/// The rows of the material of a layer, whose field in a scenario has the name of the group.
+/// The rows of the material of a layer, whose field in a scenario has the name of the group, but for the coefficients of the
+/// elastic laws.
 macro_rules! material_rows {
-    ($layer:ident) => {
+    ($layer:ident, before the coefficients) => {
         &[
             real!($layer.density, "kg/m3", (10.0, 2e4), "density"),
             choice!(
@@ -13,18 +17,10 @@ macro_rules! material_rows {
                 "isochoric hyperelastic law (mooney_rivlin has 2, 3 or 5 parameters, by coefficients of zero)"
             ),
             choice!($layer.moduli: Moduli, "what the elastic coefficients are: after full relaxation, or before any"),
-            real!($layer.c10, "Pa", (-1e9, 1e9), "coefficient of (I1 - 3) in all laws but ogden"),
-            real!($layer.c01, "Pa", (-1e9, 1e9), "mooney_rivlin coefficient of (I2 - 3)"),
-            real!($layer.c11, "Pa", (-1e9, 1e9), "mooney_rivlin coefficient of (I1 - 3)(I2 - 3)"),
-            real!($layer.c20, "Pa", (-1e9, 1e9), "mooney_rivlin and yeoh coefficient of (I1 - 3)^2"),
-            real!($layer.c02, "Pa", (-1e9, 1e9), "mooney_rivlin coefficient of (I2 - 3)^2"),
-            real!($layer.c30, "Pa", (-1e9, 1e9), "yeoh coefficient of (I1 - 3)^3"),
-            real!($layer.ogden_mu[0] = "1", "Pa", (-1e9, 1e9), OGDEN_MU),
-            real!($layer.ogden_alpha[0] = "1", "1", (-30.0, 30.0), OGDEN_ALPHA),
-            real!($layer.ogden_mu[1] = "2", "Pa", (-1e9, 1e9), OGDEN_MU),
-            real!($layer.ogden_alpha[1] = "2", "1", (-30.0, 30.0), OGDEN_ALPHA),
-            real!($layer.ogden_mu[2] = "3", "Pa", (-1e9, 1e9), OGDEN_MU),
-            real!($layer.ogden_alpha[2] = "3", "1", (-30.0, 30.0), OGDEN_ALPHA),
+        ]
+    };
+    ($layer:ident, after the coefficients) => {
+        &[
             choice!(
                 $layer.volumetric_law: VolumetricLaw,
                 "energy of volume change: K/2 (J-1)^2, or K/4 (J^2 - 1 - 2 ln J), which no compression brings to J = 0"
@@ -71,15 +67,31 @@ macro_rules! material_rows {
     };
 }
 
+/// The rows of a layer: those of [`material_rows`], and between them those of the laws' coefficients.
+macro_rules! layer_rows {
+    ($layer:ident) => {{
+    const BEFORE: &[Parameter] = material_rows!($layer, before the coefficients);
+    const AFTER: &[Parameter] = material_rows!($layer, after the coefficients);
+        const COEFFICIENTS: [Parameter; N_COEFFICIENT] = {
+            fn read<const PLACE: usize>(scenario: &Scenario) -> Real {
+                scenario.$layer.coefficients.at(PLACE)
+            }
+            fn write<const PLACE: usize>(scenario: &mut Scenario, value: Real) {
+                scenario.$layer.coefficients.set_at(PLACE, value);
+            }
+            static NAMES: [Name; N_COEFFICIENT] = names(concat!(stringify!($layer), "."));
+            rows(&NAMES, &for_each_place!(read), &for_each_place!(write))
+        };
+        &join::<{ BEFORE.len() + COEFFICIENTS.len() + AFTER.len() }, 3>([BEFORE, &COEFFICIENTS, AFTER])
+    }};
+}
+
 /// Material of the silicone.
-pub(super) const SILICONE: &[Parameter] = material_rows!(silicone);
+pub(super) const SILICONE: &[Parameter] = layer_rows!(silicone);
 
 /// Material of the skin, where it has one of its own.
-pub(super) const SKIN: &[Parameter] = material_rows!(skin);
+pub(super) const SKIN: &[Parameter] = layer_rows!(skin);
 
-const OGDEN_MU: &str =
-    "ogden coefficient, W = sum mu/alpha (l1^alpha + l2^alpha + l3^alpha - 3); 0 switches the term off";
-const OGDEN_ALPHA: &str = "ogden exponent; the shear modulus at rest is sum mu alpha / 2";
 const PRONY_G: &str = "Prony coefficient, normalised on the instantaneous modulus; 0 switches the term off";
 const PRONY_TAU: &str = "relaxation time of the Prony term";
 const MAXWELL_G: &str = "shear modulus of an additive Maxwell term; 0 switches the term off";

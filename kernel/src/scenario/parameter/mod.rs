@@ -3,6 +3,7 @@
 //! Scenario files, the C ABI and the FMU are all generated from or checked against this table.
 
 mod changes;
+mod coefficient;
 mod effect;
 mod material;
 mod row;

@@ -115,6 +115,23 @@ impl Parameter {
     }
 }
 
+/// The groups one after the other; `N` has to be the sum of their lengths.
+pub(super) const fn join<const N: usize, const GROUPS: usize>(groups: [&[Parameter]; GROUPS]) -> [Parameter; N] {
+    let mut rows = [groups[0][0]; N];
+    let (mut group, mut from, mut to) = (0, 0, 0);
+    while to < N {
+        if from == groups[group].len() {
+            group += 1;
+            from = 0;
+        } else {
+            rows[to] = groups[group][from];
+            from += 1;
+            to += 1;
+        }
+    }
+    rows
+}
+
 /// The row of a quantity: its field in a scenario, which is its name as well, or an entry of one with its number in the name; its
 /// unit, legal range and meaning.
 macro_rules! real {

@@ -1,7 +1,7 @@
 //! The rows of the table.
 
 use super::material::{SILICONE, SKIN};
-use super::row::{Kind, Parameter, choice, real};
+use super::row::{Kind, Parameter, choice, join, real};
 use crate::scenario::{DropBy, Formulation, Interface, Layers, Motion, Section, Shape, StepBy};
 
 /// Every parameter of a scenario, in the order in which users meet them.
@@ -16,23 +16,6 @@ impl Parameter {
 
 pub(crate) static ROWS: [Parameter; TEST.len() + SILICONE.len() + SKIN.len() + NUMERICS.len()] =
     join([TEST, SILICONE, SKIN, NUMERICS]);
-
-/// The groups one after the other; its length has to be the sum of theirs.
-const fn join<const N: usize>(groups: [&[Parameter]; 4]) -> [Parameter; N] {
-    let mut rows = [TEST[0]; N];
-    let (mut group, mut from, mut to) = (0, 0, 0);
-    while to < N {
-        if from == groups[group].len() {
-            group += 1;
-            from = 0;
-        } else {
-            rows[to] = groups[group][from];
-            from += 1;
-            to += 1;
-        }
-    }
-    rows
-}
 
 /// Geometry and impactor.
 const TEST: &[Parameter] = &[

@@ -6,7 +6,7 @@
 use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
-use softanvil_kernel::material::{ElasticLaw, Material, VolumetricLaw};
+use softanvil_kernel::material::{Coefficients, ElasticLaw, Material, N_COEFFICIENT, Ogden, VolumetricLaw};
 use softanvil_kernel::scenario::Formulation;
 use softanvil_verification::deformation::{product, rotation};
 use softanvil_verification::element::{Cell, Gradient};
@@ -35,27 +35,43 @@ fn gradient(formulation: Formulation, [a, b, c, angle]: Waypoint) -> Gradient {
 
 /// Coefficients of 0 to 0.1 MPa, with W > 0 for every deformation.
 fn elasticity() -> impl Strategy<Value = Material> {
-    let law = prop_oneof![
-        Just(ElasticLaw::NeoHookean),
-        Just(ElasticLaw::MooneyRivlin),
-        Just(ElasticLaw::Yeoh),
-        Just(ElasticLaw::Ogden)
-    ];
     let volumetric = prop_oneof![Just(VolumetricLaw::Quadratic), Just(VolumetricLaw::Simo)];
-    let exponents = [0.3..8.0_f64, -8.0..-0.3_f64, -1e-3..1e-3_f64];
-    (law, volumetric, vec(0.0..0.1e6_f64, 6), exponents, 0.2e6..5e6_f64).prop_map(
-        |(law, volumetric, c, alpha, bulk)| Material {
+    (prop_oneof![4 => plausible(), 1 => exponents()], volumetric, 0.2e6..5e6_f64).prop_map(
+        |((law, coefficients), volumetric_law, bulk)| Material {
             law,
-            volumetric_law: volumetric,
-            c11: 0.1 * c[1],
-            c20: 0.1 * c[2],
-            c02: 0.1 * c[3],
-            c30: 0.01 * c[4],
-            ogden_mu: core::array::from_fn(|k| c[k].copysign(alpha[k])),
-            ogden_alpha: alpha,
-            ..elastic(1e3 + c[0], c[5], bulk)
+            coefficients,
+            volumetric_law,
+            ..elastic(0.0, 0.0, bulk)
         },
     )
+}
+
+/// Any law with coefficients where they are plausible, none of which softens it.
+fn plausible() -> impl Strategy<Value = (ElasticLaw, Coefficients)> {
+    (0..ElasticLaw::ALL.len(), vec(0.0..1.0_f64, N_COEFFICIENT)).prop_map(|(law, parts)| {
+        let law = ElasticLaw::ALL[law];
+        let values = law.description().coefficients.iter().zip(parts).map(|(coefficient, part)| {
+            let (low, high) = coefficient.plausible;
+            let (low, unit) = if coefficient.is_modulus() && high > 0.0 {
+                (low.max(0.0), 0.1e6)
+            } else if coefficient.is_modulus() {
+                (low, 0.1e6)
+            } else {
+                (low, 1.0)
+            };
+            unit * (low + part * (high - low))
+        });
+        (law, Coefficients::of_values(law, &values.collect::<Vec<_>>()))
+    })
+}
+
+/// Ogden's law with exponents of both signs and next to 0.
+fn exponents() -> impl Strategy<Value = (ElasticLaw, Coefficients)> {
+    let alpha = [0.3..8.0_f64, -8.0..-0.3_f64, -1e-3..1e-3_f64];
+    (vec(0.0..0.1e6_f64, 3), alpha).prop_map(|(c, alpha)| {
+        let mu = core::array::from_fn(|k| (if k == 0 { 1e3 } else { 0.0 } + c[k]).copysign(alpha[k]));
+        (ElasticLaw::Ogden, Coefficients::of(&Ogden::new(mu, alpha)))
+    })
 }
 
 /// Any of the mechanisms on top, each on or off.

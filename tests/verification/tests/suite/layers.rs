@@ -1,6 +1,6 @@
 //! Two layers: the same numbers as one where both have the same material, and conservation where they differ.
 
-use softanvil_kernel::material::{MAX_PRONY_TERMS, Material};
+use softanvil_kernel::material::{MAX_PRONY_TERMS, Material, NeoHookean};
 use softanvil_kernel::scenario::{Formulation, Layers, StepBy};
 use softanvil_kernel::state::{restore, save, snapshot_size};
 use softanvil_kernel::{Scenario, Simulation, StepInput, preset};
@@ -120,7 +120,7 @@ fn energy_closes_in_a_drop_on_two_layers() {
 fn the_step_is_that_of_the_layer_that_needs_the_smallest() {
     let soft = Simulation::new(&two(Formulation::PlaneStrain)).expect("a legal scenario").constants().dt;
     let mut scenario = two(Formulation::PlaneStrain);
-    scenario.skin = Material { c10: 400.0 * scenario.skin.c10, ..scenario.skin };
+    scenario.skin = Material { coefficients: scenario.skin.coefficients.scaled(400.0), ..scenario.skin };
     let stiff = Simulation::new(&scenario).expect("a legal scenario").constants().dt;
     assert!(stiff < 0.25 * soft, "{stiff} s against {soft} s");
 }
@@ -150,7 +150,10 @@ fn refusals_name_the_layer() {
         change(&mut scenario);
         scenario.validate().err().map(|error| error.to_string()).unwrap_or_default()
     };
-    assert_eq!(refusal(|s| s.skin.c10 = -1.0), "skin.c10 gives a shear modulus of -2 Pa: expected above 0 Pa");
+    assert_eq!(
+        refusal(|s| s.skin = s.skin.with(NeoHookean { c10: -1.0 })),
+        "skin.c10 gives a shear modulus of -2 Pa: expected above 0 Pa"
+    );
     assert_eq!(
         refusal(|s| s.skin.prony_g = [0.25; 5]),
         "skin.prony_g_1 to _5 sum to 1.25: expected at least 0 and below 1"
@@ -163,7 +166,7 @@ fn refusals_name_the_layer() {
     assert_eq!(
         refusal(|s| {
             s.geometry.layers = Layers::One;
-            s.skin.c10 = -1.0;
+            s.skin = s.skin.with(NeoHookean { c10: -1.0 });
         }),
         ""
     );

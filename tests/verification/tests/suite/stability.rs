@@ -4,7 +4,7 @@
 //! nalgebra, from a stiffness by central differences of the kernel's nodal forces.
 
 use nalgebra::{SMatrix, SymmetricEigen};
-use softanvil_kernel::material::{ElasticLaw, Material};
+use softanvil_kernel::material::NeoHookean;
 use softanvil_kernel::sampling::SMALLEST_STEP;
 use softanvil_kernel::scenario::{Formulation, StepBy};
 use softanvil_kernel::step::MONITOR_PERIOD;
@@ -37,7 +37,7 @@ struct Body {
 
 impl Body {
     fn new(formulation: Formulation) -> Self {
-        let material = Material { law: ElasticLaw::NeoHookean, ..elastic(C10, 0.0, BULK) };
+        let material = elastic(0.0, 0.0, BULK).with(NeoHookean { c10: C10 });
         let mut scenario = grid(CELLS[0], CELLS[1], material);
         scenario.geometry.formulation = formulation;
         let mut samples = Samples::new(3);

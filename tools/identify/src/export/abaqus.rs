@@ -4,39 +4,23 @@
 
 use std::fmt::Write;
 
-use softanvil_kernel::material::{ElasticLaw, Material, Moduli, VolumetricBy};
+use softanvil_kernel::material::{ElasticLaw, Material, Moduli, MooneyRivlin, NeoHookean, VolumetricBy, Yeoh};
 
 use super::card::Card;
-use super::ls_dyna::active;
-use super::{ReadBackError, prony_terms};
+use super::{ReadBackError, coefficient, ogden_terms, prony_terms};
 use crate::law::blank;
 
-/// The keywords; `comment` says where the numbers come from.
-pub fn text(name: &str, comment: &str, material: &Material) -> String {
+/// The keywords, where Abaqus has the law; `comment` says where the numbers come from.
+pub fn text(name: &str, comment: &str, material: &Material) -> Option<String> {
+    let (form, values) = law(material)?;
     let mut text = String::new();
     for line in comment.lines().chain(["Units: kg, m, s, Pa."]) {
         let _ = writeln!(text, "** {line}");
     }
     let _ = writeln!(text, "*MATERIAL, NAME={name}\n*DENSITY\n{}", number(material.density));
-    // No bulk term relaxes, so that D1 is the same for both kinds of moduli.
-    let d1 = 2.0 / material.effective_bulk_modulus();
     let moduli = match material.moduli {
         Moduli::LongTerm => "LONG TERM",
         Moduli::Instantaneous => "INSTANTANEOUS",
-    };
-    let [c10, c01, c11, c20, c02, c30] = active(material);
-    let (form, values) = match material.law {
-        ElasticLaw::NeoHookean => ("NEO HOOKE".to_string(), vec![c10, d1]),
-        ElasticLaw::MooneyRivlin if [c11, c20, c02] == [0.0; 3] => ("MOONEY-RIVLIN".to_string(), vec![c10, c01, d1]),
-        ElasticLaw::MooneyRivlin => ("POLYNOMIAL, N=2".to_string(), vec![c10, c01, c20, c11, c02, d1, 0.0]),
-        ElasticLaw::Yeoh => ("YEOH".to_string(), vec![c10, c20, c30, d1, 0.0, 0.0]),
-        ElasticLaw::Ogden => {
-            let terms = material.ogden_mu.iter().zip(material.ogden_alpha).filter(|(mu, _)| **mu != 0.0);
-            let pairs: Vec<f64> = terms.flat_map(|(mu, alpha)| [0.5 * mu * alpha, alpha]).collect();
-            let n = pairs.len() / 2;
-            let volume = std::iter::once(d1).chain(std::iter::repeat_n(0.0, n.saturating_sub(1)));
-            (format!("OGDEN, N={n}"), pairs.into_iter().chain(volume).collect())
-        }
     };
     let _ = writeln!(text, "*HYPERELASTIC, {form}, MODULI={moduli}");
     // Eight values a line.
@@ -51,7 +35,28 @@ pub fn text(name: &str, comment: &str, material: &Material) -> String {
         // g, k, tau: the bulk modulus does not relax.
         let _ = writeln!(text, "{}, 0.0, {}", number(g), number(tau));
     }
-    text
+    Some(text)
+}
+
+/// Options and values of *HYPERELASTIC; none of a law that Abaqus does not have.
+fn law(material: &Material) -> Option<(String, Vec<f64>)> {
+    // No bulk term relaxes, so that D1 is the same for both kinds of moduli.
+    let d1 = 2.0 / material.effective_bulk_modulus();
+    let [c10, c01, c11, c20, c02, c30] =
+        ["c10", "c01", "c11", "c20", "c02", "c30"].map(|name| coefficient(material, name));
+    Some(match material.law {
+        ElasticLaw::NeoHookean => ("NEO HOOKE".to_string(), vec![c10, d1]),
+        ElasticLaw::MooneyRivlin if [c11, c20, c02] == [0.0; 3] => ("MOONEY-RIVLIN".to_string(), vec![c10, c01, d1]),
+        ElasticLaw::MooneyRivlin => ("POLYNOMIAL, N=2".to_string(), vec![c10, c01, c20, c11, c02, d1, 0.0]),
+        ElasticLaw::Yeoh => ("YEOH".to_string(), vec![c10, c20, c30, d1, 0.0, 0.0]),
+        ElasticLaw::Ogden => {
+            let terms = ogden_terms(material);
+            let n = terms.len();
+            let pairs = terms.into_iter().flat_map(|(mu, alpha)| [0.5 * mu * alpha, alpha]);
+            let volume = std::iter::once(d1).chain(std::iter::repeat_n(0.0, n.saturating_sub(1)));
+            (format!("OGDEN, N={n}"), pairs.chain(volume).collect())
+        }
+    })
 }
 
 /// What the keywords in `text` mean to Abaqus, which has no damping spring.
@@ -66,30 +71,23 @@ pub fn read(text: &str) -> Result<Card, ReadBackError> {
         values_of_law.get(index).copied().ok_or_else(|| ReadBackError::new(format!("value {} of the law", index + 1)))
     };
     let d1 = if options.contains("NEO HOOKE") {
-        material.law = ElasticLaw::NeoHookean;
-        material.c10 = value(0)?;
+        material = material.with(NeoHookean { c10: value(0)? });
         value(1)?
     } else if options.contains("MOONEY-RIVLIN") {
-        material.law = ElasticLaw::MooneyRivlin;
-        (material.c10, material.c01) = (value(0)?, value(1)?);
+        material = material.with(MooneyRivlin { c10: value(0)?, c01: value(1)?, ..MooneyRivlin::ZERO });
         value(2)?
     } else if options.contains("POLYNOMIAL") {
-        material.law = ElasticLaw::MooneyRivlin;
-        [material.c10, material.c01, material.c20, material.c11, material.c02] =
-            [value(0)?, value(1)?, value(2)?, value(3)?, value(4)?];
+        let [c10, c01, c20, c11, c02] = [value(0)?, value(1)?, value(2)?, value(3)?, value(4)?];
+        material = material.with(MooneyRivlin { c10, c01, c11, c20, c02 });
         value(5)?
     } else if options.contains("YEOH") {
-        material.law = ElasticLaw::Yeoh;
-        [material.c10, material.c20, material.c30] = [value(0)?, value(1)?, value(2)?];
+        material = material.with(Yeoh { c10: value(0)?, c20: value(1)?, c30: value(2)? });
         value(3)?
     } else {
-        material.law = ElasticLaw::Ogden;
         // n pairs and n D.
         let n = values_of_law.len() / 3;
-        for k in 0..n.min(material.ogden_mu.len()) {
-            let (mu, alpha) = (value(2 * k)?, value(2 * k + 1)?);
-            (material.ogden_mu[k], material.ogden_alpha[k]) = (2.0 * mu / alpha, alpha);
-        }
+        let terms = values_of_law[..2 * n].chunks_exact(2).flat_map(|term| [2.0 * term[0] / term[1], term[1]]);
+        material = material.with_values(ElasticLaw::Ogden, &terms.collect::<Vec<_>>());
         value(2 * n)?
     };
     if options.contains("INSTANTANEOUS") {
@@ -129,7 +127,7 @@ mod tests {
         let mut material = Law::find("mooney_rivlin_5").unwrap().material(&[1e5, 2e4, 3e3, 4e2, 5e1]);
         material.prony_g[1] = 0.25;
         material.prony_tau[1] = 8.0;
-        let text = text("rubber", "", &material);
+        let text = text("rubber", "", &material).unwrap();
         assert_eq!(values(&text, "*HYPERELASTIC").unwrap().1[..5], [1e5, 2e4, 4e2, 3e3, 5e1]);
         assert_eq!(values(&text, "*VISCOELASTIC").unwrap().1, [0.25, 0.0, 8.0]);
         assert!(text.contains("POLYNOMIAL, N=2, MODULI=LONG TERM"));
@@ -139,7 +137,7 @@ mod tests {
     #[test]
     fn ogden_coefficients_are_converted() {
         let material = Law::find("ogden_3").unwrap().material(&[6.3e5, 1.3, 1.2e3, 5.0, -1e4, -2.0]);
-        let text = text("rubber", "", &material);
+        let text = text("rubber", "", &material).unwrap();
         let (_, values) = values(&text, "*HYPERELASTIC").unwrap();
         let sum: f64 = values[..6].iter().step_by(2).sum();
         assert!((sum / material.shear_modulus_inf() - 1.0).abs() < 1e-9, "{values:?}");

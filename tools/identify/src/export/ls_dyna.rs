@@ -6,20 +6,20 @@
 
 use std::fmt::Write;
 
-use softanvil_kernel::material::{ElasticLaw, Material, VolumetricBy};
+use softanvil_kernel::material::{ElasticLaw, MAX_OGDEN_TERMS, Material, MooneyRivlin, Ogden, VolumetricBy, Yeoh};
 
 use super::card::Card;
-use super::{ReadBackError, viscous};
+use super::{ReadBackError, coefficient, ogden_terms, viscous};
 use crate::law::blank;
 
-/// The cards; `comment` says where the numbers come from.
-pub fn text(title: &str, comment: &str, material: &Material) -> String {
-    let ogden = material.law == ElasticLaw::Ogden;
+/// The cards, where LS-DYNA has the law; `comment` says where the numbers come from.
+pub fn text(title: &str, comment: &str, material: &Material) -> Option<String> {
+    let (keyword, law) = law(material)?;
     let mut text = String::from("*KEYWORD\n");
     for line in comment.lines().chain(["Units: kg, m, s, Pa."]) {
         let _ = writeln!(text, "$ {line}");
     }
-    let _ = writeln!(text, "*MAT_077_{}_TITLE\n{title}", if ogden { "O" } else { "H" });
+    let _ = writeln!(text, "{keyword}\n{title}");
     let bulk = material.effective_bulk_modulus();
     let shear = material.shear_modulus_inf();
     let poissons_ratio = (3.0 * bulk - 2.0 * shear) / (2.0 * (3.0 * bulk + shear));
@@ -37,18 +37,7 @@ pub fn text(title: &str, comment: &str, material: &Material) -> String {
         field(sigf),
         0
     );
-    let scale = material.long_term_scale();
-    if ogden {
-        text += "$      MU1       MU2       MU3\n";
-        text += &(material.ogden_mu.iter().map(|mu| field(scale * mu)).collect::<String>() + "\n");
-        text += "$   ALPHA1    ALPHA2    ALPHA3\n";
-        let alpha = material.ogden_mu.iter().zip(material.ogden_alpha).map(|(mu, a)| if *mu == 0.0 { 0.0 } else { a });
-        text += &(alpha.map(field).collect::<String>() + "\n");
-    } else {
-        text += "$      C10       C01       C11       C20       C02       C30\n";
-        let [c10, c01, c11, c20, c02, c30] = active(material);
-        text += &([c10, c01, c11, c20, c02, c30].map(|c| field(scale * c)).concat() + "\n");
-    }
+    text += &law;
     let terms: Vec<_> = viscous(material).collect();
     if !terms.is_empty() {
         text += "$       GI     BETAI\n";
@@ -56,18 +45,33 @@ pub fn text(title: &str, comment: &str, material: &Material) -> String {
     for (g, beta) in terms {
         let _ = writeln!(text, "{}{}", field(g), field(beta));
     }
-    text + "*END\n"
+    Some(text + "*END\n")
 }
 
-/// C10, C01, C11, C20, C02, C30 as far as the law uses them.
-pub(super) fn active(material: &Material) -> [f64; 6] {
-    let m = material;
-    match m.law {
-        ElasticLaw::NeoHookean | ElasticLaw::Ogden => [m.c10, 0.0, 0.0, 0.0, 0.0, 0.0],
-        ElasticLaw::MooneyRivlin => [m.c10, m.c01, m.c11, m.c20, m.c02, 0.0],
-        ElasticLaw::Yeoh => [m.c10, 0.0, 0.0, m.c20, 0.0, m.c30],
+/// The keyword and the cards of the coefficients; none of a law that LS-DYNA does not have.
+fn law(material: &Material) -> Option<(&'static str, String)> {
+    let scale = material.long_term_scale();
+    match material.law {
+        ElasticLaw::Ogden => {
+            let mut terms = ogden_terms(material);
+            terms.resize(MAX_OGDEN_TERMS, (0.0, 0.0));
+            let mu: String = terms.iter().map(|term| field(scale * term.0)).collect();
+            let alpha: String = terms.iter().map(|term| field(term.1)).collect();
+            let cards = format!("$      MU1       MU2       MU3\n{mu}\n$   ALPHA1    ALPHA2    ALPHA3\n{alpha}\n");
+            Some((OGDEN, cards))
+        }
+        ElasticLaw::NeoHookean | ElasticLaw::MooneyRivlin | ElasticLaw::Yeoh => {
+            let names = ["c10", "c01", "c11", "c20", "c02", "c30"];
+            let values = names.map(|name| field(scale * coefficient(material, name))).concat();
+            Some((POLYNOMIAL, format!("$      C10       C01       C11       C20       C02       C30\n{values}\n")))
+        }
     }
 }
+
+/// The keyword of Ogden's law.
+const OGDEN: &str = "*MAT_077_O_TITLE";
+/// The keyword of the polynomials.
+const POLYNOMIAL: &str = "*MAT_077_H_TITLE";
 
 /// What the cards in `text` mean to LS-DYNA: fields of ten columns, lines of comment begin with $.
 ///
@@ -81,20 +85,20 @@ pub fn read(text: &str) -> Result<Card, ReadBackError> {
     let first = card(&cards, 0, 8)?;
     let mut material = blank();
     let (coefficients, terms) = match keyword {
-        "*MAT_077_O_TITLE" => {
+        OGDEN => {
             let (mu, alpha) = (card(&cards, 1, 3)?, card(&cards, 2, 3)?);
-            material.law = ElasticLaw::Ogden;
-            material.ogden_mu = [mu[0], mu[1], mu[2]];
-            material.ogden_alpha = [alpha[0], alpha[1], alpha[2]];
+            material = material.with(Ogden::new([mu[0], mu[1], mu[2]], [alpha[0], alpha[1], alpha[2]]));
             (2, cards.get(3..))
         }
         _ => {
             // C30 makes a law of Yeoh's of it; no other has it beside the mixed ones.
             let c = card(&cards, 1, 6)?;
             let yeoh = c[5] != 0.0 || [c[1], c[2], c[4]] == [0.0; 3];
-            material.law = if yeoh { ElasticLaw::Yeoh } else { ElasticLaw::MooneyRivlin };
-            [material.c10, material.c01, material.c11, material.c20, material.c02, material.c30] =
-                [c[0], c[1], c[2], c[3], c[4], c[5]];
+            material = if yeoh {
+                material.with(Yeoh { c10: c[0], c20: c[3], c30: c[5] })
+            } else {
+                material.with(MooneyRivlin { c10: c[0], c01: c[1], c11: c[2], c20: c[3], c02: c[4] })
+            };
             (1, cards.get(2..))
         }
     };
@@ -163,7 +167,7 @@ mod tests {
         let mut material = Law::find("mooney_rivlin_5").unwrap().material(&[1e5, 2e4, 3e3, 4e2, 5e1]);
         material.prony_g[0] = 0.5;
         material.prony_tau[0] = 0.25;
-        let cards = text("rubber", "from a test", &material);
+        let cards = text("rubber", "from a test", &material).unwrap();
         let numbers = |after: &str| -> Vec<f64> {
             let line = cards.lines().skip_while(|line| !line.starts_with(after)).nth(1).unwrap();
             line.as_bytes().chunks(10).map(|c| std::str::from_utf8(c).unwrap().trim().parse().unwrap()).collect()
@@ -173,7 +177,7 @@ mod tests {
         assert_eq!(numbers("$       GI"), [2.4e5, 4.0]);
         assert_eq!(numbers("$      MID")[1..3], [1072.0, 0.48]);
         assert!(cards.contains("*MAT_077_H_TITLE"));
-        let ogden = text("rubber", "", &Law::find("ogden_2").unwrap().material(&[6e5, 1.3, -1e4, -2.0]));
+        let ogden = text("rubber", "", &Law::find("ogden_2").unwrap().material(&[6e5, 1.3, -1e4, -2.0])).unwrap();
         assert!(ogden.contains("*MAT_077_O_TITLE") && !ogden.contains("GI"), "{ogden}");
     }
 }

@@ -77,6 +77,19 @@ fn read_rows(of: impl Fn(&str) -> Option<String>, layer: Layer) -> Result<Materi
     Ok(if layer == Layer::Skin { scenario.skin } else { scenario.silicone })
 }
 
+/// The coefficient called `name` of a law that has it; 0 of others.
+fn coefficient(material: &Material, name: &str) -> f64 {
+    let has_it = material.law.description().coefficients.iter().any(|coefficient| coefficient.name == name);
+    material.coefficient(name).filter(|_| has_it).unwrap_or(0.0)
+}
+
+/// The terms of an Ogden law that are on: (mu, alpha).
+fn ogden_terms(material: &Material) -> Vec<(f64, f64)> {
+    let coefficients = material.law.description().coefficients;
+    let values: Vec<f64> = coefficients.iter().map(|c| coefficient(material, c.name)).collect();
+    values.chunks_exact(2).map(|term| (term[0], term[1])).filter(|(mu, _)| *mu != 0.0).collect()
+}
+
 /// What a reader of a file stumbles upon.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{0} cannot be read back")]

@@ -4,7 +4,7 @@ use std::fmt;
 
 use nalgebra::DMatrix;
 
-use super::Family;
+use super::Law;
 
 /// Why the coefficients of a fit are not to be used.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,11 +20,11 @@ pub enum Degeneracy {
 const CANCELLING: f64 = 100.0;
 
 impl Degeneracy {
-    /// Of a law of `family` with `values`, whose derivatives at the points are `jacobian`; none of a sound fit.
-    pub fn of(family: Family, values: &[f64], jacobian: &DMatrix<f64>, condition: f64) -> Option<Self> {
-        // Every law is linear in its moduli; the exponents of Ogden's are the others.
-        let step = if family == Family::Ogden { 2 } else { 1 };
-        let terms: Vec<_> = (0..values.len()).step_by(step).map(|k| jacobian.column(k) * values[k]).collect();
+    /// Of `law` with `values`, whose derivatives at the points are `jacobian`; none of a sound fit.
+    pub fn of(law: &Law, values: &[f64], jacobian: &DMatrix<f64>, condition: f64) -> Option<Self> {
+        // Every law is linear in its moduli, each of which makes a term.
+        let moduli = (0..values.len()).filter(|k| law.parameters[*k].is_modulus());
+        let terms: Vec<_> = moduli.map(|k| jacobian.column(k) * values[k]).collect();
         let sizes: f64 = terms.iter().map(|term| term.iter().map(|stress| stress.abs()).sum::<f64>()).sum();
         let stress = terms.iter().fold(jacobian.column(0) * 0.0, |sum, term| sum + term);
         let factor = sizes / stress.iter().map(|stress| stress.abs()).sum::<f64>();

@@ -1,12 +1,12 @@
 //! A law fitted to the data of several tests.
 
 use nalgebra::{DMatrix, DVector};
-use softanvil_kernel::material::Elastic;
+use softanvil_kernel::material::{Elastic, ElasticLaw};
 
 use super::degeneracy::Degeneracy;
 use super::stability::Stability;
 use super::statistics::Statistics;
-use super::{DataSet, Family, LAWS, Law, linear, ogden, stress};
+use super::{DataSet, LAWS, Law, linear, ogden, separable, stress};
 
 /// How residuals count.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -76,21 +76,20 @@ impl Fit {
         let values = values(law, data, &stresses, &weights, settings)?;
         let fitted = predict(law, &values, data);
         let residuals: Vec<f64> = fitted.iter().zip(&stresses).map(|(a, b)| a - b).collect();
-        let jacobian =
-            if law.family == Family::Ogden { ogden::jacobian(&values, data) } else { linear::design(law, data) };
+        let jacobian = jacobian(law, &values, data);
         let statistics = Statistics::new(&stresses, &residuals, &weights, &jacobian);
-        let stability = Stability::new(&Elastic::new(&law.material(&values)));
+        let stability = Stability::new(&law.elastic(&values));
         let is_stable = stability.covers(settings.stability_range);
         if !statistics.residual_sum.is_finite() || settings.demand_stability && !is_stable {
             return None;
         }
-        let degeneracy = Degeneracy::of(law.family, &values, &jacobian, statistics.condition);
+        let degeneracy = Degeneracy::of(law, &values, &jacobian, statistics.condition);
         Some(Self { law, values, statistics, stability, is_stable, degeneracy })
     }
 
     /// The fitted law in the kernel.
     pub fn elastic(&self) -> Elastic {
-        Elastic::new(&self.law.material(&self.values))
+        self.law.elastic(&self.values)
     }
 
     /// Shear modulus at rest, Pa.
@@ -104,11 +103,31 @@ impl Fit {
     }
 }
 
-fn values(law: &Law, data: &[DataSet], stresses: &[f64], weights: &[f64], settings: &Settings) -> Option<Vec<f64>> {
-    if law.family == Family::Ogden {
-        return Some(ogden::fit(law.parameters.len() / 2, data, weights, settings.demand_stability));
+/// Derivative of the nominal stress by each parameter at each point, n_point x n_parameter.
+fn jacobian(law: &Law, values: &[f64], data: &[DataSet]) -> DMatrix<f64> {
+    match law.family {
+        _ if law.is_linear() => linear::design(&linear::unit_laws(law, &[]), data),
+        ElasticLaw::Ogden => ogden::jacobian(values, data),
+        _ => separable::jacobian(law, values, data),
     }
-    let design = linear::design(law, data);
+}
+
+fn values(law: &Law, data: &[DataSet], stresses: &[f64], weights: &[f64], settings: &Settings) -> Option<Vec<f64>> {
+    match law.family {
+        _ if law.is_linear() => linear_values(law, data, stresses, weights, settings),
+        ElasticLaw::Ogden => Some(ogden::fit(law.parameters.len() / 2, data, weights, settings.demand_stability)),
+        _ => separable::fit(law, data, weights, settings),
+    }
+}
+
+fn linear_values(
+    law: &Law,
+    data: &[DataSet],
+    stresses: &[f64],
+    weights: &[f64],
+    settings: &Settings,
+) -> Option<Vec<f64>> {
+    let design = linear::design(&linear::unit_laws(law, &[]), data);
     let a = DMatrix::from_fn(design.nrows(), design.ncols(), |i, j| weights[i] * design[(i, j)]);
     let b = DVector::from_fn(stresses.len(), |i, _| weights[i] * stresses[i]);
     if settings.demand_stability {
@@ -125,9 +144,11 @@ fn stable_values(law: &Law, a: &DMatrix<f64>, b: &DVector<f64>, settings: &Setti
     let smaller = family.filter(|other| other.parameters.len() <= law.parameters.len());
     let solve = |part: &Law| {
         let columns = a.columns(0, part.parameters.len()).into_owned();
-        let mut values = linear::solve_stable(part, &columns, b, settings.stability_range)?.as_slice().to_vec();
+        let mut values = linear::solve_stable(&linear::unit_laws(part, &[]), &columns, b, settings.stability_range)?
+            .as_slice()
+            .to_vec();
         values.resize(law.parameters.len(), 0.0);
-        let stability = Stability::new(&Elastic::new(&law.material(&values)));
+        let stability = Stability::new(&law.elastic(&values));
         stability.covers(settings.stability_range).then_some(values)
     };
     smaller.filter_map(solve).next()
@@ -135,7 +156,7 @@ fn stable_values(law: &Law, a: &DMatrix<f64>, b: &DVector<f64>, settings: &Setti
 
 /// Nominal stress of the law at every point of `data`, Pa.
 pub fn predict(law: &Law, values: &[f64], data: &[DataSet]) -> Vec<f64> {
-    let elastic = Elastic::new(&law.material(values));
+    let elastic = law.elastic(values);
     let of_set = |set: &DataSet| {
         let stretches: Vec<f64> = set.points.iter().map(|point| point.0).collect();
         stress::nominal(&elastic, set.mode, &stretches)

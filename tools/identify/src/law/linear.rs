@@ -8,9 +8,9 @@ use super::statistics::scale_columns;
 use super::stress::{nominal, stretches};
 use super::{DataSet, Law, MODES, stability};
 
-/// Nominal stress of each unit coefficient at each point, Pa/Pa, n_point x n_parameter.
-pub fn design(law: &Law, data: &[DataSet]) -> DMatrix<f64> {
-    let columns: Vec<DVector<f64>> = unit_laws(law)
+/// Nominal stress of each of `units` at each point, Pa/Pa, n_point x n_modulus.
+pub fn design(units: &[Elastic], data: &[DataSet]) -> DMatrix<f64> {
+    let columns: Vec<DVector<f64>> = units
         .iter()
         .map(|elastic| {
             let stresses = data.iter().flat_map(|set| {
@@ -23,15 +23,14 @@ pub fn design(law: &Law, data: &[DataSet]) -> DMatrix<f64> {
     DMatrix::from_columns(&columns)
 }
 
-/// The law with one coefficient 1 Pa and the others 0, for each coefficient.
-fn unit_laws(law: &Law) -> Vec<Elastic> {
-    let n = law.parameters.len();
-    (0..n)
-        .map(|index| {
-            let values: Vec<f64> = (0..n).map(|other| if other == index { 1.0 } else { 0.0 }).collect();
-            Elastic::new(&law.material(&values))
-        })
-        .collect()
+/// The law with one modulus 1 Pa and the others 0, for each modulus, with these values of its shapes.
+pub fn unit_laws(law: &Law, shapes: &[f64]) -> Vec<Elastic> {
+    let n = law.parameters.len() - shapes.len();
+    let unit = |index: usize| {
+        let moduli: Vec<f64> = (0..n).map(|other| if other == index { 1.0 } else { 0.0 }).collect();
+        law.elastic(&law.values(&moduli, shapes))
+    };
+    (0..n).map(unit).collect()
 }
 
 /// Singular values below this part of the largest count as zero: the solution is then the shortest one.
@@ -58,12 +57,12 @@ const ROUNDS: usize = 200;
 /// A demanded tangent is positive by this part of its sum over the coefficients, so that rounding leaves it positive.
 const MARGIN: f64 = 1e-6;
 
-/// As [`solve`], with the law Drucker-stable over the stretches `range`; none if no such law is found.
+/// As [`solve`], with the sum of the `units` Drucker-stable over the stretches `range`; none if no such one is found.
 ///
 /// Stability asks v^T D v > 0 for every v, where the tangent D is linear in the coefficients. The most violated v of
 /// each mode are added as linear constraints until none is violated.
-pub fn solve_stable(law: &Law, a: &DMatrix<f64>, b: &DVector<f64>, range: (f64, f64)) -> Option<DVector<f64>> {
-    let tangents = tangents(law, range);
+pub fn solve_stable(units: &[Elastic], a: &DMatrix<f64>, b: &DVector<f64>, range: (f64, f64)) -> Option<DVector<f64>> {
+    let tangents = tangents(units, range);
     let (scaled, norms) = scale_columns(a);
     let mut constraints: Vec<DVector<f64>> = Vec::new();
     for _ in 0..ROUNDS {
@@ -84,8 +83,7 @@ pub fn solve_stable(law: &Law, a: &DMatrix<f64>, b: &DVector<f64>, range: (f64, 
 type Tangents = Vec<Vec<nalgebra::Matrix2<f64>>>;
 
 /// The tangent of each unit coefficient, at each state of each mode.
-fn tangents(law: &Law, range: (f64, f64)) -> Vec<Tangents> {
-    let units = unit_laws(law);
+fn tangents(units: &[Elastic], range: (f64, f64)) -> Vec<Tangents> {
     // The stretches at which stability is looked at afterwards.
     let steps = |end: f64| ((end - 1.0).abs() / stability::STEP - 1e-9).ceil() as i32;
     let (below, above) = (steps(range.0.max(stability::SCAN.0)), steps(range.1.min(stability::SCAN.1)));
@@ -189,9 +187,10 @@ mod tests {
         let range = (0.5, 3.0);
         for name in ["mooney_rivlin_2", "mooney_rivlin_3", "mooney_rivlin_5", "yeoh_2", "yeoh_3"] {
             let law = Law::find(name).unwrap();
-            let a = design(law, &data);
+            let units = unit_laws(law, &[]);
+            let a = design(&units, &data);
             let stable = |x: &DVector<f64>| Stability::new(&Elastic::new(&law.material(x.as_slice()))).covers(range);
-            let (free, bound) = (solve(&a, &b), solve_stable(law, &a, &b, range).unwrap());
+            let (free, bound) = (solve(&a, &b), solve_stable(&units, &a, &b, range).unwrap());
             assert!(stable(&bound), "{name}: {bound}");
             let cost = |x: &DVector<f64>| (&a * x - &b).norm();
             assert!(cost(&bound) >= cost(&free) * (1.0 - 1e-9), "{name}");
@@ -210,8 +209,9 @@ mod tests {
             (1..9).map(|k| 1.0 + 0.2 * f64::from(k)).map(|l: f64| (l, 2.0 * (l - l.powi(-2)) * (3.0 + 1.0 / l)));
         let data = [DataSet { mode: Mode::Uniaxial, points: points.collect() }];
         let b = DVector::from_iterator(8, data[0].points.iter().map(|point| point.1));
-        let a = design(law, &data);
-        let x = solve_stable(law, &a, &b, (0.3, 3.0)).unwrap();
+        let units = unit_laws(law, &[]);
+        let a = design(&units, &data);
+        let x = solve_stable(&units, &a, &b, (0.3, 3.0)).unwrap();
         assert!((x - DVector::from_vec(vec![3.0, 1.0])).norm() < 1e-9);
     }
 }

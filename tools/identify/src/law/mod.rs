@@ -1,6 +1,7 @@
 //! The hyperelastic laws, and what they answer in the three tests.
 //!
-//! The stress of a law is the kernel's ([`stress`]), so a law stands once. [`linear`] and [`ogden`] fit them,
+//! The stress of a law is the kernel's ([`stress`]), and so is what it says of its coefficients: a law stands once. [`linear`]
+//! fits those that are linear in all of them, [`separable`] those that are not, but for [`ogden`], whose exponents have many minima;
 //! [`statistics`] says how well, [`profile`] whether its errors can be believed, [`degeneracy`] whether the coefficients mean
 //! anything, [`stability`] over which stretches they are stable; [`fit`] does all of it for every law, and [`ranking`]
 //! compares. [`volume`] is what a specimen does that the laws are fitted without.
@@ -11,13 +12,18 @@ pub mod linear;
 pub mod ogden;
 pub mod profile;
 pub mod ranking;
+pub mod separable;
 pub mod stability;
 pub mod statistics;
 pub mod stress;
 pub mod volume;
 
-use softanvil_kernel::material::{ElasticLaw, Material, Moduli, VolumetricBy};
+use std::sync::LazyLock;
+
+use softanvil_kernel::material::{Coefficient, Coefficients, Elastic, ElasticLaw, Material, Moduli, VolumetricBy};
 use softanvil_kernel::preset;
+
+use separable::Interval;
 
 /// A homogeneous test of an incompressible specimen; l is the stretch of the loaded direction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -63,26 +69,14 @@ pub struct DataSet {
     pub points: Vec<(f64, f64)>,
 }
 
-/// Laws of which one has the other's terms and more.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Family {
-    /// One coefficient.
-    NeoHookean,
-    /// Polynomials of I1 and I2.
-    MooneyRivlin,
-    /// Polynomials of I1.
-    Yeoh,
-    /// Powers of the principal stretches.
-    Ogden,
-}
-
-/// A law with a number of parameters.
+/// A law of the kernel with a number of its coefficients; those of one law of the kernel are a family, of which one has the
+/// other's terms and more.
 ///
 /// ```
 /// use softanvil_identify::law::Law;
 ///
 /// let law = Law::find("mooney_rivlin_2").unwrap();
-/// assert_eq!((law.parameters, law.unit(0)), (&["c10", "c01"][..], "Pa"));
+/// assert_eq!((law.parameters[1].name, law.parameters[1].unit), ("c01", "Pa"));
 /// let material = law.material(&[1e5, 2e4]);
 /// assert!((material.shear_modulus_inf() - 2.4e5).abs() < 1e-6);
 /// ```
@@ -92,34 +86,25 @@ pub struct Law {
     pub name: &'static str,
     /// Name for people.
     pub label: &'static str,
-    /// Its family.
-    pub family: Family,
-    /// Its parameters, by the names of the kernel's table without their group.
-    pub parameters: &'static [&'static str],
+    /// The law of the kernel.
+    pub family: ElasticLaw,
+    /// Its parameters, the first of the law's coefficients.
+    pub parameters: &'static [Coefficient],
 }
 
-/// Every law, in order of its number of parameters within a family.
-pub static LAWS: [Law; 10] = [
-    law("neo_hookean", "neo-Hookean", Family::NeoHookean, &["c10"]),
-    law("mooney_rivlin_2", "Mooney-Rivlin 2", Family::MooneyRivlin, &["c10", "c01"]),
-    law("mooney_rivlin_3", "Mooney-Rivlin 3", Family::MooneyRivlin, &["c10", "c01", "c11"]),
-    law("mooney_rivlin_5", "Mooney-Rivlin 5", Family::MooneyRivlin, &["c10", "c01", "c11", "c20", "c02"]),
-    law("yeoh_1", "Yeoh 1", Family::Yeoh, &["c10"]),
-    law("yeoh_2", "Yeoh 2", Family::Yeoh, &["c10", "c20"]),
-    law("yeoh_3", "Yeoh 3", Family::Yeoh, &["c10", "c20", "c30"]),
-    law("ogden_1", "Ogden 1", Family::Ogden, &["ogden_mu_1", "ogden_alpha_1"]),
-    law("ogden_2", "Ogden 2", Family::Ogden, &["ogden_mu_1", "ogden_alpha_1", "ogden_mu_2", "ogden_alpha_2"]),
-    law(
-        "ogden_3",
-        "Ogden 3",
-        Family::Ogden,
-        &["ogden_mu_1", "ogden_alpha_1", "ogden_mu_2", "ogden_alpha_2", "ogden_mu_3", "ogden_alpha_3"],
-    ),
-];
-
-const fn law(name: &'static str, label: &'static str, family: Family, parameters: &'static [&'static str]) -> Law {
-    Law { name, label, family, parameters }
-}
+/// Every law, by its family and number of parameters, as the kernel describes them.
+pub static LAWS: LazyLock<Vec<Law>> = LazyLock::new(|| {
+    let of_law = |family: &'static ElasticLaw| {
+        let description = family.description();
+        description.variants.iter().map(|variant| Law {
+            name: variant.name,
+            label: variant.label,
+            family: *family,
+            parameters: &description.coefficients[..variant.n_coefficient],
+        })
+    };
+    ElasticLaw::ALL.iter().flat_map(of_law).collect()
+});
 
 impl Law {
     /// The law called `name`.
@@ -127,37 +112,46 @@ impl Law {
         LAWS.iter().find(|law| law.name == name)
     }
 
-    /// Unit of the parameter with this index.
-    pub fn unit(&self, parameter: usize) -> &'static str {
-        if self.family == Family::Ogden && parameter % 2 == 1 { "1" } else { "Pa" }
+    /// Whether the stress is linear in every parameter.
+    pub fn is_linear(&self) -> bool {
+        self.parameters.iter().all(Coefficient::is_modulus)
+    }
+
+    /// Values of a soft rubber.
+    pub fn example(&self) -> &'static [f64] {
+        &self.family.description().example[..self.parameters.len()]
+    }
+
+    /// Between which values each of its shapes is.
+    fn intervals(&self) -> Vec<Interval> {
+        self.parameters.iter().filter(|parameter| !parameter.is_modulus()).map(Interval::of).collect()
+    }
+
+    /// The moduli and the shapes among `values`.
+    fn parted(&self, values: &[f64]) -> (Vec<f64>, Vec<f64>) {
+        let of = |modulus: bool| {
+            let own =
+                self.parameters.iter().zip(values).filter(move |(parameter, _)| parameter.is_modulus() == modulus);
+            own.map(|(_, value)| *value).collect()
+        };
+        (of(true), of(false))
+    }
+
+    /// The values of which these are the moduli and the shapes.
+    fn values(&self, moduli: &[f64], shapes: &[f64]) -> Vec<f64> {
+        let (mut moduli, mut shapes) = (moduli.iter(), shapes.iter());
+        let next = |parameter: &Coefficient| if parameter.is_modulus() { moduli.next() } else { shapes.next() };
+        self.parameters.iter().filter_map(next).copied().collect()
     }
 
     /// The long-term elastic material with these values of [`Law::parameters`], and nothing else to it.
     pub fn material(&self, values: &[f64]) -> Material {
-        let mut material = blank();
-        material.law = match self.family {
-            Family::NeoHookean => ElasticLaw::NeoHookean,
-            Family::MooneyRivlin => ElasticLaw::MooneyRivlin,
-            Family::Yeoh => ElasticLaw::Yeoh,
-            Family::Ogden => ElasticLaw::Ogden,
-        };
-        for (name, value) in self.parameters.iter().zip(values) {
-            match *name {
-                "c10" => material.c10 = *value,
-                "c01" => material.c01 = *value,
-                "c11" => material.c11 = *value,
-                "c20" => material.c20 = *value,
-                "c02" => material.c02 = *value,
-                "c30" => material.c30 = *value,
-                "ogden_mu_1" => material.ogden_mu[0] = *value,
-                "ogden_alpha_1" => material.ogden_alpha[0] = *value,
-                "ogden_mu_2" => material.ogden_mu[1] = *value,
-                "ogden_alpha_2" => material.ogden_alpha[1] = *value,
-                "ogden_mu_3" => material.ogden_mu[2] = *value,
-                _ => material.ogden_alpha[2] = *value,
-            }
-        }
-        material
+        blank().with_values(self.family, values)
+    }
+
+    /// Its law in the kernel.
+    pub fn elastic(&self, values: &[f64]) -> Elastic {
+        Elastic::new(&self.material(values))
     }
 }
 
@@ -171,14 +165,7 @@ pub fn blank() -> Material {
     Material {
         density: STUDY_DENSITY,
         moduli: Moduli::LongTerm,
-        c10: 0.0,
-        c01: 0.0,
-        c11: 0.0,
-        c20: 0.0,
-        c02: 0.0,
-        c30: 0.0,
-        ogden_mu: [0.0; 3],
-        ogden_alpha: [2.0, -2.0, 4.0],
+        coefficients: Coefficients::START,
         volumetric_by: VolumetricBy::PoissonsRatio,
         poissons_ratio: STUDY_POISSONS_RATIO,
         prony_g: [0.0; 5],

@@ -4,6 +4,9 @@
 //! of a fixed grid, the best and some of the others, and the law of one term less with another one; they are refined on a
 //! part of the points, the best of those on all. The coefficients follow from the exponents, as a linear problem, except where
 //! stability is demanded. Nothing is random, so a fit can be repeated to the bit.
+//!
+//! [`super::separable`] would do, but not as well: three exponents have many minima, for which the starts here are made, a further
+//! term is not to fit worse, and stability, as mu alpha > 0, is a condition on moduli and exponents together.
 
 use nalgebra::{DMatrix, DVector};
 

@@ -5,8 +5,10 @@
 //! by t^2 s^2, where s^2 is the variance of the residuals and t the factor of the interval. How far the rise is from that
 //! says how far the interval is from the true one: a smaller rise means that values beyond are as likely.
 
+use softanvil_kernel::material::ElasticLaw;
+
 use super::fit::{Fit, Weighting, weights};
-use super::{DataSet, Family, ogden};
+use super::{DataSet, ogden, separable};
 
 /// The rise of the residual sum at an end of an interval, over that of a linear law.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,13 +34,13 @@ impl End {
     }
 }
 
-/// Both ends of the interval of each parameter of an Ogden law; none of other laws, which are linear, and where nothing is
+/// Both ends of the interval of each parameter of a law with shapes; none of a linear one, and where nothing is
 /// left to estimate the errors from.
 pub fn ends(fit: &Fit, data: &[DataSet], weighting: Weighting) -> Vec<End> {
     let statistics = &fit.statistics;
     let (n, k) = (statistics.n_point, statistics.n_parameter);
     let known = n > k && statistics.residual_sum > 0.0 && statistics.standard_errors.iter().all(|e| e.is_finite());
-    if fit.law.family != Family::Ogden || !known {
+    if fit.law.is_linear() || !known {
         return Vec::new();
     }
     let weights = weights(data, weighting);
@@ -48,7 +50,11 @@ pub fn ends(fit: &Fit, data: &[DataSet], weighting: Weighting) -> Vec<End> {
         // Where a linear law would have the others.
         let moved = |i: usize| side * factor * statistics.correlation[(i, parameter)] * statistics.standard_errors[i];
         let start: Vec<f64> = fit.values.iter().enumerate().map(|(i, value)| value + moved(i)).collect();
-        let rise = ogden::minimum_at(parameter, &start, &fit.values, data, &weights) - statistics.residual_sum;
+        let least = match fit.law.family {
+            ElasticLaw::Ogden => ogden::minimum_at(parameter, &start, &fit.values, data, &weights),
+            _ => separable::minimum_at(fit.law, parameter, &start, &fit.values, data, &weights),
+        };
+        let rise = least - statistics.residual_sum;
         End { parameter, ratio: rise / expected }
     };
     (0..k).flat_map(|parameter| [end(parameter, -1.0), end(parameter, 1.0)]).collect()

@@ -1,9 +1,11 @@
 //! Which law: the lowest residual within each family, then across, as in the study; and what to think of before
 //! believing it.
 
+use softanvil_kernel::material::ElasticLaw;
+
 use super::fit::{Fit, Settings};
-use super::ogden::LARGEST_ALPHA;
-use super::{DataSet, Family, Mode, profile};
+use super::separable::Interval;
+use super::{DataSet, Mode, profile};
 
 /// Fits in the order of the study: the best of each family by residual, then the others by residual. Laws that no simulation
 /// can use, because their shear modulus at rest is not positive or their coefficients degenerate, come last.
@@ -13,7 +15,7 @@ pub fn rank(mut fits: Vec<Fit>) -> Vec<Fit> {
         let (a, b) = (order(a), order(b));
         a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
     });
-    let mut families: Vec<Family> = Vec::new();
+    let mut families: Vec<ElasticLaw> = Vec::new();
     let (mut winners, mut others) = (Vec::new(), Vec::new());
     for fit in fits {
         if families.contains(&fit.law.family) {
@@ -39,6 +41,8 @@ pub fn choose(ranked: &[Fit]) -> usize {
 const CORRELATED: f64 = 0.99;
 /// Condition of the scaled problem above which a small error of the data is a large one of the coefficients.
 const ILL_CONDITIONED: f64 = 1e3;
+/// Parts of the way between the bounds of a shape where it is not held by them.
+const WITHIN: std::ops::RangeInclusive<f64> = 0.025..=0.975;
 /// Points a parameter should have, at least.
 const POINTS_PER_PARAMETER: usize = 5;
 
@@ -117,7 +121,7 @@ fn determination(fit: &Fit) -> Vec<String> {
         pairs.map(|(j, i)| (statistics.correlation[(i, j)], j, i)).filter(|pair| pair.0.abs() > CORRELATED).collect();
     correlated.sort_by(|a, b| b.0.abs().total_cmp(&a.0.abs()));
     if let Some(&(correlation, j, i)) = correlated.first() {
-        let (a, b) = (law.parameters[j], law.parameters[i]);
+        let (a, b) = (law.parameters[j].name, law.parameters[i].name);
         let others = match correlated.len() - 1 {
             0 => String::new(),
             1 => ", nor another pair".into(),
@@ -125,9 +129,9 @@ fn determination(fit: &Fit) -> Vec<String> {
         };
         caveats.push(format!("{a} and {b} cannot be told apart (correlation {correlation:.4}){others}"));
     }
-    if law.family == Family::Ogden {
-        for alpha in fit.values.iter().skip(1).step_by(2).filter(|alpha| alpha.abs() > 0.95 * LARGEST_ALPHA) {
-            caveats.push(format!("an exponent is at its bound: {alpha:.1}"));
+    for (parameter, value) in law.parameters.iter().zip(&fit.values).filter(|(parameter, _)| !parameter.is_modulus()) {
+        if !WITHIN.contains(&Interval::of(parameter).part(*value)) {
+            caveats.push(format!("{} is at its bound: {value:.4}", parameter.name));
         }
     }
     caveats
@@ -142,13 +146,13 @@ fn intervals(fit: &Fit, data: &[DataSet], settings: &Settings) -> Option<String>
     let ends = profile::ends(fit, data, settings.weighting);
     let wrong: Vec<_> = ends.iter().filter(|end| !end.is_believed()).collect();
     let worst = wrong.iter().max_by(|a, b| a.distance().total_cmp(&b.distance()))?;
-    let mut names: Vec<&str> = wrong.iter().map(|end| fit.law.parameters[end.parameter]).collect();
+    let mut names: Vec<&str> = wrong.iter().map(|end| fit.law.parameters[end.parameter].name).collect();
     names.dedup();
     Some(format!(
         "the intervals of {} are not to be believed: at an end of that of {} the residual sum rises {} what it should; the curve \
          is determined better than its parameters",
         names.join(", "),
-        fit.law.parameters[worst.parameter],
+        fit.law.parameters[worst.parameter].name,
         if worst.ratio.is_finite() { format!("by {:.2} times", worst.ratio) } else { "beyond".into() }
     ))
 }

@@ -16,7 +16,7 @@ fn stable_stretches_are_those_of_another_program() {
         let cells: Vec<&str> = line.split(',').collect();
         let law = Law::find(cells[0]).unwrap();
         let si = |(index, cell): (usize, &str)| {
-            cell.parse::<f64>().unwrap() * if law.unit(index) == "Pa" { 1e6 } else { 1.0 }
+            cell.parse::<f64>().unwrap() * if law.parameters[index].is_modulus() { 1e6 } else { 1.0 }
         };
         let values: Vec<f64> = cells[1].split(' ').enumerate().map(si).collect();
         let mode = MODES.iter().position(|mode| mode.name() == cells[2]).unwrap();

@@ -82,7 +82,7 @@ fn laws_can_be_made_stable() {
     let all = data(&MODES);
     let mut moderate = all.clone();
     moderate.iter_mut().for_each(|set| set.points.retain(|point| point.0 < 3.0));
-    for law in &LAWS {
+    for law in LAWS.iter() {
         for (data, stability_range) in [(&moderate, (0.3, 3.0)), (&all, (0.3, 7.6))] {
             let fit = |demand| Fit::new(law, data, &Settings { stability_range, ..settings(demand) });
             let (free, stable) =

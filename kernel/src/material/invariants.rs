@@ -1,8 +1,46 @@
-//! The shear tangent of laws of the invariants.
+//! What the laws of the invariants share: their stress, its closed form, their shear tangent.
 
+use crate::material::coefficient::Coefficient;
 use crate::number::math::THIRD;
+use crate::number::real::Real;
 use crate::number::vector::{Simd, Vector};
-use crate::tensor::stretch::IsochoricStretch;
+use crate::tensor::deviator::{Deviator, SQRT_THIRD};
+use crate::tensor::stretch::{CauchyGreen, IsochoricStretch};
+
+/// The coefficient of (I1 - 3) in the polynomials.
+pub(crate) const C10: Coefficient =
+    Coefficient::modulus("c10", (0.1, 1.0), "coefficient of (I1 - 3) in neo_hookean, mooney_rivlin and yeoh");
+/// The coefficient of (I1 - 3)^2 in the polynomials.
+pub(crate) const C20: Coefficient =
+    Coefficient::modulus("c20", (0.0, 0.2), "mooney_rivlin and yeoh coefficient of (I1 - 3)^2");
+
+/// I1 - 3.
+#[inline(always)]
+pub(crate) fn first_invariant<V: Vector>(c: &CauchyGreen<V>) -> V {
+    c.mean + c.mean + c.out.add_scalar(-3.0)
+}
+
+/// Kirchhoff stress in the unrotated frame, Pa, of a law of I1 alone: dev(`factor` C-bar), where the factor is 2 dW/dI1.
+#[inline(always)]
+pub(crate) fn first_invariant_stress<V: Vector>(c: &CauchyGreen<V>, factor: V) -> Deviator<V> {
+    Deviator {
+        mean: factor * (c.mean - c.out).mul_scalar(SQRT_THIRD),
+        difference: factor * c.difference,
+        shear: factor * c.shear,
+    }
+}
+
+/// The principal stresses 2 (W1 l^2 - W2 / l^2) by Rivlin (1948), Pa, from `slopes`, dW/dI1 and dW/dI2 at the invariants.
+pub(crate) fn invariant_principal_stress(
+    stretches: [Real; 3],
+    slopes: impl Fn(Real, Real) -> (Real, Real),
+) -> [Real; 3] {
+    let squares = stretches.map(|stretch| stretch * stretch);
+    let i1 = squares[0] + squares[1] + squares[2];
+    let i2 = 1.0 / squares[0] + 1.0 / squares[1] + 1.0 / squares[2];
+    let (w1, w2) = slopes(i1, i2);
+    squares.map(|square| 2.0 * (w1 * square - w2 / square))
+}
 
 /// A majorant of the shear tangent of a law of the invariants, Pa, with what its own stress adds to it, from the first
 /// derivatives W1, W2 and the second ones W11, W12, W22.
