@@ -78,7 +78,7 @@ impl Simulation {
         let (nodes, cells, hoops) = (&mut model_nodes, &mut model_cells, &mut model_hoops);
         let model = model(ModelMemory { constants: &mut constants, nodes, cells, hoops }, &mut state)?;
         State::new(&model, state)?;
-        let constants = *model.constants;
+        let constants = model.constants.clone();
         Ok(Self { constants, scalars, model_nodes, model_cells, model_hoops, state_nodes, state_cells, state_viscous })
     }
 
@@ -128,7 +128,7 @@ impl Simulation {
     /// As [`Simulation::step`], and a duration that is no legal `time.duration`.
     pub fn run(&mut self, duration: Real, input: &StepInput) -> Result<(), StepError> {
         let time = self.time();
-        let legal = Parameter::find("time.duration").map_or(Ok(()), |row| row.check(duration));
+        let legal = Parameter::find("time.duration").map_or(Ok(()), |parameter| parameter.check(duration));
         legal.map_err(|error| StepError::Input { error, time })?;
         self.step(self.constants.steps_in(duration), input)
     }
