@@ -19,6 +19,11 @@ pub struct Name {
 }
 
 impl Name {
+    /// A name that is no layer's.
+    pub const fn new(text: &'static str) -> Self {
+        Self { layer: None, text }
+    }
+
     /// Name of the `field` of a layer, counted from the core.
     pub const fn of_layer(layer: usize, field: &'static str) -> Self {
         Self { layer: Some(layer as u8), text: field }
@@ -58,7 +63,7 @@ const LAYERS: &str = "layers";
 
 impl From<&'static str> for Name {
     fn from(text: &'static str) -> Self {
-        Self { layer: None, text }
+        Self::new(text)
     }
 }
 

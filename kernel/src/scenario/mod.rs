@@ -9,7 +9,7 @@ pub mod preset;
 mod validation;
 
 pub use description::{
-    CoreInterface, DropBy, FaceInterface, Formulation, Geometry, Impactor, Interface, MAX_INTERFACES, Measurement, Mesh,
-    Motion, Scenario, Section, Shape, StepBy, Time,
+    CoreInterface, DropBy, FaceInterface, Formulation, Geometry, Impactor, Interface, MAX_INTERFACES, Measurement,
+    Mesh, Motion, Scenario, Section, Shape, StepBy, Time,
 };
 pub use layer::{Layer, LayerInterface, MAX_LAYER_NAME, MAX_LAYERS};

@@ -38,7 +38,8 @@ pub fn scenario(samples: &mut Samples) -> Scenario {
     let volumetric_law = if unit() < 0.7 { VolumetricLaw::Quadratic } else { VolumetricLaw::Simo };
     let poissons_ratio = 0.45 + 0.045 * unit();
     let law = random_law(samples, c10);
-    scenario.layers[0].material = Material { volumetric_by: VolumetricBy::PoissonsRatio, poissons_ratio, volumetric_law, ..law };
+    scenario.layers[0].material =
+        Material { volumetric_by: VolumetricBy::PoissonsRatio, poissons_ratio, volumetric_law, ..law };
     damp(&mut scenario.layers[0].material, damping, numbers);
     scenario
 }

@@ -214,7 +214,9 @@ mod tests {
 
     #[test]
     fn what_no_option_gives_is_the_preset_s() {
-        for (layer, material) in [(Layer::Silicone, preset::study().layers[0].material), (Layer::Skin, preset::study().skin)] {
+        for (layer, material) in
+            [(Layer::Silicone, preset::study().layers[0].material), (Layer::Skin, preset::study().skin)]
+        {
             let left_open = given(Moduli::LongTerm, None, None, layer);
             assert_eq!((left_open.density, left_open.poissons_ratio), (material.density, material.poissons_ratio));
             assert_eq!(given(Moduli::LongTerm, None, Some(0.4), layer).poissons_ratio, 0.4);

@@ -61,6 +61,7 @@ pub fn set_ratio(scenario: &mut Scenario, ratio: f64) -> Result<(), Failure> {
 
 /// Poisson's ratio of the scenario's silicone, also where its bulk modulus is given.
 pub fn ratio_of(scenario: &Scenario) -> f64 {
-    let (bulk, shear) = (scenario.layers[0].material.effective_bulk_modulus(), scenario.layers[0].material.shear_modulus_inf());
+    let (bulk, shear) =
+        (scenario.layers[0].material.effective_bulk_modulus(), scenario.layers[0].material.shear_modulus_inf());
     (3.0 * bulk - 2.0 * shear) / (2.0 * (3.0 * bulk + shear))
 }

@@ -96,9 +96,8 @@ impl Changes {
 
     /// Makes the choices that are made by giving a value, where nothing else makes them.
     fn choose(&self, values: &mut Values) -> Result<(), ScenarioError> {
-        let made = || {
-            conditions().filter(|made| made.choice().is_some() && self.is_given(made.of()) && !self.is_given(made.by()))
-        };
+        let made =
+            || conditions().filter(|made| made.is_choice() && self.is_given(made.of()) && !self.is_given(made.by()));
         for condition in made() {
             if let Some(other) = made().find(|other| other.by() == condition.by() && other.of() != condition.of()) {
                 return Err(ScenarioError::Contradiction { names: [condition.of(), other.of()] });
@@ -201,7 +200,10 @@ mod tests {
                 &[("silicone.law", "neo_hookean"), ("silicone.c10", "1e5"), ("silicone.c01", "1e5")],
                 "layers[0].c01 = 100000 Pa has no effect: layers[0].law is neo_hookean",
             ),
-            (&[("silicone.prony_tau_2", "0.1")], "layers[0].prony_tau_2 = 0.1 s has no effect: layers[0].prony_g_2 is 0"),
+            (
+                &[("silicone.prony_tau_2", "0.1")],
+                "layers[0].prony_tau_2 = 0.1 s has no effect: layers[0].prony_g_2 is 0",
+            ),
             (&[("layers[1].density", "900")], "layers[1].density = 900 kg/m3 has no effect: layers.count is 1"),
             (&[("layers[3].law", "yeoh")], "layers[3].law = 2 has no effect: layers.count is 1"),
             (
@@ -279,6 +281,9 @@ mod tests {
             assert!(condition.decider().is_some(), "{}", condition.by());
             assert!(Parameter::all().any(|parameter| parameter.name() == condition.of()), "{}", condition.of());
         }
-        assert_eq!(conditions().filter(|condition| condition.choice().is_some()).count(), 5 + 2 * MAX_LAYERS);
+        assert_eq!(
+            conditions().filter(|condition| condition.is_choice() && condition.choice().is_some()).count(),
+            5 + 2 * MAX_LAYERS
+        );
     }
 }

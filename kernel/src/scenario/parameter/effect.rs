@@ -54,6 +54,11 @@ impl Placed {
         beside(self.layer).find(|parameter| parameter.name() == self.by())
     }
 
+    /// Whether giving the parameter makes a choice.
+    pub(super) fn is_choice(&self) -> bool {
+        matches!(self.condition.acts, Acts::Chosen(_))
+    }
+
     /// The index of the choice that is made by giving the parameter.
     pub(super) fn choice(&self) -> Option<usize> {
         match self.condition.acts {

@@ -3,7 +3,7 @@
 use super::layer::LAYER;
 use super::row::{Access, Row};
 use super::test::{LAYER_COUNT, NUMERICS, TEST};
-use crate::error::{Name, NoEffect, ParameterError, ScenarioError, Says};
+use crate::error::{Name, NoEffect, ParameterError, Says, ScenarioError};
 use crate::number::real::Real;
 use crate::scenario::preset::spare_layer;
 use crate::scenario::{Layer, MAX_LAYERS, Scenario};
@@ -72,6 +72,9 @@ macro_rules! with_row {
 }
 
 impl Parameter {
+    /// How many there are.
+    pub const COUNT: usize = TEST.len() + 1 + MAX_LAYERS * LAYER.len() + NUMERICS.len();
+
     /// Every parameter, in the order in which users meet them: those of every layer that there can be follow the number of layers.
     pub fn all() -> impl Iterator<Item = Self> {
         Self::with_layers(MAX_LAYERS)
@@ -82,7 +85,7 @@ impl Parameter {
         Self::with_layers(scenario.layers.len())
     }
 
-    fn with_layers(count: usize) -> impl Iterator<Item = Self> {
+    pub(super) fn with_layers(count: usize) -> impl Iterator<Item = Self> {
         let test = |row| Self { place: Place::Test(row) };
         let before = TEST.iter().map(test).chain([Self { place: Place::LayerCount(&LAYER_COUNT) }]);
         before.chain((0..count).flat_map(Self::of_layer)).chain(NUMERICS.iter().map(test))

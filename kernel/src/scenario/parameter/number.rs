@@ -29,7 +29,7 @@ impl Parameter {
                 let (layer, id) = (of_layers / LAYER_NUMBERS, of_layers % LAYER_NUMBERS);
                 Self::of_layer(layer as usize).find(|parameter| parameter.id() == id)
             }
-            None => Self::all().find(|parameter| parameter.number() == number),
+            None => Self::with_layers(0).find(|parameter| parameter.number() == number),
         }
     }
 

@@ -10,7 +10,8 @@ pub(super) static TEST: &[Row<Scenario>] = &[
     choice!(2, geometry.section: Section, "half of the section with symmetry, or all of it"),
     real!(3, geometry.core_radius, "m", (1e-3, 1.0), "radius of the rigid core (round shape)"),
     real!(
-        4, geometry.length,
+        4,
+        geometry.length,
         "m",
         (1e-3, 10.0),
         "largest out-of-plane thickness in plane strain (effective length of the layers)"
@@ -22,13 +23,15 @@ pub(super) static TEST: &[Row<Scenario>] = &[
     ),
     real!(7, impactor.mass, "kg", (1e-3, 1e4), "mass of the impactor"),
     real!(
-        8, impactor.face_diameter,
+        8,
+        impactor.face_diameter,
         "m",
         (1e-3, 10.0),
         "diameter of the flat face; its chord is the thickness of a round section in plane strain"
     ),
     real!(
-        9, impactor.offset,
+        9,
+        impactor.offset,
         "m",
         (-1.0, 1.0),
         "distance of the face's centre from the centre line, to the right (full section)"
@@ -41,13 +44,15 @@ pub(super) static TEST: &[Row<Scenario>] = &[
     real!(15, impactor.drop_speed, "m/s", (0.0, 100.0), "downward speed at the start"),
     real!(16, impactor.prescribed_speed, "m/s", (1e-6, 100.0), "downward speed of the prescribed motion"),
     real!(
-        17, impactor.prescribed_depth,
+        17,
+        impactor.prescribed_depth,
         "m",
         (0.0, 1.0),
         "depth below the undeformed anvil at which the prescribed motion ends and holds"
     ),
     real!(
-        18, impactor.prescribed_rise,
+        18,
+        impactor.prescribed_rise,
         "s",
         (0.0, 100.0),
         "time over which the prescribed speed rises at the start and falls at the end, smoothly; at most travel / speed"
@@ -78,14 +83,16 @@ pub(super) static NUMERICS: &[Row<Scenario>] = &[
     real!(23, mesh.element_size, "m", (1e-5, 0.1), "edge length that the structured mesh aims at"),
     choice!(24, time.step_by: StepBy, "which of the next two states the time step"),
     real!(
-        25, time.safety_factor,
+        25,
+        time.safety_factor,
         "1",
         (0.01, 1.0),
         "fraction of the smallest stability limit that a trial of the scenario finds"
     ),
     real!(26, time.step, "s", (1e-10, 5e-5), "requested step; the largest whole divisor of 50 us not above it is used"),
     real!(
-        27, time.design_compression,
+        27,
+        time.design_compression,
         "1",
         (0.01, 0.95),
         "part of the layer's thickness that a driven face presses it by at most, for which the step is chosen"
@@ -93,7 +100,8 @@ pub(super) static NUMERICS: &[Row<Scenario>] = &[
     real!(28, time.duration, "s", (5e-5, 100.0), "simulated time of a run"),
     real!(29, measurement.force_threshold, "N", (0.0, 1e5), "force that begins and ends the impact duration"),
     real!(
-        30, measurement.channel_class,
+        30,
+        measurement.channel_class,
         "Hz",
         (1.0, 2000.0),
         "channel frequency class (SAE J211, ISO 6487) of contact.force_filtered, such as 60, 180, 600 or 1000"

@@ -56,7 +56,9 @@ fn names_and_numbers_are_unique_and_lead_back() {
             assert!(parameter.check(1.5).is_err(), "{name}");
         }
     }
-    for unknown in ["layers[4].c10", "layers[+1].c10", "layers[].c10", "layers[0]", "layers[0].c", "layers.c10", "c10", ""] {
+    for unknown in
+        ["layers[4].c10", "layers[+1].c10", "layers[].c10", "layers[0]", "layers[0].c", "layers.c10", "c10", ""]
+    {
         assert!(Parameter::find(unknown).is_none(), "{unknown}");
     }
     let unknown = [NUMBERS as u32, TEST_NUMBERS - 1, TEST_NUMBERS + LAYER_NUMBERS - 1, u32::MAX];
