@@ -109,8 +109,8 @@ enum SoftanvilStatus
     SOFTANVIL_STATUS_RESERVED_SLOT = 207,
     /** The stretch at which a layer begins to tear is below 1. */
     SOFTANVIL_STATUS_TEAR_STRETCH = 208,
-    /** A skin with a material of its own has next to no thickness. */
-    SOFTANVIL_STATUS_SKIN_TOO_THIN = 209,
+    /** A layer has no thickness, or next to none; a layer that the preset does not have needs one. */
+    SOFTANVIL_STATUS_LAYER_THICKNESS = 209,
     /** An axisymmetric anvil has no full section. */
     SOFTANVIL_STATUS_FULL_AXISYMMETRIC = 210,
     /** Only a full section can have an impactor beside the centre line. */
@@ -121,8 +121,6 @@ enum SoftanvilStatus
     SOFTANVIL_STATUS_NO_EFFECT = 213,
     /** Two values that state the same thing differ from the preset's. */
     SOFTANVIL_STATUS_CONTRADICTION = 214,
-    /** Another number of layers than the preset's, without a thickness of the silicone. */
-    SOFTANVIL_STATUS_LAYER_THICKNESS = 215,
     /** An element turned inside out or is no longer finite. */
     SOFTANVIL_STATUS_INVERTED = 300,
     /** The time step is above the current stability limit of an element. */
@@ -219,31 +217,41 @@ enum SoftanvilPreset {
     /** the study's soft anvil, 4 parameters fitted to the 4 numbers of 14.7 J alone */
     SOFTANVIL_PRESET_STUDY_14_7 = 1,
     /** the study's soft anvil, incompressible, 5 parameters fitted to the 12 numbers */
-    SOFTANVIL_PRESET_STUDY_INCOMPRESSIBLE = 2
+    SOFTANVIL_PRESET_STUDY_INCOMPRESSIBLE = 2,
+    /** the study's anvil of a plain elastic silicone, to start from with a material of one's own */
+    SOFTANVIL_PRESET_ELASTIC = 3,
+    /** a flat block of the plain elastic silicone on a flat core, bonded */
+    SOFTANVIL_PRESET_BLOCK = 4,
+    /** the study's anvil of Ecoflex 00-30, elastic, from tension tests of Marechal et al. (2021) */
+    SOFTANVIL_PRESET_ECOFLEX_00_30 = 5,
+    /** the study's anvil of Dragon Skin 30, elastic, from tension tests of Marechal et al. (2021) */
+    SOFTANVIL_PRESET_DRAGON_SKIN_30 = 6,
+    /** the study's anvil of Treloar's vulcanised natural rubber, elastic, by Ogden (1972) */
+    SOFTANVIL_PRESET_NATURAL_RUBBER = 7
 };
 
-/** Parameters of a scenario: name, unit, legal range, meaning. */
+/** Parameters that belong to no layer: name, unit, legal range, meaning. */
 enum SoftanvilParameter {
     /** geometry.shape, a SoftanvilGeometryShape: layer on a round core, or a flat block on a flat core. */
     SOFTANVIL_PARAMETER_GEOMETRY_SHAPE = 0,
     /** geometry.formulation, a SoftanvilGeometryFormulation: kinematics of the section. */
     SOFTANVIL_PARAMETER_GEOMETRY_FORMULATION = 1,
+    /** geometry.section, a SoftanvilGeometrySection: half of the section with symmetry, or all of it. */
+    SOFTANVIL_PARAMETER_GEOMETRY_SECTION = 2,
     /** geometry.core_radius, m, from 0.001 to 1: radius of the rigid core (round shape). */
-    SOFTANVIL_PARAMETER_GEOMETRY_CORE_RADIUS = 2,
-    /** geometry.silicone_thickness, m, from 1e-4 to 0.5: thickness of the silicone; of the whole layer where there is one. */
-    SOFTANVIL_PARAMETER_GEOMETRY_SILICONE_THICKNESS = 3,
-    /** geometry.skin_thickness, m, from 0 to 0.1: thickness of the skin on the silicone (two layers). */
-    SOFTANVIL_PARAMETER_GEOMETRY_SKIN_THICKNESS = 4,
-    /** geometry.length, m, from 0.001 to 10: largest out-of-plane thickness in plane strain (effective length of the layer). */
-    SOFTANVIL_PARAMETER_GEOMETRY_LENGTH = 5,
+    SOFTANVIL_PARAMETER_GEOMETRY_CORE_RADIUS = 3,
+    /** geometry.length, m, from 0.001 to 10: largest out-of-plane thickness in plane strain (effective length of the layers). */
+    SOFTANVIL_PARAMETER_GEOMETRY_LENGTH = 4,
     /** geometry.block_width, m, from 1e-4 to 10: full width, or diameter if axisymmetric (block shape). */
-    SOFTANVIL_PARAMETER_GEOMETRY_BLOCK_WIDTH = 6,
+    SOFTANVIL_PARAMETER_GEOMETRY_BLOCK_WIDTH = 5,
     /** impactor.motion, a SoftanvilImpactorMotion: a falling mass, a position given from outside with every call, or down at a speed to a depth and hold. */
-    SOFTANVIL_PARAMETER_IMPACTOR_MOTION = 7,
+    SOFTANVIL_PARAMETER_IMPACTOR_MOTION = 6,
     /** impactor.mass, kg, from 0.001 to 10000: mass of the impactor. */
-    SOFTANVIL_PARAMETER_IMPACTOR_MASS = 8,
+    SOFTANVIL_PARAMETER_IMPACTOR_MASS = 7,
     /** impactor.face_diameter, m, from 0.001 to 10: diameter of the flat face; its chord is the thickness of a round section in plane strain. */
-    SOFTANVIL_PARAMETER_IMPACTOR_FACE_DIAMETER = 9,
+    SOFTANVIL_PARAMETER_IMPACTOR_FACE_DIAMETER = 8,
+    /** impactor.offset, m, from -1 to 1: distance of the face's centre from the centre line, to the right (full section). */
+    SOFTANVIL_PARAMETER_IMPACTOR_OFFSET = 9,
     /** impactor.gap, m, from 0 to 1: height of the face above the anvil at the start. */
     SOFTANVIL_PARAMETER_IMPACTOR_GAP = 10,
     /** impactor.gravity, m/s2, from 0 to 100: acceleration of gravity. */
@@ -256,217 +264,137 @@ enum SoftanvilParameter {
     SOFTANVIL_PARAMETER_IMPACTOR_DROP_ENERGY = 14,
     /** impactor.drop_speed, m/s, from 0 to 100: downward speed at the start. */
     SOFTANVIL_PARAMETER_IMPACTOR_DROP_SPEED = 15,
-    /** silicone.density, kg/m3, from 10 to 20000: density. */
-    SOFTANVIL_PARAMETER_SILICONE_DENSITY = 16,
-    /** silicone.moduli, a SoftanvilSiliconeModuli: what the elastic coefficients are: after full relaxation, or before any. */
-    SOFTANVIL_PARAMETER_SILICONE_MODULI = 17,
-    /** silicone.c10, Pa, from -1e9 to 1e9: coefficient of (I1 - 3) in all laws but ogden. */
-    SOFTANVIL_PARAMETER_SILICONE_C10 = 18,
-    /** silicone.c01, Pa, from -1e9 to 1e9: mooney_rivlin coefficient of (I2 - 3). */
-    SOFTANVIL_PARAMETER_SILICONE_C01 = 19,
-    /** silicone.c11, Pa, from -1e9 to 1e9: mooney_rivlin coefficient of (I1 - 3)(I2 - 3). */
-    SOFTANVIL_PARAMETER_SILICONE_C11 = 20,
-    /** silicone.c20, Pa, from -1e9 to 1e9: mooney_rivlin and yeoh coefficient of (I1 - 3)^2. */
-    SOFTANVIL_PARAMETER_SILICONE_C20 = 21,
-    /** silicone.c02, Pa, from -1e9 to 1e9: mooney_rivlin coefficient of (I2 - 3)^2. */
-    SOFTANVIL_PARAMETER_SILICONE_C02 = 22,
-    /** silicone.volumetric_by, a SoftanvilSiliconeVolumetricBy: which of the next two states the compressibility. */
-    SOFTANVIL_PARAMETER_SILICONE_VOLUMETRIC_BY = 23,
-    /** silicone.bulk_modulus, Pa, from 100 to 1e12: bulk modulus. */
-    SOFTANVIL_PARAMETER_SILICONE_BULK_MODULUS = 24,
-    /** silicone.poissons_ratio, from 0 to 0.4999: Poisson's ratio of the long-term law. */
-    SOFTANVIL_PARAMETER_SILICONE_POISSONS_RATIO = 25,
-    /** silicone.prony_g_1, from 0 to 0.9999: Prony coefficient, normalised on the instantaneous modulus; 0 switches the term off. */
-    SOFTANVIL_PARAMETER_SILICONE_PRONY_G_1 = 26,
-    /** silicone.prony_tau_1, s, from 1e-7 to 1e6: relaxation time of the Prony term. */
-    SOFTANVIL_PARAMETER_SILICONE_PRONY_TAU_1 = 27,
-    /** silicone.prony_g_2, from 0 to 0.9999: Prony coefficient, normalised on the instantaneous modulus; 0 switches the term off. */
-    SOFTANVIL_PARAMETER_SILICONE_PRONY_G_2 = 28,
-    /** silicone.prony_tau_2, s, from 1e-7 to 1e6: relaxation time of the Prony term. */
-    SOFTANVIL_PARAMETER_SILICONE_PRONY_TAU_2 = 29,
-    /** silicone.prony_g_3, from 0 to 0.9999: Prony coefficient, normalised on the instantaneous modulus; 0 switches the term off. */
-    SOFTANVIL_PARAMETER_SILICONE_PRONY_G_3 = 30,
-    /** silicone.prony_tau_3, s, from 1e-7 to 1e6: relaxation time of the Prony term. */
-    SOFTANVIL_PARAMETER_SILICONE_PRONY_TAU_3 = 31,
-    /** silicone.prony_g_4, from 0 to 0.9999: Prony coefficient, normalised on the instantaneous modulus; 0 switches the term off. */
-    SOFTANVIL_PARAMETER_SILICONE_PRONY_G_4 = 32,
-    /** silicone.prony_tau_4, s, from 1e-7 to 1e6: relaxation time of the Prony term. */
-    SOFTANVIL_PARAMETER_SILICONE_PRONY_TAU_4 = 33,
-    /** silicone.prony_g_5, from 0 to 0.9999: Prony coefficient, normalised on the instantaneous modulus; 0 switches the term off. */
-    SOFTANVIL_PARAMETER_SILICONE_PRONY_G_5 = 34,
-    /** silicone.prony_tau_5, s, from 1e-7 to 1e6: relaxation time of the Prony term. */
-    SOFTANVIL_PARAMETER_SILICONE_PRONY_TAU_5 = 35,
-    /** silicone.slider_stiffness, Pa, from 0 to 1e11: shear modulus G of the damping spring; 0 switches the spring-slider off. */
-    SOFTANVIL_PARAMETER_SILICONE_SLIDER_STIFFNESS = 36,
-    /** silicone.slider_yield_stress, Pa, from 0 to 1e10: von Mises stress SIGF at which the slider slips. */
-    SOFTANVIL_PARAMETER_SILICONE_SLIDER_YIELD_STRESS = 37,
-    /** core.interface, a SoftanvilCoreInterface: how the layer sits on the core: glued, in contact with friction, or on rollers (neither lifts nor rubs). */
-    SOFTANVIL_PARAMETER_CORE_INTERFACE = 38,
-    /** core.friction_coefficient, from 0 to 10: Coulomb coefficient of a frictional core. */
-    SOFTANVIL_PARAMETER_CORE_FRICTION_COEFFICIENT = 39,
-    /** face.friction_coefficient, from 0 to 10: Coulomb coefficient under the impactor. */
-    SOFTANVIL_PARAMETER_FACE_FRICTION_COEFFICIENT = 40,
-    /** mesh.element_size, m, from 1e-5 to 0.1: edge length that the structured mesh aims at. */
-    SOFTANVIL_PARAMETER_MESH_ELEMENT_SIZE = 41,
-    /** time.step_by, a SoftanvilTimeStepBy: which of the next two states the time step. */
-    SOFTANVIL_PARAMETER_TIME_STEP_BY = 42,
-    /** time.safety_factor, from 0.01 to 1: fraction of the smallest stability limit that a trial of the scenario finds. */
-    SOFTANVIL_PARAMETER_TIME_SAFETY_FACTOR = 43,
-    /** time.step, s, from 1e-10 to 5e-5: requested step; the largest whole divisor of 50 us not above it is used. */
-    SOFTANVIL_PARAMETER_TIME_STEP = 44,
-    /** time.duration, s, from 5e-5 to 100: simulated time of a run. */
-    SOFTANVIL_PARAMETER_TIME_DURATION = 45,
-    /** measurement.force_threshold, N, from 0 to 1e5: force that begins and ends the impact duration. */
-    SOFTANVIL_PARAMETER_MEASUREMENT_FORCE_THRESHOLD = 46,
-    /** geometry.layers, a SoftanvilGeometryLayers: one material through the whole thickness (the study's simplification), or a skin of its own on the silicone. */
-    SOFTANVIL_PARAMETER_GEOMETRY_LAYERS = 47,
-    /** geometry.section, a SoftanvilGeometrySection: half of the section with symmetry, or all of it. */
-    SOFTANVIL_PARAMETER_GEOMETRY_SECTION = 48,
-    /** impactor.offset, m, from -1 to 1: distance of the face's centre from the centre line, to the right (full section). */
-    SOFTANVIL_PARAMETER_IMPACTOR_OFFSET = 49,
-    /** silicone.law, a SoftanvilSiliconeLaw: isochoric hyperelastic law (mooney_rivlin has 2, 3 or 5 parameters, by coefficients of zero). */
-    SOFTANVIL_PARAMETER_SILICONE_LAW = 50,
-    /** silicone.c30, Pa, from -1e9 to 1e9: yeoh coefficient of (I1 - 3)^3. */
-    SOFTANVIL_PARAMETER_SILICONE_C30 = 51,
-    /** silicone.ogden_mu_1, Pa, from -1e9 to 1e9: ogden coefficient, W = sum mu/alpha (l1^alpha + l2^alpha + l3^alpha - 3); 0 switches the term off. */
-    SOFTANVIL_PARAMETER_SILICONE_OGDEN_MU_1 = 52,
-    /** silicone.ogden_alpha_1, from -30 to 30: ogden exponent; the shear modulus at rest is sum mu alpha / 2. */
-    SOFTANVIL_PARAMETER_SILICONE_OGDEN_ALPHA_1 = 53,
-    /** silicone.ogden_mu_2, Pa, from -1e9 to 1e9: ogden coefficient, W = sum mu/alpha (l1^alpha + l2^alpha + l3^alpha - 3); 0 switches the term off. */
-    SOFTANVIL_PARAMETER_SILICONE_OGDEN_MU_2 = 54,
-    /** silicone.ogden_alpha_2, from -30 to 30: ogden exponent; the shear modulus at rest is sum mu alpha / 2. */
-    SOFTANVIL_PARAMETER_SILICONE_OGDEN_ALPHA_2 = 55,
-    /** silicone.ogden_mu_3, Pa, from -1e9 to 1e9: ogden coefficient, W = sum mu/alpha (l1^alpha + l2^alpha + l3^alpha - 3); 0 switches the term off. */
-    SOFTANVIL_PARAMETER_SILICONE_OGDEN_MU_3 = 56,
-    /** silicone.ogden_alpha_3, from -30 to 30: ogden exponent; the shear modulus at rest is sum mu alpha / 2. */
-    SOFTANVIL_PARAMETER_SILICONE_OGDEN_ALPHA_3 = 57,
-    /** silicone.volumetric_law, a SoftanvilSiliconeVolumetricLaw: energy of volume change: K/2 (J-1)^2, or K/4 (J^2 - 1 - 2 ln J), which no compression brings to J = 0. */
-    SOFTANVIL_PARAMETER_SILICONE_VOLUMETRIC_LAW = 58,
-    /** silicone.maxwell_g_1, Pa, from 0 to 1e11: shear modulus of an additive Maxwell term; 0 switches the term off. */
-    SOFTANVIL_PARAMETER_SILICONE_MAXWELL_G_1 = 59,
-    /** silicone.maxwell_beta_1, 1/s, from 1e-6 to 1e7: decay constant of the Maxwell term, one over its relaxation time. */
-    SOFTANVIL_PARAMETER_SILICONE_MAXWELL_BETA_1 = 60,
-    /** silicone.maxwell_g_2, Pa, from 0 to 1e11: shear modulus of an additive Maxwell term; 0 switches the term off. */
-    SOFTANVIL_PARAMETER_SILICONE_MAXWELL_G_2 = 61,
-    /** silicone.maxwell_beta_2, 1/s, from 1e-6 to 1e7: decay constant of the Maxwell term, one over its relaxation time. */
-    SOFTANVIL_PARAMETER_SILICONE_MAXWELL_BETA_2 = 62,
-    /** silicone.maxwell_g_3, Pa, from 0 to 1e11: shear modulus of an additive Maxwell term; 0 switches the term off. */
-    SOFTANVIL_PARAMETER_SILICONE_MAXWELL_G_3 = 63,
-    /** silicone.maxwell_beta_3, 1/s, from 1e-6 to 1e7: decay constant of the Maxwell term, one over its relaxation time. */
-    SOFTANVIL_PARAMETER_SILICONE_MAXWELL_BETA_3 = 64,
-    /** silicone.maxwell_g_4, Pa, from 0 to 1e11: shear modulus of an additive Maxwell term; 0 switches the term off. */
-    SOFTANVIL_PARAMETER_SILICONE_MAXWELL_G_4 = 65,
-    /** silicone.maxwell_beta_4, 1/s, from 1e-6 to 1e7: decay constant of the Maxwell term, one over its relaxation time. */
-    SOFTANVIL_PARAMETER_SILICONE_MAXWELL_BETA_4 = 66,
-    /** silicone.maxwell_g_5, Pa, from 0 to 1e11: shear modulus of an additive Maxwell term; 0 switches the term off. */
-    SOFTANVIL_PARAMETER_SILICONE_MAXWELL_G_5 = 67,
-    /** silicone.maxwell_beta_5, 1/s, from 1e-6 to 1e7: decay constant of the Maxwell term, one over its relaxation time. */
-    SOFTANVIL_PARAMETER_SILICONE_MAXWELL_BETA_5 = 68,
-    /** silicone.tear_stretch, from 0 to 100: largest principal stretch at which the material begins to tear, at least 1; 0 switches tearing off. */
-    SOFTANVIL_PARAMETER_SILICONE_TEAR_STRETCH = 69,
-    /** silicone.tear_width, from 0.001 to 10: stretch over which the deviatoric stress falls. */
-    SOFTANVIL_PARAMETER_SILICONE_TEAR_WIDTH = 70,
-    /** silicone.tear_residual, from 0 to 1: part of the deviatoric stress that remains after the tear. */
-    SOFTANVIL_PARAMETER_SILICONE_TEAR_RESIDUAL = 71,
-    /** skin.density, kg/m3, from 10 to 20000: density. */
-    SOFTANVIL_PARAMETER_SKIN_DENSITY = 72,
-    /** skin.law, a SoftanvilSkinLaw: isochoric hyperelastic law (mooney_rivlin has 2, 3 or 5 parameters, by coefficients of zero). */
-    SOFTANVIL_PARAMETER_SKIN_LAW = 73,
-    /** skin.moduli, a SoftanvilSkinModuli: what the elastic coefficients are: after full relaxation, or before any. */
-    SOFTANVIL_PARAMETER_SKIN_MODULI = 74,
-    /** skin.c10, Pa, from -1e9 to 1e9: coefficient of (I1 - 3) in all laws but ogden. */
-    SOFTANVIL_PARAMETER_SKIN_C10 = 75,
-    /** skin.c01, Pa, from -1e9 to 1e9: mooney_rivlin coefficient of (I2 - 3). */
-    SOFTANVIL_PARAMETER_SKIN_C01 = 76,
-    /** skin.c11, Pa, from -1e9 to 1e9: mooney_rivlin coefficient of (I1 - 3)(I2 - 3). */
-    SOFTANVIL_PARAMETER_SKIN_C11 = 77,
-    /** skin.c20, Pa, from -1e9 to 1e9: mooney_rivlin and yeoh coefficient of (I1 - 3)^2. */
-    SOFTANVIL_PARAMETER_SKIN_C20 = 78,
-    /** skin.c02, Pa, from -1e9 to 1e9: mooney_rivlin coefficient of (I2 - 3)^2. */
-    SOFTANVIL_PARAMETER_SKIN_C02 = 79,
-    /** skin.c30, Pa, from -1e9 to 1e9: yeoh coefficient of (I1 - 3)^3. */
-    SOFTANVIL_PARAMETER_SKIN_C30 = 80,
-    /** skin.ogden_mu_1, Pa, from -1e9 to 1e9: ogden coefficient, W = sum mu/alpha (l1^alpha + l2^alpha + l3^alpha - 3); 0 switches the term off. */
-    SOFTANVIL_PARAMETER_SKIN_OGDEN_MU_1 = 81,
-    /** skin.ogden_alpha_1, from -30 to 30: ogden exponent; the shear modulus at rest is sum mu alpha / 2. */
-    SOFTANVIL_PARAMETER_SKIN_OGDEN_ALPHA_1 = 82,
-    /** skin.ogden_mu_2, Pa, from -1e9 to 1e9: ogden coefficient, W = sum mu/alpha (l1^alpha + l2^alpha + l3^alpha - 3); 0 switches the term off. */
-    SOFTANVIL_PARAMETER_SKIN_OGDEN_MU_2 = 83,
-    /** skin.ogden_alpha_2, from -30 to 30: ogden exponent; the shear modulus at rest is sum mu alpha / 2. */
-    SOFTANVIL_PARAMETER_SKIN_OGDEN_ALPHA_2 = 84,
-    /** skin.ogden_mu_3, Pa, from -1e9 to 1e9: ogden coefficient, W = sum mu/alpha (l1^alpha + l2^alpha + l3^alpha - 3); 0 switches the term off. */
-    SOFTANVIL_PARAMETER_SKIN_OGDEN_MU_3 = 85,
-    /** skin.ogden_alpha_3, from -30 to 30: ogden exponent; the shear modulus at rest is sum mu alpha / 2. */
-    SOFTANVIL_PARAMETER_SKIN_OGDEN_ALPHA_3 = 86,
-    /** skin.volumetric_law, a SoftanvilSkinVolumetricLaw: energy of volume change: K/2 (J-1)^2, or K/4 (J^2 - 1 - 2 ln J), which no compression brings to J = 0. */
-    SOFTANVIL_PARAMETER_SKIN_VOLUMETRIC_LAW = 87,
-    /** skin.volumetric_by, a SoftanvilSkinVolumetricBy: which of the next two states the compressibility. */
-    SOFTANVIL_PARAMETER_SKIN_VOLUMETRIC_BY = 88,
-    /** skin.bulk_modulus, Pa, from 100 to 1e12: bulk modulus. */
-    SOFTANVIL_PARAMETER_SKIN_BULK_MODULUS = 89,
-    /** skin.poissons_ratio, from 0 to 0.4999: Poisson's ratio of the long-term law. */
-    SOFTANVIL_PARAMETER_SKIN_POISSONS_RATIO = 90,
-    /** skin.prony_g_1, from 0 to 0.9999: Prony coefficient, normalised on the instantaneous modulus; 0 switches the term off. */
-    SOFTANVIL_PARAMETER_SKIN_PRONY_G_1 = 91,
-    /** skin.prony_tau_1, s, from 1e-7 to 1e6: relaxation time of the Prony term. */
-    SOFTANVIL_PARAMETER_SKIN_PRONY_TAU_1 = 92,
-    /** skin.prony_g_2, from 0 to 0.9999: Prony coefficient, normalised on the instantaneous modulus; 0 switches the term off. */
-    SOFTANVIL_PARAMETER_SKIN_PRONY_G_2 = 93,
-    /** skin.prony_tau_2, s, from 1e-7 to 1e6: relaxation time of the Prony term. */
-    SOFTANVIL_PARAMETER_SKIN_PRONY_TAU_2 = 94,
-    /** skin.prony_g_3, from 0 to 0.9999: Prony coefficient, normalised on the instantaneous modulus; 0 switches the term off. */
-    SOFTANVIL_PARAMETER_SKIN_PRONY_G_3 = 95,
-    /** skin.prony_tau_3, s, from 1e-7 to 1e6: relaxation time of the Prony term. */
-    SOFTANVIL_PARAMETER_SKIN_PRONY_TAU_3 = 96,
-    /** skin.prony_g_4, from 0 to 0.9999: Prony coefficient, normalised on the instantaneous modulus; 0 switches the term off. */
-    SOFTANVIL_PARAMETER_SKIN_PRONY_G_4 = 97,
-    /** skin.prony_tau_4, s, from 1e-7 to 1e6: relaxation time of the Prony term. */
-    SOFTANVIL_PARAMETER_SKIN_PRONY_TAU_4 = 98,
-    /** skin.prony_g_5, from 0 to 0.9999: Prony coefficient, normalised on the instantaneous modulus; 0 switches the term off. */
-    SOFTANVIL_PARAMETER_SKIN_PRONY_G_5 = 99,
-    /** skin.prony_tau_5, s, from 1e-7 to 1e6: relaxation time of the Prony term. */
-    SOFTANVIL_PARAMETER_SKIN_PRONY_TAU_5 = 100,
-    /** skin.maxwell_g_1, Pa, from 0 to 1e11: shear modulus of an additive Maxwell term; 0 switches the term off. */
-    SOFTANVIL_PARAMETER_SKIN_MAXWELL_G_1 = 101,
-    /** skin.maxwell_beta_1, 1/s, from 1e-6 to 1e7: decay constant of the Maxwell term, one over its relaxation time. */
-    SOFTANVIL_PARAMETER_SKIN_MAXWELL_BETA_1 = 102,
-    /** skin.maxwell_g_2, Pa, from 0 to 1e11: shear modulus of an additive Maxwell term; 0 switches the term off. */
-    SOFTANVIL_PARAMETER_SKIN_MAXWELL_G_2 = 103,
-    /** skin.maxwell_beta_2, 1/s, from 1e-6 to 1e7: decay constant of the Maxwell term, one over its relaxation time. */
-    SOFTANVIL_PARAMETER_SKIN_MAXWELL_BETA_2 = 104,
-    /** skin.maxwell_g_3, Pa, from 0 to 1e11: shear modulus of an additive Maxwell term; 0 switches the term off. */
-    SOFTANVIL_PARAMETER_SKIN_MAXWELL_G_3 = 105,
-    /** skin.maxwell_beta_3, 1/s, from 1e-6 to 1e7: decay constant of the Maxwell term, one over its relaxation time. */
-    SOFTANVIL_PARAMETER_SKIN_MAXWELL_BETA_3 = 106,
-    /** skin.maxwell_g_4, Pa, from 0 to 1e11: shear modulus of an additive Maxwell term; 0 switches the term off. */
-    SOFTANVIL_PARAMETER_SKIN_MAXWELL_G_4 = 107,
-    /** skin.maxwell_beta_4, 1/s, from 1e-6 to 1e7: decay constant of the Maxwell term, one over its relaxation time. */
-    SOFTANVIL_PARAMETER_SKIN_MAXWELL_BETA_4 = 108,
-    /** skin.maxwell_g_5, Pa, from 0 to 1e11: shear modulus of an additive Maxwell term; 0 switches the term off. */
-    SOFTANVIL_PARAMETER_SKIN_MAXWELL_G_5 = 109,
-    /** skin.maxwell_beta_5, 1/s, from 1e-6 to 1e7: decay constant of the Maxwell term, one over its relaxation time. */
-    SOFTANVIL_PARAMETER_SKIN_MAXWELL_BETA_5 = 110,
-    /** skin.slider_stiffness, Pa, from 0 to 1e11: shear modulus G of the damping spring; 0 switches the spring-slider off. */
-    SOFTANVIL_PARAMETER_SKIN_SLIDER_STIFFNESS = 111,
-    /** skin.slider_yield_stress, Pa, from 0 to 1e10: von Mises stress SIGF at which the slider slips. */
-    SOFTANVIL_PARAMETER_SKIN_SLIDER_YIELD_STRESS = 112,
-    /** skin.tear_stretch, from 0 to 100: largest principal stretch at which the material begins to tear, at least 1; 0 switches tearing off. */
-    SOFTANVIL_PARAMETER_SKIN_TEAR_STRETCH = 113,
-    /** skin.tear_width, from 0.001 to 10: stretch over which the deviatoric stress falls. */
-    SOFTANVIL_PARAMETER_SKIN_TEAR_WIDTH = 114,
-    /** skin.tear_residual, from 0 to 1: part of the deviatoric stress that remains after the tear. */
-    SOFTANVIL_PARAMETER_SKIN_TEAR_RESIDUAL = 115,
     /** impactor.prescribed_speed, m/s, from 1e-6 to 100: downward speed of the prescribed motion. */
-    SOFTANVIL_PARAMETER_IMPACTOR_PRESCRIBED_SPEED = 116,
+    SOFTANVIL_PARAMETER_IMPACTOR_PRESCRIBED_SPEED = 16,
     /** impactor.prescribed_depth, m, from 0 to 1: depth below the undeformed anvil at which the prescribed motion ends and holds. */
-    SOFTANVIL_PARAMETER_IMPACTOR_PRESCRIBED_DEPTH = 117,
+    SOFTANVIL_PARAMETER_IMPACTOR_PRESCRIBED_DEPTH = 17,
     /** impactor.prescribed_rise, s, from 0 to 100: time over which the prescribed speed rises at the start and falls at the end, smoothly; at most travel / speed. */
-    SOFTANVIL_PARAMETER_IMPACTOR_PRESCRIBED_RISE = 118,
-    /** measurement.channel_class, Hz, from 1 to 2000: channel frequency class (SAE J211, ISO 6487) of contact.force_filtered, such as 60, 180, 600 or 1000. */
-    SOFTANVIL_PARAMETER_MEASUREMENT_CHANNEL_CLASS = 119,
+    SOFTANVIL_PARAMETER_IMPACTOR_PRESCRIBED_RISE = 18,
+    /** layers.count, a whole number from 1 to 4: number of layers between core and face, layers[0] next to the core. */
+    SOFTANVIL_PARAMETER_LAYERS_COUNT = 19,
+    /** core.interface, a SoftanvilCoreInterface: how the layer sits on the core: glued, in contact with friction, or on rollers (neither lifts nor rubs). */
+    SOFTANVIL_PARAMETER_CORE_INTERFACE = 20,
+    /** core.friction_coefficient, from 0 to 10: Coulomb coefficient of a frictional core. */
+    SOFTANVIL_PARAMETER_CORE_FRICTION_COEFFICIENT = 21,
+    /** face.friction_coefficient, from 0 to 10: Coulomb coefficient under the impactor. */
+    SOFTANVIL_PARAMETER_FACE_FRICTION_COEFFICIENT = 22,
+    /** mesh.element_size, m, from 1e-5 to 0.1: edge length that the structured mesh aims at. */
+    SOFTANVIL_PARAMETER_MESH_ELEMENT_SIZE = 23,
+    /** time.step_by, a SoftanvilTimeStepBy: which of the next two states the time step. */
+    SOFTANVIL_PARAMETER_TIME_STEP_BY = 24,
+    /** time.safety_factor, from 0.01 to 1: fraction of the smallest stability limit that a trial of the scenario finds. */
+    SOFTANVIL_PARAMETER_TIME_SAFETY_FACTOR = 25,
+    /** time.step, s, from 1e-10 to 5e-5: requested step; the largest whole divisor of 50 us not above it is used. */
+    SOFTANVIL_PARAMETER_TIME_STEP = 26,
     /** time.design_compression, from 0.01 to 0.95: part of the layer's thickness that a driven face presses it by at most, for which the step is chosen. */
-    SOFTANVIL_PARAMETER_TIME_DESIGN_COMPRESSION = 120
+    SOFTANVIL_PARAMETER_TIME_DESIGN_COMPRESSION = 27,
+    /** time.duration, s, from 5e-5 to 100: simulated time of a run. */
+    SOFTANVIL_PARAMETER_TIME_DURATION = 28,
+    /** measurement.force_threshold, N, from 0 to 1e5: force that begins and ends the impact duration. */
+    SOFTANVIL_PARAMETER_MEASUREMENT_FORCE_THRESHOLD = 29,
+    /** measurement.channel_class, Hz, from 1 to 2000: channel frequency class (SAE J211, ISO 6487) of contact.force_filtered, such as 60, 180, 600 or 1000. */
+    SOFTANVIL_PARAMETER_MEASUREMENT_CHANNEL_CLASS = 30
 };
+
+/** Parameters of a layer, to be given to SOFTANVIL_PARAMETER_OF_LAYER: name, unit, legal range, meaning. */
+enum SoftanvilLayer {
+    /** layer.thickness, m, from 0 to 0.5: thickness at rest, at least 0.01 mm. */
+    SOFTANVIL_LAYER_THICKNESS = 0,
+    /** layer.rows, a whole number from 0 to 10000: rows of cells through the thickness; 0 takes as many as come nearest to mesh.element_size. */
+    SOFTANVIL_LAYER_ROWS = 1,
+    /** layer.density, kg/m3, from 10 to 20000: density. */
+    SOFTANVIL_LAYER_DENSITY = 2,
+    /** layer.law, a SoftanvilLayerLaw: isochoric hyperelastic law (mooney_rivlin has 2, 3 or 5 parameters, by coefficients of zero). */
+    SOFTANVIL_LAYER_LAW = 3,
+    /** layer.moduli, a SoftanvilLayerModuli: what the elastic coefficients are: after full relaxation, or before any. */
+    SOFTANVIL_LAYER_MODULI = 4,
+    /** layer.c10, Pa, from -1e9 to 1e9: coefficient of (I1 - 3) in all laws but ogden. */
+    SOFTANVIL_LAYER_C10 = 5,
+    /** layer.c01, Pa, from -1e9 to 1e9: mooney_rivlin coefficient of (I2 - 3). */
+    SOFTANVIL_LAYER_C01 = 6,
+    /** layer.c11, Pa, from -1e9 to 1e9: mooney_rivlin coefficient of (I1 - 3)(I2 - 3). */
+    SOFTANVIL_LAYER_C11 = 7,
+    /** layer.c20, Pa, from -1e9 to 1e9: mooney_rivlin and yeoh coefficient of (I1 - 3)^2. */
+    SOFTANVIL_LAYER_C20 = 8,
+    /** layer.c02, Pa, from -1e9 to 1e9: mooney_rivlin coefficient of (I2 - 3)^2. */
+    SOFTANVIL_LAYER_C02 = 9,
+    /** layer.c30, Pa, from -1e9 to 1e9: yeoh coefficient of (I1 - 3)^3. */
+    SOFTANVIL_LAYER_C30 = 10,
+    /** layer.ogden_mu_1, Pa, from -1e9 to 1e9: ogden coefficient, W = sum mu/alpha (l1^alpha + l2^alpha + l3^alpha - 3); 0 switches the term off. */
+    SOFTANVIL_LAYER_OGDEN_MU_1 = 11,
+    /** layer.ogden_alpha_1, from -30 to 30: ogden exponent; the shear modulus at rest is sum mu alpha / 2. */
+    SOFTANVIL_LAYER_OGDEN_ALPHA_1 = 12,
+    /** layer.ogden_mu_2, Pa, from -1e9 to 1e9: ogden coefficient, W = sum mu/alpha (l1^alpha + l2^alpha + l3^alpha - 3); 0 switches the term off. */
+    SOFTANVIL_LAYER_OGDEN_MU_2 = 13,
+    /** layer.ogden_alpha_2, from -30 to 30: ogden exponent; the shear modulus at rest is sum mu alpha / 2. */
+    SOFTANVIL_LAYER_OGDEN_ALPHA_2 = 14,
+    /** layer.ogden_mu_3, Pa, from -1e9 to 1e9: ogden coefficient, W = sum mu/alpha (l1^alpha + l2^alpha + l3^alpha - 3); 0 switches the term off. */
+    SOFTANVIL_LAYER_OGDEN_MU_3 = 15,
+    /** layer.ogden_alpha_3, from -30 to 30: ogden exponent; the shear modulus at rest is sum mu alpha / 2. */
+    SOFTANVIL_LAYER_OGDEN_ALPHA_3 = 16,
+    /** layer.volumetric_law, a SoftanvilLayerVolumetricLaw: energy of volume change: K/2 (J-1)^2, or K/4 (J^2 - 1 - 2 ln J), which no compression brings to J = 0. */
+    SOFTANVIL_LAYER_VOLUMETRIC_LAW = 17,
+    /** layer.volumetric_by, a SoftanvilLayerVolumetricBy: which of the next two states the compressibility. */
+    SOFTANVIL_LAYER_VOLUMETRIC_BY = 18,
+    /** layer.bulk_modulus, Pa, from 100 to 1e12: bulk modulus. */
+    SOFTANVIL_LAYER_BULK_MODULUS = 19,
+    /** layer.poissons_ratio, from 0 to 0.4999: Poisson's ratio of the long-term law. */
+    SOFTANVIL_LAYER_POISSONS_RATIO = 20,
+    /** layer.prony_g_1, from 0 to 0.9999: Prony coefficient, normalised on the instantaneous modulus; 0 switches the term off. */
+    SOFTANVIL_LAYER_PRONY_G_1 = 21,
+    /** layer.prony_tau_1, s, from 1e-7 to 1e6: relaxation time of the Prony term. */
+    SOFTANVIL_LAYER_PRONY_TAU_1 = 22,
+    /** layer.prony_g_2, from 0 to 0.9999: Prony coefficient, normalised on the instantaneous modulus; 0 switches the term off. */
+    SOFTANVIL_LAYER_PRONY_G_2 = 23,
+    /** layer.prony_tau_2, s, from 1e-7 to 1e6: relaxation time of the Prony term. */
+    SOFTANVIL_LAYER_PRONY_TAU_2 = 24,
+    /** layer.prony_g_3, from 0 to 0.9999: Prony coefficient, normalised on the instantaneous modulus; 0 switches the term off. */
+    SOFTANVIL_LAYER_PRONY_G_3 = 25,
+    /** layer.prony_tau_3, s, from 1e-7 to 1e6: relaxation time of the Prony term. */
+    SOFTANVIL_LAYER_PRONY_TAU_3 = 26,
+    /** layer.prony_g_4, from 0 to 0.9999: Prony coefficient, normalised on the instantaneous modulus; 0 switches the term off. */
+    SOFTANVIL_LAYER_PRONY_G_4 = 27,
+    /** layer.prony_tau_4, s, from 1e-7 to 1e6: relaxation time of the Prony term. */
+    SOFTANVIL_LAYER_PRONY_TAU_4 = 28,
+    /** layer.prony_g_5, from 0 to 0.9999: Prony coefficient, normalised on the instantaneous modulus; 0 switches the term off. */
+    SOFTANVIL_LAYER_PRONY_G_5 = 29,
+    /** layer.prony_tau_5, s, from 1e-7 to 1e6: relaxation time of the Prony term. */
+    SOFTANVIL_LAYER_PRONY_TAU_5 = 30,
+    /** layer.maxwell_g_1, Pa, from 0 to 1e11: shear modulus of an additive Maxwell term; 0 switches the term off. */
+    SOFTANVIL_LAYER_MAXWELL_G_1 = 31,
+    /** layer.maxwell_beta_1, 1/s, from 1e-6 to 1e7: decay constant of the Maxwell term, one over its relaxation time. */
+    SOFTANVIL_LAYER_MAXWELL_BETA_1 = 32,
+    /** layer.maxwell_g_2, Pa, from 0 to 1e11: shear modulus of an additive Maxwell term; 0 switches the term off. */
+    SOFTANVIL_LAYER_MAXWELL_G_2 = 33,
+    /** layer.maxwell_beta_2, 1/s, from 1e-6 to 1e7: decay constant of the Maxwell term, one over its relaxation time. */
+    SOFTANVIL_LAYER_MAXWELL_BETA_2 = 34,
+    /** layer.maxwell_g_3, Pa, from 0 to 1e11: shear modulus of an additive Maxwell term; 0 switches the term off. */
+    SOFTANVIL_LAYER_MAXWELL_G_3 = 35,
+    /** layer.maxwell_beta_3, 1/s, from 1e-6 to 1e7: decay constant of the Maxwell term, one over its relaxation time. */
+    SOFTANVIL_LAYER_MAXWELL_BETA_3 = 36,
+    /** layer.maxwell_g_4, Pa, from 0 to 1e11: shear modulus of an additive Maxwell term; 0 switches the term off. */
+    SOFTANVIL_LAYER_MAXWELL_G_4 = 37,
+    /** layer.maxwell_beta_4, 1/s, from 1e-6 to 1e7: decay constant of the Maxwell term, one over its relaxation time. */
+    SOFTANVIL_LAYER_MAXWELL_BETA_4 = 38,
+    /** layer.maxwell_g_5, Pa, from 0 to 1e11: shear modulus of an additive Maxwell term; 0 switches the term off. */
+    SOFTANVIL_LAYER_MAXWELL_G_5 = 39,
+    /** layer.maxwell_beta_5, 1/s, from 1e-6 to 1e7: decay constant of the Maxwell term, one over its relaxation time. */
+    SOFTANVIL_LAYER_MAXWELL_BETA_5 = 40,
+    /** layer.slider_stiffness, Pa, from 0 to 1e11: shear modulus G of the damping spring; 0 switches the spring-slider off. */
+    SOFTANVIL_LAYER_SLIDER_STIFFNESS = 41,
+    /** layer.slider_yield_stress, Pa, from 0 to 1e10: von Mises stress SIGF at which the slider slips. */
+    SOFTANVIL_LAYER_SLIDER_YIELD_STRESS = 42,
+    /** layer.tear_stretch, from 0 to 100: largest principal stretch at which the material begins to tear, at least 1; 0 switches tearing off. */
+    SOFTANVIL_LAYER_TEAR_STRETCH = 43,
+    /** layer.tear_width, from 0.001 to 10: stretch over which the deviatoric stress falls. */
+    SOFTANVIL_LAYER_TEAR_WIDTH = 44,
+    /** layer.tear_residual, from 0 to 1: part of the deviatoric stress that remains after the tear. */
+    SOFTANVIL_LAYER_TEAR_RESIDUAL = 45
+};
+
+/** Number of a parameter of a layer, 0 next to the core: SOFTANVIL_PARAMETER_OF_LAYER(1, SOFTANVIL_LAYER_C10). */
+#define SOFTANVIL_PARAMETER_OF_LAYER(layer, parameter) \
+    (SOFTANVIL_LAYERS_BEGIN + SOFTANVIL_LAYER_NUMBERS * (uint32_t)(layer) + (uint32_t)(parameter))
 
 /** geometry.shape: layer on a round core, or a flat block on a flat core. */
 enum SoftanvilGeometryShape {
@@ -478,6 +406,12 @@ enum SoftanvilGeometryShape {
 enum SoftanvilGeometryFormulation {
     SOFTANVIL_GEOMETRY_FORMULATION_PLANE_STRAIN = 0,
     SOFTANVIL_GEOMETRY_FORMULATION_AXISYMMETRIC = 1
+};
+
+/** geometry.section: half of the section with symmetry, or all of it. */
+enum SoftanvilGeometrySection {
+    SOFTANVIL_GEOMETRY_SECTION_HALF = 0,
+    SOFTANVIL_GEOMETRY_SECTION_FULL = 1
 };
 
 /** impactor.motion: a falling mass, a position given from outside with every call, or down at a speed to a depth and hold. */
@@ -494,18 +428,6 @@ enum SoftanvilImpactorDropBy {
     SOFTANVIL_IMPACTOR_DROP_BY_SPEED = 2
 };
 
-/** silicone.moduli: what the elastic coefficients are: after full relaxation, or before any. */
-enum SoftanvilSiliconeModuli {
-    SOFTANVIL_SILICONE_MODULI_LONG_TERM = 0,
-    SOFTANVIL_SILICONE_MODULI_INSTANTANEOUS = 1
-};
-
-/** silicone.volumetric_by: which of the next two states the compressibility. */
-enum SoftanvilSiliconeVolumetricBy {
-    SOFTANVIL_SILICONE_VOLUMETRIC_BY_BULK_MODULUS = 0,
-    SOFTANVIL_SILICONE_VOLUMETRIC_BY_POISSONS_RATIO = 1
-};
-
 /** core.interface: how the layer sits on the core: glued, in contact with friction, or on rollers (neither lifts nor rubs). */
 enum SoftanvilCoreInterface {
     SOFTANVIL_CORE_INTERFACE_BONDED = 0,
@@ -519,56 +441,30 @@ enum SoftanvilTimeStepBy {
     SOFTANVIL_TIME_STEP_BY_GIVEN = 1
 };
 
-/** geometry.layers: one material through the whole thickness (the study's simplification), or a skin of its own on the silicone. */
-enum SoftanvilGeometryLayers {
-    SOFTANVIL_GEOMETRY_LAYERS_ONE = 0,
-    SOFTANVIL_GEOMETRY_LAYERS_TWO = 1
+/** layer.law: isochoric hyperelastic law (mooney_rivlin has 2, 3 or 5 parameters, by coefficients of zero). */
+enum SoftanvilLayerLaw {
+    SOFTANVIL_LAYER_LAW_NEO_HOOKEAN = 0,
+    SOFTANVIL_LAYER_LAW_MOONEY_RIVLIN = 1,
+    SOFTANVIL_LAYER_LAW_YEOH = 2,
+    SOFTANVIL_LAYER_LAW_OGDEN = 3
 };
 
-/** geometry.section: half of the section with symmetry, or all of it. */
-enum SoftanvilGeometrySection {
-    SOFTANVIL_GEOMETRY_SECTION_HALF = 0,
-    SOFTANVIL_GEOMETRY_SECTION_FULL = 1
+/** layer.moduli: what the elastic coefficients are: after full relaxation, or before any. */
+enum SoftanvilLayerModuli {
+    SOFTANVIL_LAYER_MODULI_LONG_TERM = 0,
+    SOFTANVIL_LAYER_MODULI_INSTANTANEOUS = 1
 };
 
-/** silicone.law: isochoric hyperelastic law (mooney_rivlin has 2, 3 or 5 parameters, by coefficients of zero). */
-enum SoftanvilSiliconeLaw {
-    SOFTANVIL_SILICONE_LAW_NEO_HOOKEAN = 0,
-    SOFTANVIL_SILICONE_LAW_MOONEY_RIVLIN = 1,
-    SOFTANVIL_SILICONE_LAW_YEOH = 2,
-    SOFTANVIL_SILICONE_LAW_OGDEN = 3
+/** layer.volumetric_law: energy of volume change: K/2 (J-1)^2, or K/4 (J^2 - 1 - 2 ln J), which no compression brings to J = 0. */
+enum SoftanvilLayerVolumetricLaw {
+    SOFTANVIL_LAYER_VOLUMETRIC_LAW_QUADRATIC = 0,
+    SOFTANVIL_LAYER_VOLUMETRIC_LAW_SIMO = 1
 };
 
-/** silicone.volumetric_law: energy of volume change: K/2 (J-1)^2, or K/4 (J^2 - 1 - 2 ln J), which no compression brings to J = 0. */
-enum SoftanvilSiliconeVolumetricLaw {
-    SOFTANVIL_SILICONE_VOLUMETRIC_LAW_QUADRATIC = 0,
-    SOFTANVIL_SILICONE_VOLUMETRIC_LAW_SIMO = 1
-};
-
-/** skin.law: isochoric hyperelastic law (mooney_rivlin has 2, 3 or 5 parameters, by coefficients of zero). */
-enum SoftanvilSkinLaw {
-    SOFTANVIL_SKIN_LAW_NEO_HOOKEAN = 0,
-    SOFTANVIL_SKIN_LAW_MOONEY_RIVLIN = 1,
-    SOFTANVIL_SKIN_LAW_YEOH = 2,
-    SOFTANVIL_SKIN_LAW_OGDEN = 3
-};
-
-/** skin.moduli: what the elastic coefficients are: after full relaxation, or before any. */
-enum SoftanvilSkinModuli {
-    SOFTANVIL_SKIN_MODULI_LONG_TERM = 0,
-    SOFTANVIL_SKIN_MODULI_INSTANTANEOUS = 1
-};
-
-/** skin.volumetric_law: energy of volume change: K/2 (J-1)^2, or K/4 (J^2 - 1 - 2 ln J), which no compression brings to J = 0. */
-enum SoftanvilSkinVolumetricLaw {
-    SOFTANVIL_SKIN_VOLUMETRIC_LAW_QUADRATIC = 0,
-    SOFTANVIL_SKIN_VOLUMETRIC_LAW_SIMO = 1
-};
-
-/** skin.volumetric_by: which of the next two states the compressibility. */
-enum SoftanvilSkinVolumetricBy {
-    SOFTANVIL_SKIN_VOLUMETRIC_BY_BULK_MODULUS = 0,
-    SOFTANVIL_SKIN_VOLUMETRIC_BY_POISSONS_RATIO = 1
+/** layer.volumetric_by: which of the next two states the compressibility. */
+enum SoftanvilLayerVolumetricBy {
+    SOFTANVIL_LAYER_VOLUMETRIC_BY_BULK_MODULUS = 0,
+    SOFTANVIL_LAYER_VOLUMETRIC_BY_POISSONS_RATIO = 1
 };
 
 /** Outputs of a simulation: name, unit, meaning. */
@@ -678,10 +574,14 @@ enum SoftanvilField {
 
 /** One row of the table of parameters. */
 typedef struct SoftanvilParameterInfo {
-    /** Its number, a `SoftanvilParameter`. */
+    /** Its number: a `SoftanvilParameter`, or SOFTANVIL_PARAMETER_OF_LAYER of a layer and a `SoftanvilLayer`. */
     uint32_t id;
-    /** Number of choices, numbered from 0; 0 for a physical quantity. */
+    /** Number of choices, numbered from 0; 0 for a number. */
     uint32_t choices;
+    /** 1 if the value is a whole number, 0 if not. */
+    uint32_t is_whole;
+    /** The layer that it belongs to, 0 next to the core; SOFTANVIL_NONE if it belongs to none. */
+    uint32_t layer;
     /** Smallest legal value. */
     double min;
     /** Largest legal value. */
@@ -712,8 +612,22 @@ typedef struct SoftanvilOutputInfo {
     char description[SOFTANVIL_DESCRIPTION_SIZE];
 } SoftanvilOutputInfo;
 
-/** Number of parameters of the library that is running; their numbers are 0 to this less one. */
+/**
+ * Number of parameters of the library that is running, those of all layers that there can be included. Their numbers have
+ * gaps: `softanvil_parameter_at` tells them.
+ */
 uint32_t softanvil_parameter_count(void);
+
+/**
+ * Tells the number of a parameter by its place in the table: what belongs to the test, then what belongs to each layer from
+ * the core to the surface, then the rest.
+ *
+ * @param place Place, 0 to `softanvil_parameter_count()` less one.
+ * @param parameter Its number.
+ * @return NULL_POINTER, MISALIGNED, UNKNOWN_ID.
+ */
+SoftanvilStatus softanvil_parameter_at(uint32_t place,
+                                       uint32_t *parameter);
 
 /** Outputs are numbered from 0 to this less one in the library that is running; a retired number is refused. */
 uint32_t softanvil_output_count(void);
@@ -769,8 +683,17 @@ SoftanvilStatus softanvil_output_info(uint32_t output, SoftanvilOutputInfo *info
 /* Scenario                                                                                                         */
 /* ================================================================================================================ */
 
+/** Most layers between core and face. */
+#define SOFTANVIL_MAX_LAYERS 4
+
+/** Numbers for parameters that belong to no layer, those of future versions included: the layers' begin here. */
+#define SOFTANVIL_LAYERS_BEGIN 64
+
+/** Numbers for the parameters of a layer, those of future versions included. */
+#define SOFTANVIL_LAYER_NUMBERS 80
+
 /** Room for parameters in a `SoftanvilScenario`, those of future versions included. */
-#define SOFTANVIL_PARAMETER_SLOTS 256
+#define SOFTANVIL_PARAMETER_SLOTS 384
 
 /**
  * Description of a drop test. It always comes from `softanvil_scenario_default`; its values may then be changed by
@@ -779,8 +702,11 @@ SoftanvilStatus softanvil_output_info(uint32_t output, SoftanvilOutputInfo *info
  * What differs from the preset counts as said. Of values that state the same thing (drop height, energy and speed; bulk
  * modulus and Poisson's ratio; time step and safety factor) the one that is said decides; two of them are refused, and so
  * is a value that has no effect beside the others. With another law than the preset's, coefficients that still have the
- * preset's value are 0: those of the law, Prony and Maxwell terms, the slider and tearing. Another number of layers needs
- * the thickness of the silicone as well.
+ * preset's value are 0: those of the law, Prony and Maxwell terms, the slider and tearing.
+ *
+ * `layers.count` (SOFTANVIL_PARAMETER_LAYERS_COUNT) says how many layers there are, layer 0 next to the core. Values of layers
+ * that are not there have no effect. A layer that the preset does not have needs a thickness, and is else a plain elastic
+ * silicone.
  */
 typedef struct SoftanvilScenario {
     /** Tells an initialised scenario; do not change. */
@@ -789,9 +715,16 @@ typedef struct SoftanvilScenario {
     uint32_t struct_size;
     /** The `SoftanvilPreset` that it came from; do not change. */
     uint32_t preset;
-    /** Slots of `value` in use; do not change. A library with more parameters takes the preset's values for the rest. */
+    /**
+     * Numbers in use of parameters that belong to no layer; do not change. A library with more parameters takes the preset's
+     * values for the rest.
+     */
     uint32_t count;
-    /** Value of every parameter, SI, at the place of its `SoftanvilParameter`; a choice as its number. The rest is 0. */
+    /** Numbers in use of the parameters of a layer, likewise; do not change. */
+    uint32_t layer_count;
+    /** Always 0. */
+    uint32_t reserved_word;
+    /** Value of every parameter, SI, at the place of its number; a choice as its number. The rest is 0. */
     double value[SOFTANVIL_PARAMETER_SLOTS];
 } SoftanvilScenario;
 
@@ -809,7 +742,7 @@ SoftanvilStatus softanvil_scenario_default(uint32_t preset, SoftanvilScenario *s
  * `softanvil_memory_size` and `softanvil_init`.
  *
  * @param scenario The scenario to change.
- * @param parameter A `SoftanvilParameter`.
+ * @param parameter A `SoftanvilParameter`, or SOFTANVIL_PARAMETER_OF_LAYER of a layer and a `SoftanvilLayer`.
  * @param value Value in the parameter's SI unit; a choice as its number.
  * @param error Details of a failure, or NULL.
  * @return NULL_POINTER, MISALIGNED, UNINITIALISED, UNKNOWN_ID, ILLEGAL_VALUE.
@@ -823,7 +756,7 @@ SoftanvilStatus softanvil_scenario_set(SoftanvilScenario *scenario,
  * As `softanvil_scenario_set`, by the parameter's name.
  *
  * @param scenario The scenario to change.
- * @param name Name, such as "impactor.mass".
+ * @param name Name, such as "impactor.mass" or "layers[0].c10".
  * @param value Value in the parameter's SI unit; a choice as its number.
  * @param error Details of a failure, or NULL.
  * @return NULL_POINTER, MISALIGNED, UNINITIALISED, UNKNOWN_NAME, ILLEGAL_VALUE.
@@ -837,7 +770,7 @@ SoftanvilStatus softanvil_scenario_set_by_name(SoftanvilScenario *scenario,
  * Reads a parameter.
  *
  * @param scenario The scenario.
- * @param parameter A `SoftanvilParameter`.
+ * @param parameter A `SoftanvilParameter`, or SOFTANVIL_PARAMETER_OF_LAYER of a layer and a `SoftanvilLayer`.
  * @param value Value in the parameter's SI unit; a choice as its number.
  * @return NULL_POINTER, MISALIGNED, UNINITIALISED, UNKNOWN_ID.
  */
@@ -849,7 +782,7 @@ SoftanvilStatus softanvil_scenario_get(const SoftanvilScenario *scenario,
  * As `softanvil_scenario_get`, by the parameter's name.
  *
  * @param scenario The scenario.
- * @param name Name, such as "impactor.mass".
+ * @param name Name, such as "impactor.mass" or "layers[0].c10".
  * @param value Value in the parameter's SI unit; a choice as its number.
  * @return NULL_POINTER, MISALIGNED, UNINITIALISED, UNKNOWN_NAME.
  */
@@ -1169,7 +1102,7 @@ typedef struct SoftanvilView {
     size_t reserved[3];
 } SoftanvilView;
 
-/** Number of fields of the library that is running; their numbers are 0 to this less one. */
+/** Fields are numbered from 0 to this less one in the library that is running; a retired number is refused. */
 uint32_t softanvil_field_count(void);
 
 /**

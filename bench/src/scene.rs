@@ -22,7 +22,7 @@ pub fn tiny() -> Scenario {
 /// The study's drop with other material.
 pub fn with_material(material: Material) -> Scenario {
     let mut scenario = preset::study();
-    scenario.silicone = material;
+    scenario.layers[0].material = material;
     scenario
 }
 
@@ -34,7 +34,7 @@ fn bare() -> Material {
         prony_g: [0.0; 5],
         slider_stiffness: 0.0,
         slider_yield_stress: 0.0,
-        ..preset::study().silicone
+        ..preset::study().layers[0].material
     }
 }
 

@@ -5,9 +5,9 @@
 
 use std::path::{Path, PathBuf};
 
-use softanvil::c_api::ids::{FIELD_BY_ID, OUTPUT_BY_ID, PARAMETER_BY_ID, PRESET_BY_ID};
-use softanvil_kernel::Parameter;
 use softanvil_kernel::parameter::Kind;
+use softanvil_kernel::preset::PRESETS;
+use softanvil_kernel::{FIELDS, OUTPUTS, Parameter};
 
 #[test]
 fn the_committed_header_is_what_the_sources_say() {
@@ -110,37 +110,70 @@ fn numbers() -> String {
     let mut text = enumeration(
         "SoftanvilPreset",
         "Ready-made scenarios.",
-        &PRESET_BY_ID.each_ref().map(|row| (row.name, row.description.to_owned())),
+        &PRESETS.iter().map(|row| (row.id, row.name.to_owned(), row.description.to_owned())).collect::<Vec<_>>(),
     );
-    let parameters = PARAMETER_BY_ID.map(|row| (row.name, parameter_text(row)));
-    text +=
-        &enumeration("SoftanvilParameter", "Parameters of a scenario: name, unit, legal range, meaning.", &parameters);
-    for row in PARAMETER_BY_ID {
-        if let Kind::Choice { labels, .. } = row.kind {
-            let variants: Vec<_> = labels.iter().map(|label| (*label, String::new())).collect();
-            text += &enumeration(&type_name(row.name), &format!("{}: {}.", row.name, row.description), &variants);
+    let test: Vec<_> = Parameter::all().filter(|parameter| parameter.layer().is_none()).collect();
+    let layer: Vec<_> = Parameter::of_layer(0).collect();
+    let about = "Parameters that belong to no layer: name, unit, legal range, meaning.";
+    text += &enumeration("SoftanvilParameter", about, &test.iter().map(parameter).collect::<Vec<_>>());
+    let about = "Parameters of a layer, to be given to SOFTANVIL_PARAMETER_OF_LAYER: name, unit, legal range, meaning.";
+    text += &enumeration("SoftanvilLayer", about, &layer.iter().map(parameter).collect::<Vec<_>>());
+    text += OF_LAYER;
+    for parameter in test.iter().chain(&layer) {
+        let labels = parameter.labels();
+        if !labels.is_empty() {
+            let about = format!("{}: {}.", short_name(parameter), parameter.description());
+            text += &enumeration(&type_name(&short_name(parameter)), &about, &numbered(labels));
         }
     }
-    let outputs = OUTPUT_BY_ID.map(|row| match row {
-        Some(row) => (row.name, format!("{}{}: {}.", row.name, unit(row.unit), row.description)),
-        None => ("", String::new()),
-    });
+    let outputs: Vec<_> = OUTPUTS
+        .iter()
+        .map(|row| (row.id, row.name.to_owned(), format!("{}{}: {}.", row.name, unit(row.unit), row.description)))
+        .collect();
     text += &enumeration("SoftanvilOutput", "Outputs of a simulation: name, unit, meaning.", &outputs);
-    let fields = FIELD_BY_ID.map(|row| {
-        let components = if row.components == 1 { String::new() } else { format!(", {} components", row.components) };
-        (row.name, format!("{}{}{components}: {}.", row.name, unit(row.unit), row.description))
-    });
+    let fields: Vec<_> = FIELDS
+        .iter()
+        .map(|row| {
+            let components =
+                if row.components == 1 { String::new() } else { format!(", {} components", row.components) };
+            let about = format!("{}{}{components}: {}.", row.name, unit(row.unit), row.description);
+            (row.id, row.name.to_owned(), about)
+        })
+        .collect();
     text + &enumeration("SoftanvilField", "Fields of a simulation: name, unit, components, meaning.", &fields)
 }
 
-fn parameter_text(row: &Parameter) -> String {
-    let Parameter { name, description, .. } = row;
-    match row.kind {
-        Kind::Real { min, max, .. } => {
-            format!("{name}{}, from {} to {}: {description}.", unit(row.unit()), number(min), number(max))
+const OF_LAYER: &str = "
+/** Number of a parameter of a layer, 0 next to the core: SOFTANVIL_PARAMETER_OF_LAYER(1, SOFTANVIL_LAYER_C10). */
+#define SOFTANVIL_PARAMETER_OF_LAYER(layer, parameter) \\
+    (SOFTANVIL_LAYERS_BEGIN + SOFTANVIL_LAYER_NUMBERS * (uint32_t)(layer) + (uint32_t)(parameter))
+";
+
+/// A row of an enumeration: number, name, meaning.
+type Row = (u32, String, String);
+
+fn numbered(labels: &[&str]) -> Vec<Row> {
+    (0..).zip(labels).map(|(number, label)| (number, (*label).to_owned(), String::new())).collect()
+}
+
+/// Name of a parameter; of a layer's "layer.field", whatever the layer.
+fn short_name(parameter: &Parameter) -> String {
+    let name = parameter.name();
+    if name.layer().is_some() { format!("layer.{}", name.field()) } else { name.to_string() }
+}
+
+fn parameter(parameter: &Parameter) -> Row {
+    let (name, description) = (short_name(parameter), parameter.description());
+    let (min, max) = parameter.range();
+    let meaning = match parameter.kind() {
+        Kind::Quantity => {
+            format!("{name}{}, from {} to {}: {description}.", unit(parameter.unit()), number(min), number(max))
         }
-        Kind::Choice { .. } => format!("{name}, a {}: {description}.", type_name(name)),
-    }
+        Kind::Count => format!("{name}, a whole number from {min} to {max}: {description}."),
+        Kind::Choice { .. } => format!("{name}, a {}: {description}.", type_name(&name)),
+    };
+    let name = parameter.layer().map_or(name, |_| parameter.name().field().to_owned());
+    (parameter.id(), name, meaning)
 }
 
 /// Short for very large and very small numbers.
@@ -159,19 +192,20 @@ fn type_name(name: &str) -> String {
     format!("Softanvil{}", words.collect::<String>())
 }
 
-/// A C enumeration with explicit numbers in the order of `rows`, each with a comment.
-fn enumeration(name: &str, about: &str, rows: &[(&str, String)]) -> String {
+/// A C enumeration of `rows` with their numbers, each with a comment.
+fn enumeration(name: &str, about: &str, rows: &[Row]) -> String {
     let prefix = name.chars().fold(String::new(), |text, c| match c {
         c if c.is_uppercase() && !text.is_empty() => format!("{text}_{c}"),
         c => text + &c.to_uppercase().to_string(),
     });
+    let mut rows = rows.to_vec();
+    rows.sort_by_key(|(number, ..)| *number);
     let mut text = format!("\n/** {about} */\nenum {name} {{\n");
-    // A retired number has no name.
-    for (number, (row, meaning)) in rows.iter().enumerate().filter(|(_, (row, _))| !row.is_empty()) {
+    for (place, (number, row, meaning)) in rows.iter().enumerate() {
         if !meaning.is_empty() {
             text += &format!("    /** {meaning} */\n");
         }
-        let comma = if number + 1 < rows.len() { "," } else { "" };
+        let comma = if place + 1 < rows.len() { "," } else { "" };
         text += &format!("    {prefix}_{} = {number}{comma}\n", row.replace(['.', '-'], "_").to_uppercase());
     }
     text + "};\n"

@@ -9,7 +9,6 @@ use std::ptr::{null, null_mut};
 use softanvil::c_api::error::SoftanvilError;
 use softanvil::c_api::fields::*;
 use softanvil::c_api::header::SoftanvilSimulation;
-use softanvil::c_api::ids::{OUTPUT_BY_ID, PARAMETER_BY_ID};
 use softanvil::c_api::library::{softanvil_status_text, softanvil_version, softanvil_version_text};
 use softanvil::c_api::scenario::*;
 use softanvil::c_api::simulation::*;
@@ -17,7 +16,12 @@ use softanvil::c_api::snapshot::*;
 use softanvil::c_api::status::SoftanvilStatus as Status;
 use softanvil::c_api::tables::*;
 use softanvil::c_api::trace::softanvil_run_traced;
-use softanvil_kernel::{Simulation, StepInput, preset};
+use softanvil_kernel::parameter::Kind;
+use softanvil_kernel::result::{RETIRED_FIELDS, RETIRED_OUTPUTS};
+use softanvil_kernel::{FIELDS, OUTPUTS, Parameter, Simulation, StepInput, preset};
+
+/// Number of impactor.mass.
+const MASS: u32 = 7;
 
 /// Samples that a run takes: few where an interpreter checks every access.
 const SAMPLES: usize = if cfg!(miri) { 1 } else { 20 };
@@ -128,10 +132,10 @@ fn an_error_is_written_whole_and_a_success_leaves_it_alone() {
     let mut error = MaybeUninit::<SoftanvilError>::uninit();
     // SAFETY: valid for writes; read only after a failure has written it.
     let error = unsafe {
-        let status = softanvil_scenario_set(&mut scenario, 8, f64::NAN, error.as_mut_ptr());
+        let status = softanvil_scenario_set(&mut scenario, MASS, f64::NAN, error.as_mut_ptr());
         assert_eq!(status, Status::IllegalValue);
         let before = error.assume_init();
-        assert_eq!(softanvil_scenario_set(&mut scenario, 8, 6.0, error.as_mut_ptr()), Status::Ok);
+        assert_eq!(softanvil_scenario_set(&mut scenario, MASS, 6.0, error.as_mut_ptr()), Status::Ok);
         let after = error.assume_init();
         assert_eq!(before.text, after.text);
         after
@@ -139,30 +143,48 @@ fn an_error_is_written_whole_and_a_success_leaves_it_alone() {
     // SAFETY: the library ends it with a NUL.
     let text = unsafe { CStr::from_ptr(error.text.as_ptr()) }.to_str().unwrap();
     assert_eq!(text, "impactor.mass = NaN kg is refused: expected 0.001 to 10000 kg");
-    assert_eq!((error.status, error.parameter, error.min, error.max), (200, 8, 1e-3, 1e4));
+    assert_eq!((error.status, error.parameter, error.min, error.max), (200, MASS, 1e-3, 1e4));
     assert!(error.value.is_nan() && error.time.is_nan());
 }
 
 #[test]
 fn every_row_of_the_tables_fits_and_is_found() {
-    for (id, row) in (0..).zip(PARAMETER_BY_ID) {
+    let mut numbers = Vec::new();
+    for (place, parameter) in (0..softanvil_parameter_count()).zip(Parameter::all()) {
         let mut info = MaybeUninit::<SoftanvilParameterInfo>::uninit();
-        let mut found = u32::MAX;
+        let (mut id, mut found) = (u32::MAX, u32::MAX);
         // SAFETY: valid for writes; read after success.
         let info = unsafe {
-            assert_eq!(softanvil_parameter_info(id, info.as_mut_ptr()), Status::Ok, "{}", row.name);
+            assert_eq!(softanvil_parameter_at(place, &mut id), Status::Ok);
+            assert_eq!(softanvil_parameter_info(id, info.as_mut_ptr()), Status::Ok, "{}", parameter.name());
             assert_eq!(softanvil_parameter_find((*info.as_ptr()).name.as_ptr(), &mut found), Status::Ok);
             info.assume_init()
         };
-        assert_eq!((found, info.id, (info.min, info.max)), (id, id, row.range()));
-        assert_eq!(text(&info.description), row.description);
-        assert_eq!(text(&info.unit), row.unit());
+        assert_eq!((found, info.id, (info.min, info.max)), (id, id, parameter.range()));
+        assert_eq!(parameter.name(), text(&info.name));
+        assert_eq!(text(&info.description), parameter.description());
+        assert_eq!(text(&info.unit), parameter.unit());
+        assert_eq!(info.choices as usize, parameter.labels().len());
+        assert_eq!(info.is_whole == 1, parameter.kind() != Kind::Quantity);
+        assert_eq!(info.layer, parameter.layer().map_or(u32::MAX, |layer| layer as u32));
+        numbers.push(id);
     }
-    for (id, row) in (0..).zip(OUTPUT_BY_ID) {
-        let Some(row) = row else {
+    assert_eq!(numbers.len(), Parameter::COUNT);
+    let mut id = 0;
+    // SAFETY: valid for writes.
+    unsafe {
+        assert_eq!(softanvil_parameter_at(softanvil_parameter_count(), &mut id), Status::UnknownId);
+        for gap in (0..500).filter(|number| !numbers.contains(number)) {
+            let status = softanvil_parameter_info(gap, MaybeUninit::uninit().as_mut_ptr());
+            assert_eq!(status, Status::UnknownId, "{gap}");
+        }
+    }
+    for id in 0..softanvil_output_count() {
+        let Some(row) = OUTPUTS.iter().find(|row| row.id == id) else {
             // SAFETY: valid for writes.
             let status = unsafe { softanvil_output_info(id, MaybeUninit::uninit().as_mut_ptr()) };
             assert_eq!(status, Status::UnknownId, "the retired {id}");
+            assert!(RETIRED_OUTPUTS.contains(&id));
             continue;
         };
         let mut info = MaybeUninit::<SoftanvilOutputInfo>::uninit();
@@ -175,6 +197,55 @@ fn every_row_of_the_tables_fits_and_is_found() {
         };
         assert_eq!((found, text(&info.description), text(&info.unit)), (id, row.description, row.unit));
     }
+}
+
+#[test]
+fn numbers_of_rows_are_unique_and_none_is_retired() {
+    fn check(ids: impl Iterator<Item = u32> + Clone, retired: &[u32]) {
+        for (i, id) in ids.clone().enumerate() {
+            assert!(ids.clone().take(i).all(|other| other != id) && !retired.contains(&id), "{id}");
+        }
+    }
+    check(OUTPUTS.iter().map(|row| row.id), RETIRED_OUTPUTS);
+    check(FIELDS.iter().map(|row| row.id), RETIRED_FIELDS);
+    check(preset::PRESETS.iter().map(|row| row.id), preset::RETIRED);
+}
+
+/// Three layers, said in any order and one of them by its number: the same simulation as the kernel's own.
+#[test]
+fn layers_are_said_by_number_or_name() {
+    let mut scenario = coarse();
+    let thickness = SOFTANVIL_LAYERS_BEGIN + SOFTANVIL_LAYER_NUMBERS * 2;
+    let mut error = MaybeUninit::<SoftanvilError>::zeroed();
+    // SAFETY: valid for writes; zeroed.
+    unsafe {
+        for (name, value) in [(c"layers[1].thickness", 2e-3), (c"layers[1].c10", 3e5), (c"layers.count", 3.0)] {
+            assert_eq!(softanvil_scenario_set_by_name(&mut scenario, name.as_ptr(), value, null_mut()), Status::Ok);
+        }
+        let (mut size, mut alignment) = (0, 0);
+        let status = softanvil_memory_size(&scenario, &mut size, &mut alignment, error.as_mut_ptr());
+        assert_eq!((status, error.assume_init().parameter), (Status::LayerThickness, thickness));
+        let refused = "layers[2].thickness = 0 m is refused: expected at least 0.00001 m";
+        assert_eq!(text(&error.assume_init().text), refused);
+        assert_eq!(softanvil_scenario_set(&mut scenario, thickness, 1e-3, null_mut()), Status::Ok);
+    }
+    let mut kernel = preset::study();
+    kernel.mesh.element_size = 7e-3;
+    kernel.set_layer_count(3);
+    (kernel.layers[1].thickness, kernel.layers[1].material.c10) = (2e-3, 3e5);
+    kernel.layers[2].thickness = 1e-3;
+    let mut own = Simulation::new(&kernel).unwrap();
+    own.run(DURATION, &StepInput::default()).unwrap();
+    let (size, alignment) = size(&scenario);
+    let block = Block::new(size, alignment);
+    let simulation = build(&block, &scenario);
+    let mut hash = 0;
+    // SAFETY: the simulation lives in its block.
+    unsafe {
+        assert_eq!(softanvil_run(simulation, DURATION, null(), null_mut()), Status::Ok);
+        assert_eq!(softanvil_trace_hash(simulation, &mut hash), Status::Ok);
+    }
+    assert_eq!(hash, own.scalars().sampler.trace_hash);
 }
 
 fn text(characters: &[std::ffi::c_char]) -> &str {

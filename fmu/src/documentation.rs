@@ -41,11 +41,12 @@ fn row(variable: &Variable) -> String {
         ),
         ValueType::Array { unit } => (unit, None),
         ValueType::Size { range: (min, max) } => ("", Some(format!("{min} to {max}"))),
-        ValueType::Integer | ValueType::Boolean | ValueType::String => ("", None),
+        ValueType::Integer { range: Some((min, max)) } => ("", Some(format!("{min} to {max}"))),
+        ValueType::Integer { range: None } | ValueType::Boolean | ValueType::String => ("", None),
     };
     let cells = [
         variable.reference.to_string(),
-        format!("<code>{}</code>", escape(variable.name)),
+        format!("<code>{}</code>", escape(&variable.name.to_string())),
         escape(unit),
         variable.start().map(|start| format!("{start:?}")).unwrap_or_default(),
         escape(&legal.unwrap_or_default()),

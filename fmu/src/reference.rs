@@ -48,7 +48,9 @@ pub fn results() -> Result<Vec<u8>, Error> {
     let table = Table::new();
     let outputs: Vec<_> = table.rows().iter().filter(|v| matches!(v.source, Source::Output(_))).collect();
     let mut csv = csv::Writer::from_writer(Vec::new());
-    csv.write_record(std::iter::once("time").chain(outputs.iter().map(|variable| variable.name)))?;
+    csv.write_record(
+        std::iter::once("time".to_owned()).chain(outputs.iter().map(|variable| variable.name.to_string())),
+    )?;
     let mut instance = Instance::new(Version::Fmi3);
     instance.enter_initialization();
     instance.exit_initialization()?;

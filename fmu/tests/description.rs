@@ -49,7 +49,7 @@ fn the_variables_are_those_of_the_table_in_its_order() {
     for version in VERSIONS {
         let names: Vec<_> = variables(version).iter().map(|variable| variable["name"].clone()).collect();
         let table = Table::new();
-        let expected: Vec<_> = table.rows().iter().filter(|v| v.is_in(version)).map(|v| v.name.to_owned()).collect();
+        let expected: Vec<_> = table.rows().iter().filter(|v| v.is_in(version)).map(|v| v.name.to_string()).collect();
         assert_eq!(names, expected);
     }
 }

@@ -43,7 +43,7 @@ impl Coefficients {
         let legal = channel_class > 0.0 && channel_class <= largest * (1.0 + real::SAME) && interval > 0.0;
         if !legal {
             let (value, max) = (channel_class, largest);
-            return Err(ParameterError { name: "channel frequency class", value, unit: "Hz", min: 0.0, max });
+            return Err(ParameterError { name: "channel frequency class".into(), value, unit: "Hz", min: 0.0, max });
         }
         let half_angle = PI * channel_class * DESIGN_RATIO * interval;
         let w = math::sin(half_angle) / math::cos(half_angle);

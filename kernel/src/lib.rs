@@ -11,7 +11,7 @@
 //! 6. [`state`] is everything that changes: nodes, histories, energies, measured numbers, and their snapshot.
 //! 7. [`impactor`] is the motion of the face; [`model`] everything that does not change.
 //! 8. [`element`] gives the forces of the cells, [`mesh`] their places.
-//! 9. [`scenario`] describes a test: [`parameter`] is the table of its parameters, [`preset`] ready-made ones.
+//! 9. [`scenario`] describes a test: [`parameter`] has the tables of its parameters, [`preset`] ready-made ones.
 //! 10. [`material`] has the laws, a file each, over the strains of [`tensor`].
 //! 11. [`error`], [`cfc`], [`sampling`], and the ground, [`number`]: mathematics with a fixed sequence of operations, and
 //!     vectors of neighbours.
@@ -57,7 +57,7 @@ pub use model::{Constants, Model, ModelMemory, Size};
 pub use number::instruction_set::InstructionSet;
 pub use result::{FIELDS, Field, OUTPUTS, Output};
 pub use sampling::SAMPLING_INTERVAL;
-pub use scenario::parameter::{Changes, PARAMETERS, Parameter};
+pub use scenario::parameter::{Changes, Parameter};
 pub use scenario::{Scenario, parameter, preset};
 #[cfg(feature = "alloc")]
 pub use simulation::Simulation;

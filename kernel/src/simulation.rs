@@ -128,7 +128,7 @@ impl Simulation {
     /// As [`Simulation::step`], and a duration that is no legal `time.duration`.
     pub fn run(&mut self, duration: Real, input: &StepInput) -> Result<(), StepError> {
         let time = self.time();
-        let legal = Parameter::find("time.duration").map_or(Ok(()), |row| row.check(duration));
+        let legal = Parameter::find("time.duration").map_or(Ok(()), |parameter| parameter.check(duration));
         legal.map_err(|error| StepError::Input { error, time })?;
         self.step(self.constants.steps_in(duration), input)
     }

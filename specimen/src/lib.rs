@@ -11,7 +11,7 @@
 //! ```
 //! use softanvil_specimen::{Compression, compress};
 //!
-//! let material = softanvil_kernel::preset::study().silicone;
+//! let material = softanvil_kernel::preset::study().layers[0].material;
 //! let curve = compress(&material, &Compression { strain: 0.1, ..Compression::study(0.67) })?;
 //! let end = curve.last().unwrap();
 //! println!("{:.3} at {:.0} Pa after {:.3} s", end.strain, end.stress, end.time);
@@ -23,7 +23,7 @@ mod rig;
 pub mod timescale;
 
 use softanvil_kernel::material::Material;
-use softanvil_kernel::scenario::{DropBy, Formulation, Interface, Layers, Motion, Scenario, Section, Shape, StepBy};
+use softanvil_kernel::scenario::{DropBy, Formulation, Interface, Motion, Scenario, Section, Shape, StepBy};
 use softanvil_kernel::{ModelError, SAMPLING_INTERVAL, StepError, preset};
 
 use crate::rig::Rig;
@@ -47,8 +47,8 @@ pub enum Ends {
 /// use softanvil_specimen::{Compression, Ends, compress};
 ///
 /// let test = Compression { strain: 0.05, ..Compression::study(0.67) };
-/// let free = compress(&preset::elastic().silicone, &test)?;
-/// let bonded = compress(&preset::elastic().silicone, &Compression { ends: Ends::Bonded, cells: 8, ..test })?;
+/// let free = compress(&preset::elastic().layers[0].material, &test)?;
+/// let bonded = compress(&preset::elastic().layers[0].material, &Compression { ends: Ends::Bonded, cells: 8, ..test })?;
 /// // Ends that stick make the specimen bulge, which makes it stiffer.
 /// assert!(bonded.last().unwrap().stress > 1.1 * free.last().unwrap().stress);
 /// # Ok::<(), softanvil_specimen::Error>(())
@@ -137,7 +137,7 @@ impl Compression {
 /// use softanvil_kernel::preset;
 /// use softanvil_specimen::{Compression, Point, compress};
 ///
-/// let silicone = preset::elastic().silicone;
+/// let silicone = preset::elastic().layers[0].material;
 /// let curve = compress(&silicone, &Compression { strain: 0.05, ..Compression::study(0.67) })?;
 /// let Point { time, strain, stress } = *curve.last().unwrap();
 /// assert!((time / (0.05 / 0.67) - 1.0).abs() < 0.1 && (strain - 0.05).abs() < 1e-4);
@@ -162,7 +162,7 @@ pub struct Point {
 /// use softanvil_specimen::{Compression, compress};
 ///
 /// let flat = Compression { strain: 1.0, ..Compression::study(0.67) };
-/// let refused = compress(&preset::elastic().silicone, &flat).unwrap_err();
+/// let refused = compress(&preset::elastic().layers[0].material, &flat).unwrap_err();
 /// assert_eq!(refused.to_string(), "strain = 1 is refused: expected above 0 and below 1");
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -236,8 +236,7 @@ fn scenario(material: &Material, test: &Compression, travel: f64) -> Scenario {
     let mut scenario = preset::study();
     let geometry = &mut scenario.geometry;
     (geometry.shape, geometry.formulation) = (Shape::Block, Formulation::Axisymmetric);
-    (geometry.layers, geometry.section) = (Layers::One, Section::Half);
-    (geometry.silicone_thickness, geometry.skin_thickness) = (test.height, 0.0);
+    geometry.section = Section::Half;
     geometry.block_width = test.diameter;
     let impactor = &mut scenario.impactor;
     (impactor.motion, impactor.drop_by) = (Motion::Prescribed, DropBy::Speed);
@@ -255,7 +254,8 @@ fn scenario(material: &Material, test: &Compression, travel: f64) -> Scenario {
     (scenario.core.interface, scenario.face.friction_coefficient) = (core, friction);
     scenario.mesh.element_size = test.height / f64::from(test.cells);
     scenario.time.step_by = StepBy::SafetyFactor;
-    scenario.silicone = *material;
+    let specimen = &mut scenario.layers[0];
+    (specimen.thickness, specimen.material) = (test.height, *material);
     scenario
 }
 

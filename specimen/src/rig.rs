@@ -48,7 +48,7 @@ impl Rig {
         let memory = ModelMemory { constants: &mut constants, nodes, cells, hoops };
         let (nodes, cells, viscous) = (&mut self.state_nodes, &mut self.state_cells, &mut self.viscous);
         let begins = self.scalars.is_none();
-        let mut scenario = *scenario;
+        let mut scenario = scenario.clone();
         if !begins {
             (scenario.time.step_by, scenario.time.step) = (StepBy::Given, self.step);
         }

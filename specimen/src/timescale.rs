@@ -6,14 +6,16 @@ use softanvil_kernel::Scenario;
 /// step, or does not relax within a test, and so has it at the end itself.
 const LEGAL: [f64; 2] = [1e-7, 1e6];
 
-/// `scenario` with the relaxation times of its silicone multiplied by `factor`.
+/// `scenario` with the relaxation times of its layers multiplied by `factor`.
 pub fn scaled(scenario: &Scenario, factor: f64) -> Scenario {
-    let mut scaled = *scenario;
-    for tau in &mut scaled.silicone.prony_tau {
-        *tau = (*tau * factor).clamp(LEGAL[0], LEGAL[1]);
-    }
-    for beta in &mut scaled.silicone.maxwell_beta {
-        *beta = 1.0 / (factor / *beta).clamp(LEGAL[0], LEGAL[1]);
+    let mut scaled = scenario.clone();
+    for material in scaled.layers.iter_mut().map(|layer| &mut layer.material) {
+        for tau in &mut material.prony_tau {
+            *tau = (*tau * factor).clamp(LEGAL[0], LEGAL[1]);
+        }
+        for beta in &mut material.maxwell_beta {
+            *beta = 1.0 / (factor / *beta).clamp(LEGAL[0], LEGAL[1]);
+        }
     }
     scaled
 }
@@ -27,8 +29,8 @@ mod tests {
     fn scaled_scenarios_are_legal_at_both_ends() {
         for factor in [1e-12, 1e-3, 1.0, 1e9] {
             let mut scenario = preset::study();
-            scenario.silicone.maxwell_g[0] = 1e5;
-            scenario.silicone.maxwell_beta[0] = 3.0;
+            scenario.layers[0].material.maxwell_g[0] = 1e5;
+            scenario.layers[0].material.maxwell_beta[0] = 3.0;
             scaled(&scenario, factor).validate().unwrap();
         }
     }
@@ -36,9 +38,9 @@ mod tests {
     #[test]
     fn both_kinds_of_term_follow_the_same_factor() {
         let mut scenario = preset::study();
-        scenario.silicone.maxwell_beta[0] = 2.0;
+        scenario.layers[0].material.maxwell_beta[0] = 2.0;
         let scaled = scaled(&scenario, 0.25);
-        assert_eq!(scaled.silicone.prony_tau[1], 0.25 * scenario.silicone.prony_tau[1]);
-        assert_eq!(scaled.silicone.maxwell_beta[0], 8.0);
+        assert_eq!(scaled.layers[0].material.prony_tau[1], 0.25 * scenario.layers[0].material.prony_tau[1]);
+        assert_eq!(scaled.layers[0].material.maxwell_beta[0], 8.0);
     }
 }

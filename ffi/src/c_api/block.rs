@@ -60,12 +60,8 @@ pub(crate) fn build(scenario: &Scenario, size: &Size, mut region: Region) -> Res
     let mut state = state;
     let model = Model::new(scenario, ModelMemory { constants: &mut constants, nodes, cells, hoops }, &mut state)?;
     State::new(&model, state)?;
-    Ok(slot.place(SoftanvilSimulation {
-        marker: SoftanvilSimulation::MARKER,
-        bytes: bytes(size),
-        constants: model.constants.clone(),
-        scalars,
-    }))
+    let constants = constants.ok_or(short)?;
+    Ok(slot.place(SoftanvilSimulation { marker: SoftanvilSimulation::MARKER, bytes: bytes(size), constants, scalars }))
 }
 
 /// Does `work` on the model and the state of a simulation.

@@ -3,9 +3,11 @@
 use core::fmt;
 
 use softanvil_kernel::number::decimal::Decimal;
-use softanvil_kernel::{MemoryError, ModelError, NoEffect, ParameterError, ScenarioError, SnapshotError, StepError};
+use softanvil_kernel::parameter::Name;
+use softanvil_kernel::{
+    MemoryError, ModelError, NoEffect, Parameter, ParameterError, ScenarioError, SnapshotError, StepError,
+};
 
-use crate::c_api::ids::PARAMETER_BY_ID;
 use crate::c_api::status::SoftanvilStatus as Status;
 
 /// `SOFTANVIL_NONE` in the header: no parameter, no element.
@@ -19,7 +21,7 @@ pub(crate) enum Failure {
     Short { argument: &'static str, given: usize, needed: usize },
     Long { argument: &'static str, given: usize },
     Uninitialised { argument: &'static str },
-    UnknownId { argument: &'static str, id: u32, count: usize },
+    UnknownId { argument: &'static str, id: u32, largest: u32 },
     RetiredId { argument: &'static str, id: u32 },
     UnknownName { argument: &'static str },
     ReservedSlot { array: &'static str, slot: usize, value: f64 },
@@ -82,8 +84,8 @@ impl fmt::Display for Failure {
             Self::Uninitialised { argument } => {
                 write!(f, "{argument} was not initialised by this library, was closed, or was overwritten")
             }
-            Self::UnknownId { argument, id, count } => {
-                write!(f, "{argument} {id} is unknown: expected 0 to {}", count.saturating_sub(1))
+            Self::UnknownId { argument, id, largest } => {
+                write!(f, "{argument} {id} is unknown: expected one of the table, up to {largest}")
             }
             Self::RetiredId { argument, id } => write!(f, "{argument} {id} is retired: expected any other number"),
             Self::UnknownName { argument } => write!(f, "{argument} is not in the table"),
@@ -115,7 +117,8 @@ fn scenario_status(error: &ScenarioError) -> Status {
         ScenarioError::FullAxisymmetric => Status::FullAxisymmetric,
         ScenarioError::OffsetOfHalf { .. } => Status::OffsetOfHalf,
         ScenarioError::TearStretch { .. } => Status::TearStretch,
-        ScenarioError::SkinTooThin { .. } => Status::SkinTooThin,
+        // From C a scenario has the interfaces that its layers need.
+        ScenarioError::Interfaces { .. } => Status::IllegalValue,
     }
 }
 
@@ -153,19 +156,18 @@ impl Failure {
         match *self {
             Self::Short { given, needed, .. } => [given as f64, needed as f64, NAN],
             Self::Long { given, .. } => [given as f64, NAN, isize::MAX as f64],
-            Self::UnknownId { id, count, .. } => [f64::from(id), 0.0, count.saturating_sub(1) as f64],
+            Self::UnknownId { id, largest, .. } => [f64::from(id), 0.0, f64::from(largest)],
             Self::RetiredId { id, .. } => [f64::from(id), NAN, NAN],
             Self::ReservedSlot { value, .. } => [value, 0.0, 0.0],
             Self::Time { time, min, max } => [time, min, max],
             Self::Scenario(ScenarioError::Parameter(ParameterError { value, min, max, .. })) => [value, min, max],
             Self::Scenario(ScenarioError::NoEffect(NoEffect { value, .. })) => [value, NAN, NAN],
-            Self::Scenario(ScenarioError::LayerThickness { thickness, .. }) => [thickness, NAN, NAN],
+            Self::Scenario(ScenarioError::LayerThickness { thickness, minimum, .. }) => [thickness, minimum, NAN],
             Self::Scenario(ScenarioError::PronySum { sum, .. }) => [sum, 0.0, 1.0],
             Self::Scenario(ScenarioError::ShearModulus { modulus, .. }) => [modulus, 0.0, NAN],
             Self::Scenario(ScenarioError::FaceTooSmall { diameter, minimum }) => [diameter, minimum, NAN],
             Self::Scenario(ScenarioError::OffsetOfHalf { offset }) => [offset, 0.0, 0.0],
             Self::Scenario(ScenarioError::TearStretch { stretch, .. }) => [stretch, 1.0, NAN],
-            Self::Scenario(ScenarioError::SkinTooThin { thickness, minimum }) => [thickness, minimum, NAN],
             Self::Model(ModelError::TooManyCells { cells, max }) => [cells, 1.0, max as f64],
             Self::Model(ModelError::StepTooSmall { step, smallest }) => [step, smallest, NAN],
             Self::Model(ModelError::StepTooLarge { step, limit }) => [step, 0.0, limit],
@@ -180,20 +182,25 @@ impl Failure {
 
     /// Number of the parameter that is to blame.
     pub(crate) fn parameter(&self) -> u32 {
-        let name = match self {
+        let found = self.blamed().and_then(|name| Parameter::all().find(|parameter| parameter.name() == name));
+        found.map_or(NONE, |parameter| parameter.number())
+    }
+
+    /// Name of the parameter that is to blame.
+    fn blamed(&self) -> Option<Name> {
+        Some(match *self {
             Self::Scenario(ScenarioError::Parameter(error)) => error.name,
             Self::Scenario(ScenarioError::NoEffect(error)) => error.name,
             Self::Scenario(ScenarioError::Contradiction { names: [_, other] }) => other,
-            Self::Scenario(ScenarioError::LayerThickness { .. }) => "geometry.silicone_thickness",
-            Self::Scenario(ScenarioError::FaceTooSmall { .. }) => "impactor.face_diameter",
-            Self::Scenario(ScenarioError::SkinTooThin { .. }) => "geometry.skin_thickness",
-            Self::Scenario(ScenarioError::FullAxisymmetric) => "geometry.section",
-            Self::Scenario(ScenarioError::OffsetOfHalf { .. }) => "impactor.offset",
-            Self::Model(ModelError::TooManyCells { .. }) => "mesh.element_size",
-            Self::Model(ModelError::StepTooLarge { .. }) => "time.step",
-            _ => return NONE,
-        };
-        (0..).zip(PARAMETER_BY_ID).find(|(_, row)| row.name == name).map_or(NONE, |(id, _)| id)
+            Self::Scenario(ScenarioError::LayerThickness { layer, .. }) => Name::of_layer(layer, "thickness"),
+            Self::Scenario(ScenarioError::TearStretch { layer, .. }) => Name::of_layer(layer, "tear_stretch"),
+            Self::Scenario(ScenarioError::FaceTooSmall { .. }) => "impactor.face_diameter".into(),
+            Self::Scenario(ScenarioError::FullAxisymmetric) => "geometry.section".into(),
+            Self::Scenario(ScenarioError::OffsetOfHalf { .. }) => "impactor.offset".into(),
+            Self::Model(ModelError::TooManyCells { .. }) => "mesh.element_size".into(),
+            Self::Model(ModelError::StepTooLarge { .. }) => "time.step".into(),
+            _ => return None,
+        })
     }
 
     /// Element that failed, and the time at which it did, s.

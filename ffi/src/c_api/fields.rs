@@ -3,14 +3,14 @@
 use core::ffi::c_char;
 use core::mem::MaybeUninit;
 
-use softanvil_kernel::Field;
+use softanvil_kernel::result::RETIRED_FIELDS;
+use softanvil_kernel::{FIELDS, Field};
 
 use crate::c_api::error::{SoftanvilError, report, status};
 use crate::c_api::failure::Failure;
 use crate::c_api::header::SoftanvilSimulation;
-use crate::c_api::ids::FIELD_BY_ID;
 use crate::c_api::status::SoftanvilStatus;
-use crate::c_api::tables::{SOFTANVIL_DESCRIPTION_SIZE, SOFTANVIL_UNIT_SIZE, field_row, find_field, texts};
+use crate::c_api::tables::{SOFTANVIL_DESCRIPTION_SIZE, SOFTANVIL_UNIT_SIZE, field_row, find_field, largest, texts};
 use crate::c_api::text::SOFTANVIL_NAME_SIZE;
 use crate::c_api::{block, ptr};
 
@@ -54,10 +54,10 @@ pub struct SoftanvilView {
     pub reserved: [usize; 3],
 }
 
-/// Number of fields of the library that is running; their numbers are 0 to this less one.
+/// Fields are numbered from 0 to this less one in the library that is running; a retired number is refused.
 #[unsafe(no_mangle)]
 pub extern "C" fn softanvil_field_count() -> u32 {
-    FIELD_BY_ID.len() as u32
+    largest(FIELDS.iter().map(|row| row.id), RETIRED_FIELDS) + 1
 }
 
 /// Finds a field by its name.
@@ -74,7 +74,7 @@ pub unsafe extern "C" fn softanvil_field_find(name: *const c_char, field: *mut u
     let (name, field) = unsafe { (ptr::name(name, "name"), ptr::out(field, "field")) };
     status(|| {
         let (name, field) = (name?, field?);
-        field.write(find_field(&name)?.0);
+        field.write(find_field(&name)?.id);
         Ok(())
     })
 }
@@ -93,7 +93,7 @@ pub unsafe extern "C" fn softanvil_field_info(field: u32, info: *mut SoftanvilFi
     let info = unsafe { ptr::out(info, "info") };
     status(|| {
         let (info, row) = (info?, field_row(field)?);
-        let (name, unit, description) = texts(row.name, row.unit, row.description)?;
+        let (name, unit, description) = texts(&row.name, row.unit, row.description)?;
         let components = row.components as u32;
         info.write(SoftanvilFieldInfo { id: field, components, reserved: [0.0; 4], name, unit, description });
         Ok(())
@@ -187,7 +187,7 @@ fn check_component(row: &Field, component: u32) -> Result<(), Failure> {
     if (component as usize) < row.components {
         return Ok(());
     }
-    Err(Failure::UnknownId { argument: "component", id: component, count: row.components })
+    Err(Failure::UnknownId { argument: "component", id: component, largest: row.components as u32 - 1 })
 }
 
 /// Every `stride`-th place, `needed` of them.

@@ -1,13 +1,12 @@
 //! The functions of `include/softanvil.h`, one file per section of the header, and what they stand on: the pointers of C
-//! (`ptr`), the memory of a simulation (`header`, `block`), refusals (`failure`, `error`), numbers and texts of the tables
-//! (`ids`, `status`, `text`).
+//! (`ptr`), the memory of a simulation (`header`, `block`), refusals (`failure`, `error`), and texts (`status`,
+//! `text`).
 
 pub mod block;
 pub mod error;
 pub mod failure;
 pub mod fields;
 pub mod header;
-pub mod ids;
 pub mod library;
 mod ptr;
 pub mod scenario;

@@ -140,9 +140,10 @@ pub(crate) struct Name {
 }
 
 impl Name {
-    /// Whether this is `text`.
-    pub(crate) fn is(&self, text: &str) -> bool {
-        self.bytes.get(..self.length) == Some(text.as_bytes())
+    /// The text; empty, which no name is, if it is none.
+    pub(crate) fn text(&self) -> &str {
+        let bytes = self.bytes.get(..self.length).unwrap_or_default();
+        core::str::from_utf8(bytes).unwrap_or_default()
     }
 }
 

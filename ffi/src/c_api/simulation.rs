@@ -391,7 +391,7 @@ pub unsafe extern "C" fn softanvil_output_by_name(
     // SAFETY: C keeps the conventions of the header.
     let name = unsafe { ptr::name(name, "name") };
     let read = |header: &SoftanvilSimulation| {
-        let row = find_output(&name?)?.1;
+        let row = find_output(&name?)?;
         Ok((row.read)(&header.constants, &header.scalars))
     };
     // SAFETY: as above.

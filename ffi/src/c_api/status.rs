@@ -41,8 +41,8 @@ pub enum SoftanvilStatus {
     ReservedSlot = 207,
     /// The stretch at which a layer begins to tear is below 1.
     TearStretch = 208,
-    /// A skin with a material of its own has next to no thickness.
-    SkinTooThin = 209,
+    /// A layer has no thickness, or next to none; a layer that the preset does not have needs one.
+    LayerThickness = 209,
     /// An axisymmetric anvil has no full section.
     FullAxisymmetric = 210,
     /// Only a full section can have an impactor beside the centre line.
@@ -53,8 +53,6 @@ pub enum SoftanvilStatus {
     NoEffect = 213,
     /// Two values that state the same thing differ from the preset's.
     Contradiction = 214,
-    /// Another number of layers than the preset's, without a thickness of the silicone.
-    LayerThickness = 215,
     /// An element turned inside out or is no longer finite.
     Inverted = 300,
     /// The time step is above the current stability limit of an element.
@@ -77,7 +75,7 @@ use SoftanvilStatus as S;
 
 impl SoftanvilStatus {
     /// Every status.
-    pub const ALL: [Self; 31] = [
+    pub const ALL: [Self; 30] = [
         S::Ok,
         S::NullPointer,
         S::Misaligned,
@@ -94,13 +92,12 @@ impl SoftanvilStatus {
         S::StepTooLarge,
         S::ReservedSlot,
         S::TearStretch,
-        S::SkinTooThin,
+        S::LayerThickness,
         S::FullAxisymmetric,
         S::OffsetOfHalf,
         S::NoArea,
         S::NoEffect,
         S::Contradiction,
-        S::LayerThickness,
         S::Inverted,
         S::Unstable,
         S::IllegalInput,
@@ -130,13 +127,12 @@ impl SoftanvilStatus {
             S::StepTooLarge => c"given time step above the stability limit",
             S::ReservedSlot => c"reserved slot not zero",
             S::TearStretch => c"tear stretch below 1",
-            S::SkinTooThin => c"skin too thin for a layer of its own",
+            S::LayerThickness => c"layer without a thickness",
             S::FullAxisymmetric => c"full section of an axisymmetric anvil",
             S::OffsetOfHalf => c"offset impactor on a half section",
             S::NoArea => c"element without area",
             S::NoEffect => c"value without effect",
             S::Contradiction => c"two values that state the same thing",
-            S::LayerThickness => c"number of layers without a thickness of the silicone",
             S::Inverted => c"element inverted or not finite",
             S::Unstable => c"time step above the current stability limit",
             S::IllegalInput => c"input of a step not finite",

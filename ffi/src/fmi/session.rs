@@ -54,7 +54,7 @@ impl Session {
     /// Builds the model.
     pub fn exit_initialization(&mut self) -> Result<(), Error> {
         let changes = self.instance.exit_initialization()?;
-        for no_effect in changes.without_effect(self.instance.scenario()) {
+        for no_effect in changes.without_effect(&self.instance.values().scenario()) {
             self.log.warning(&no_effect);
         }
         self.log.event(&self.instance.summary());

@@ -2,6 +2,7 @@
 
 use core::fmt;
 
+use softanvil_kernel::parameter::Name;
 use softanvil_kernel::{ModelError, ParameterError, SnapshotError, StepError};
 
 use super::mode::Mode;
@@ -39,7 +40,7 @@ pub enum Error {
     /// The variable is of another type.
     Type {
         /// Name of the variable.
-        name: &'static str,
+        name: Name,
         /// Its type.
         is: &'static str,
         /// Type of the call.
@@ -48,14 +49,14 @@ pub enum Error {
     /// The variable can never be set.
     ReadOnly {
         /// Name of the variable.
-        name: &'static str,
+        name: Name,
         /// Its causality.
         causality: &'static str,
     },
     /// A parameter was set after initialization.
     Fixed {
         /// Name of the parameter.
-        name: &'static str,
+        name: Name,
         /// The refused value.
         value: f64,
         /// Its unit.
@@ -64,7 +65,7 @@ pub enum Error {
     /// A structural parameter was set outside configuration mode, or another variable in it.
     Structural {
         /// Name of the variable.
-        name: &'static str,
+        name: Name,
     },
     /// The arrays of the call do not fit together.
     ValueCount {

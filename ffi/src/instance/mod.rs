@@ -12,7 +12,8 @@ mod values;
 
 use core::fmt::{self, Display};
 
-use softanvil_kernel::{Changes, MemoryError, ModelError, Scenario, Simulation, preset};
+use softanvil_kernel::parameter::Values;
+use softanvil_kernel::{Changes, MemoryError, ModelError, Simulation, preset};
 
 use crate::variables::{Inputs, Table, Version, profile, same_bits};
 
@@ -51,7 +52,8 @@ pub struct Instance {
     mode: Mode,
     /// Points of the profiles.
     points: u64,
-    scenario: Scenario,
+    /// The parameters, as the master has set them.
+    values: Values,
     inputs: Inputs,
     experiment: Experiment,
     clock: Clock,
@@ -68,7 +70,7 @@ impl Instance {
             event_mode_used: false,
             points: profile::START_POINTS,
             mode: Mode::Instantiated,
-            scenario: preset::study(),
+            values: Values::of(&preset::study()),
             inputs: Inputs::start(),
             experiment: Experiment { start: 0.0, stop: None },
             clock: Clock::at(0.0),
@@ -141,18 +143,19 @@ impl Instance {
     /// A scenario that cannot be simulated; it can be corrected.
     pub fn exit_initialization(&mut self) -> Result<Changes, Error> {
         let changes = self.changes();
-        self.scenario = self.prepare()?.constants().scenario;
+        let scenario = self.prepare()?.constants().scenario.clone();
+        self.values.update(&scenario);
         self.mode = if self.event_mode_used { Mode::Event } else { Mode::Step };
         Ok(changes)
     }
 
-    /// The scenario, as the master has described it.
-    pub fn scenario(&self) -> &Scenario {
-        &self.scenario
+    /// The parameters, as the master has set them and as they follow from each other.
+    pub fn values(&self) -> &Values {
+        &self.values
     }
 
     fn changes(&self) -> Changes {
-        Changes::between(&preset::study(), &self.scenario)
+        Changes::between(&preset::study(), &self.values)
     }
 
     /// Ends the simulation; its results stay readable.

@@ -3,14 +3,15 @@
 //! Format: little-endian 64-bit words. Magic, format version, digest of the variable table, length of the whole in
 //! bytes; mode, start, whether there is a stop, stop, communication point, by how much it is ahead of the kernel, points of
 //! the profiles; the inputs, and 1 or 0 for whether the master gives a position, and a velocity; the parameters in the order
-//! of the kernel's table; the kernel's own snapshot, which is empty before the first step can be made; last the FNV-1a digest
+//! of the kernel's tables, those of all layers that there can be; the kernel's own snapshot, which is empty before the first step can be made; last the FNV-1a digest
 //! of everything before.
 
 use alloc::vec::Vec;
 
 use softanvil_kernel::number::digest::Digest;
+use softanvil_kernel::parameter::Values;
 use softanvil_kernel::state::{restore, save, snapshot_size};
-use softanvil_kernel::{PARAMETERS, SAMPLING_INTERVAL, Scenario, Simulation, SnapshotError, preset};
+use softanvil_kernel::{Parameter, SAMPLING_INTERVAL, Scenario, Simulation, SnapshotError, preset};
 
 use super::clock::Clock;
 use super::{Error, Experiment, Instance, Mode, memory};
@@ -20,7 +21,7 @@ use crate::variables::{INPUTS, Inputs, Version, same_bits};
 /// "SOFTAFMU" in ASCII, least significant byte first.
 const MAGIC: u64 = u64::from_le_bytes(*b"SOFTAFMU");
 /// Changes with the format.
-const VERSION: u64 = 5;
+const VERSION: u64 = 6;
 
 /// A saved state, checked to be whole and of this version.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -33,7 +34,7 @@ struct Content<'a> {
     clock: Clock,
     points: u64,
     inputs: Inputs,
-    scenario: Scenario,
+    values: Values,
     snapshot: &'a [u8],
 }
 
@@ -53,7 +54,7 @@ impl SavedState {
         let experiment = Experiment { start, stop: has_stop.then_some(stop) };
         let clock = Clock { point: f64::from_bits(next()), ahead: f64::from_bits(next()) };
         let points = next();
-        let (inputs, scenario) = (read_inputs(&mut rest)?, read_scenario(&mut rest)?);
+        let (inputs, values) = (read_inputs(&mut rest)?, read_values(&mut rest)?);
         let snapshot = rest.len().checked_sub(8).and_then(|end| rest.get(..end)).ok_or(corrupt)?;
         let is_stepping = matches!(mode, Mode::Step | Mode::Event | Mode::Terminated);
         // A clock is at most a kernel step away from the kernel, and no kernel step is longer than a sampling interval.
@@ -61,7 +62,7 @@ impl SavedState {
         if snapshot.is_empty() == is_stepping || !has_clock || points < POINTS.0 || points > POINTS.1 {
             return Err(corrupt);
         }
-        Ok(Content { mode, experiment, clock, points, inputs, scenario, snapshot })
+        Ok(Content { mode, experiment, clock, points, inputs, values, snapshot })
     }
 }
 
@@ -111,12 +112,12 @@ fn read_inputs(rest: &mut &[u8]) -> Result<Inputs, Error> {
     Ok(inputs)
 }
 
-fn read_scenario(rest: &mut &[u8]) -> Result<Scenario, Error> {
-    let mut scenario = preset::study();
-    for parameter in PARAMETERS {
-        parameter.set(&mut scenario, read_number(rest)?)?;
+fn read_values(rest: &mut &[u8]) -> Result<Values, Error> {
+    let mut values = Values::of(&preset::study());
+    for parameter in Parameter::all() {
+        values.set(parameter, read_number(rest)?)?;
     }
-    Ok(scenario)
+    Ok(values)
 }
 
 impl Instance {
@@ -127,7 +128,7 @@ impl Instance {
     pub fn save(&mut self) -> Result<SavedState, Error> {
         let snapshot = self.snapshot()?;
         let Experiment { start, stop } = self.experiment;
-        let words = HEADER_WORDS + INPUTS.len() + GIVEN + PARAMETERS.len() + 1;
+        let words = HEADER_WORDS + INPUTS.len() + GIVEN + Parameter::COUNT + 1;
         let length = 8 * words + snapshot.len();
         let mut bytes = room(length)?;
         let mut put = |word: u64| bytes.extend_from_slice(&word.to_le_bytes());
@@ -138,7 +139,7 @@ impl Instance {
         INPUTS.iter().for_each(|input| put((input.field)(&mut self.inputs).to_bits()));
         let given: [bool; GIVEN] = [self.inputs.has_position, self.inputs.has_velocity];
         given.into_iter().for_each(|given| put(f64::from(u8::from(given)).to_bits()));
-        PARAMETERS.iter().for_each(|parameter| put(parameter.get(&self.scenario).to_bits()));
+        Parameter::all().for_each(|parameter| put(self.values.get(parameter).to_bits()));
         bytes.extend_from_slice(&snapshot);
         let checksum = digest_of(&bytes);
         bytes.extend_from_slice(&checksum.to_le_bytes());
@@ -187,14 +188,14 @@ impl Instance {
         let content = state.content()?;
         self.check_mode(content.mode)?;
         if !content.snapshot.is_empty() {
-            self.restore_simulation(&content.scenario, content.snapshot)?;
+            self.restore_simulation(&content.values.scenario(), content.snapshot)?;
         }
         self.mode = content.mode;
         self.experiment = content.experiment;
         self.clock = content.clock;
         self.points = content.points;
         self.inputs = content.inputs;
-        self.scenario = content.scenario;
+        self.values = content.values;
         Ok(())
     }
 

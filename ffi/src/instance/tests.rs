@@ -2,21 +2,24 @@ use std::string::ToString;
 use std::vec;
 use std::vec::Vec;
 
+use softanvil_kernel::parameter::Name;
+use softanvil_kernel::{OUTPUTS, Output};
+
 use super::*;
 use crate::variables::{ValueType, references};
 use crate::whole_steps::SAME;
 
 const SAMPLE: f64 = 50e-6;
 const FORCE: u32 = 3000;
-const MASS: u32 = 1101;
-const GAP: u32 = 1103;
-const FACTOR: u32 = 1601;
-const ENERGY: u32 = 1107;
-const STEP_BY: u32 = 1600;
-const STEP: u32 = 1602;
-const MOTION: u32 = 1100;
-const ELEMENT_SIZE: u32 = 1500;
-const POSITION: u32 = 3200;
+const MASS: u32 = 1007;
+const GAP: u32 = 1010;
+const FACTOR: u32 = 1025;
+const ENERGY: u32 = 1014;
+const STEP_BY: u32 = 1024;
+const STEP: u32 = 1026;
+const MOTION: u32 = 1006;
+const ELEMENT_SIZE: u32 = 1023;
+const POSITION: u32 = 3003;
 
 fn ready() -> Instance {
     let mut instance = Instance::new(Version::Fmi2);
@@ -32,31 +35,31 @@ fn run(instance: &mut Instance, steps: u32) {
 }
 
 /// An instance with these values, and what becomes of it at the end of initialization.
-fn initialized(values: &[(u32, f64)]) -> (Instance, Result<Vec<&'static str>, Error>) {
+fn initialized(values: &[(u32, f64)]) -> (Instance, Result<Vec<Name>, Error>) {
     let mut instance = Instance::new(Version::Fmi2);
     instance.enter_initialization();
     instance.set_reals(values.iter().copied()).unwrap();
     let changes = instance.exit_initialization();
-    let without_effect =
-        changes.map(|changes| changes.without_effect(instance.scenario()).map(|value| value.name).collect());
+    let scenario = instance.values().scenario();
+    let without_effect = changes.map(|changes| changes.without_effect(&scenario).map(|value| value.name).collect());
     (instance, without_effect)
 }
 
 #[test]
 fn one_of_several_values_decides_and_what_has_no_effect_is_told() {
-    const HEIGHT: u32 = 1106;
-    const TAU_2: &str = "silicone.prony_tau_2";
-    let tau_2 = references::PARAMETERS.iter().find(|(name, _)| *name == TAU_2).unwrap().1;
+    const HEIGHT: u32 = 1013;
+    let of_tau_2 = softanvil_kernel::Parameter::find("layers[0].prony_tau_2").unwrap();
+    let tau_2 = references::of_parameter(of_tau_2);
     let (mut instance, told) = initialized(&[(HEIGHT, 0.1)]);
     assert_eq!(told, Ok(vec![]));
-    let speed = references::OUTPUTS.iter().find(|(name, _)| *name == "impactor.velocity").unwrap().1;
+    let speed = references::of_output(Output::find("impactor.velocity").unwrap());
     let expected = (2.0_f64 * 9.81 * 0.1).sqrt();
     assert!((instance.real(speed).unwrap() + expected).abs() < 1e-3, "{expected} m/s");
     let (_, told) = initialized(&[(HEIGHT, 0.1), (ENERGY, 9.8)]);
     let error = told.unwrap_err().to_string();
     assert!(error.contains("state the same thing"), "{error}");
     // A master that sets every start value may set this one, too.
-    assert_eq!(initialized(&[(tau_2, 0.1)]).1, Ok(vec![TAU_2]));
+    assert_eq!(initialized(&[(tau_2, 0.1)]).1, Ok(vec![of_tau_2.name()]));
     // The same value as the preset's changes nothing.
     assert_eq!(initialized(&[(tau_2, 1.0)]).1, Ok(vec![]));
 }
@@ -78,7 +81,7 @@ fn dt_of(instance: &mut Instance) -> f64 {
 /// Every result and the trace, to the last bit.
 fn outcome(instance: &mut Instance) -> Vec<u64> {
     let mut bits: Vec<_> =
-        references::OUTPUTS.iter().map(|(_, output)| instance.real(*output).unwrap().to_bits()).collect();
+        OUTPUTS.iter().map(|output| instance.real(references::of_output(output)).unwrap().to_bits()).collect();
     let digits = instance.text(references::TRACE_HASH).unwrap();
     bits.extend(digits.chunks(8).map(|digits| u64::from_be_bytes(digits.try_into().unwrap())));
     bits
@@ -356,7 +359,7 @@ fn a_driven_face_is_where_its_inputs_want_it_and_never_jumps() {
                 assert!(moved <= 1.9 * (kernel - before.0) + 1200.0 * reach * reach + fuzz, "{length} s at {kernel} s");
                 before = (kernel, height);
             }
-            assert!(instance.real(references::OUTPUTS[0].1).unwrap() > 100.0);
+            assert!(instance.real(FORCE).unwrap() > 100.0);
         }
     }
 }
@@ -425,7 +428,10 @@ fn start_values_and_first_results_can_be_read_after_instantiation() {
                 instance.reals(reference, &mut |value| count += u64::from(value.is_finite())).unwrap();
                 assert_eq!(count, profile::START_POINTS);
             }
-            ValueType::Integer => assert!(instance.integer(reference).unwrap() > 0),
+            ValueType::Integer { range } => {
+                let value = instance.integer(reference).unwrap();
+                assert!(if range.is_some() { variable.start() == Some(f64::from(value)) } else { value > 0 });
+            }
             ValueType::Enumeration { .. } => {
                 assert_eq!(Some(f64::from(instance.choice(reference).unwrap())), variable.start())
             }
@@ -502,4 +508,30 @@ fn initial_results_follow_the_parameters_as_they_stand() {
 fn the_longest_step_is_the_longest_run() {
     let duration = softanvil_kernel::Parameter::find("time.duration").unwrap();
     assert_eq!(stepping::LONGEST_STEP, duration.range().1);
+}
+
+#[test]
+fn layers_are_counted_and_those_that_are_not_there_keep_what_is_said_of_them() {
+    let of = |name: &str| references::of_parameter(softanvil_kernel::Parameter::find(name).unwrap());
+    let (count, thickness, absent) = (of("layers.count"), of("layers[1].thickness"), of("layers[3].c10"));
+    for version in [Version::Fmi2, Version::Fmi3] {
+        let mut instance = Instance::new(version);
+        instance.enter_initialization();
+        assert!(matches!(instance.set_counts([(count, 5)].into_iter()), Err(Error::Value(_))));
+        assert!(matches!(instance.set_reals([(count, 2.0)].into_iter()), Err(Error::Type { .. })));
+        instance.set_counts([(count, 2)].into_iter()).unwrap();
+        let refused = instance.exit_initialization().unwrap_err().to_string();
+        assert_eq!(refused, "layers[1].thickness = 0 m is refused: expected at least 0.00001 m");
+        instance.set_reals([(thickness, 2e-3), (absent, 3e5)].into_iter()).unwrap();
+        let changes = instance.exit_initialization().unwrap();
+        let scenario = instance.values().scenario();
+        let told: Vec<_> = changes.without_effect(&scenario).map(|value| value.to_string()).collect();
+        assert_eq!(told, ["layers[3].c10 = 300000 Pa has no effect: layers.count is 2"]);
+        assert_eq!((scenario.layers.len(), scenario.thickness()), (2, 15e-3 + 2e-3));
+        assert_eq!([instance.integer(count).unwrap(), instance.real(absent).unwrap() as i32], [2, 300_000]);
+        let saved = instance.save().unwrap();
+        let mut other = Instance::new(version);
+        other.restore(&saved).unwrap();
+        assert_eq!(other.values(), instance.values());
+    }
 }

@@ -1,6 +1,7 @@
 //! Reading and setting variables.
 
-use softanvil_kernel::{ParameterError, Scenario, Simulation};
+use softanvil_kernel::parameter::Values;
+use softanvil_kernel::{ParameterError, Simulation};
 
 use super::{Error, Instance, Mode, memory};
 use crate::variables::profile::Profile;
@@ -86,7 +87,7 @@ impl Instance {
         match source {
             Source::Time => Ok(self.time()),
             Source::KernelTime => Ok(self.kernel_time()),
-            Source::Parameter(parameter) => Ok(parameter.get(&self.scenario)),
+            Source::Parameter(parameter) => Ok(self.values.get(parameter)),
             Source::Input(input) => Ok(*(input.field)(&mut self.inputs)),
             Source::Output(output) => {
                 let simulation = self.results()?;
@@ -115,7 +116,7 @@ impl Instance {
     pub fn choice(&self, reference: u32) -> Result<i32, Error> {
         let variable = self.variable(reference)?;
         match (variable.value, variable.source) {
-            (ValueType::Enumeration { .. }, Source::Parameter(parameter)) => Ok(parameter.get(&self.scenario) as i32),
+            (ValueType::Enumeration { .. }, Source::Parameter(parameter)) => Ok(self.values.get(parameter) as i32),
             _ => Err(self.wrong_type(variable, "Enumeration")),
         }
     }
@@ -126,10 +127,13 @@ impl Instance {
     /// As [`Instance::real`].
     pub fn integer(&mut self, reference: u32) -> Result<i32, Error> {
         let variable = self.variable(reference)?;
-        let ValueType::Integer = variable.value else {
-            return Err(self.wrong_type(variable, ValueType::Integer.name(self.version)));
+        let ValueType::Integer { .. } = variable.value else {
+            return Err(self.wrong_type(variable, self.integer_name()));
         };
         let source = variable.source;
+        if let Source::Parameter(parameter) = source {
+            return Ok(self.values.get(parameter) as i32);
+        }
         let grid = &self.results()?.constants().grid;
         Ok(match source {
             Source::SurfaceNodes => grid.n_u as i32 + 1,
@@ -179,10 +183,19 @@ impl Instance {
         };
         let fits = |value: &ValueType| match value {
             ValueType::Enumeration { .. } => true,
-            ValueType::Integer => counts_too,
+            ValueType::Integer { .. } => counts_too,
             _ => false,
         };
         self.set(values, fits, asked)
+    }
+
+    /// Sets counts: all of them, or none if one is refused.
+    ///
+    /// # Errors
+    /// As [`Instance::set_reals`].
+    pub fn set_counts(&mut self, values: impl Iterator<Item = (u32, i32)>) -> Result<(), Error> {
+        let values = values.map(|(reference, value)| (reference, f64::from(value)));
+        self.set(values, |value| matches!(value, ValueType::Integer { .. }), self.integer_name())
     }
 
     /// Sets lengths of arrays: all of them, or none if one is refused.
@@ -234,6 +247,11 @@ impl Instance {
         ValueType::Real { unit: "1", range: None }.name(self.version)
     }
 
+    /// What counts are called in this version.
+    fn integer_name(&self) -> &'static str {
+        ValueType::Integer { range: None }.name(self.version)
+    }
+
     fn wrong_type(&self, variable: &Variable, asked: &'static str) -> Error {
         Error::Type { name: variable.name, is: variable.value.name(self.version), asked }
     }
@@ -244,7 +262,7 @@ impl Instance {
         fits: impl Fn(&ValueType) -> bool,
         asked: &'static str,
     ) -> Result<(), Error> {
-        let (mut scenario, mut inputs) = (self.scenario, self.inputs);
+        let (mut parameters, mut inputs) = (self.values.clone(), self.inputs);
         for (reference, value) in values {
             let variable = self.variable(reference)?;
             if !fits(&variable.value) {
@@ -253,9 +271,9 @@ impl Instance {
             if self.mode == Mode::Configuration {
                 return Err(Error::Structural { name: variable.name });
             }
-            self.set_one(variable, value, &mut scenario, &mut inputs)?;
+            self.set_one(variable, value, &mut parameters, &mut inputs)?;
         }
-        (self.scenario, self.inputs) = (scenario, inputs.in_scenario(&scenario));
+        (self.inputs, self.values) = (inputs.in_scenario(&parameters.scenario()), parameters);
         Ok(())
     }
 
@@ -263,14 +281,14 @@ impl Instance {
         &self,
         variable: &Variable,
         value: f64,
-        scenario: &mut Scenario,
+        parameters: &mut Values,
         inputs: &mut Inputs,
     ) -> Result<(), Error> {
         match variable.source {
             Source::Parameter(parameter) if self.simulation_at_work().is_some() => {
                 Err(Error::Fixed { name: variable.name, value, unit: parameter.unit() })
             }
-            Source::Parameter(parameter) => Ok(parameter.set(scenario, value)?),
+            Source::Parameter(parameter) => Ok(parameters.set(parameter, value)?),
             Source::Input(input) => Ok(input.set(inputs, value)?),
             _ => Err(read_only(variable)),
         }

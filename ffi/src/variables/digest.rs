@@ -1,6 +1,7 @@
 //! The digest of the table of variables.
 
 use softanvil_kernel::number::digest::Digest;
+use softanvil_kernel::parameter::Name;
 
 use super::variable::{ValueType, Variable, Version};
 
@@ -17,8 +18,8 @@ pub(super) fn digest(seed: u64, rows: &[Variable]) -> u64 {
 
 fn row(digest: &mut Digest, variable: &Variable) {
     digest.word(u64::from(variable.reference));
+    name(digest, variable.name);
     for item in [
-        variable.name,
         variable.description,
         variable.value.name(Version::Fmi3),
         variable.causality(),
@@ -37,9 +38,19 @@ fn row(digest: &mut Digest, variable: &Variable) {
         }
         ValueType::Enumeration { labels } => labels.iter().for_each(|label| text(digest, label)),
         ValueType::Array { unit } => text(digest, unit),
+        ValueType::Integer { range: Some((min, max)) } => {
+            [min, max].into_iter().for_each(|limit| digest.number(f64::from(limit)))
+        }
         ValueType::Size { range: (min, max) } => [min, max].into_iter().for_each(|limit| digest.word(limit)),
-        ValueType::Integer | ValueType::Boolean | ValueType::String => {}
+        ValueType::Integer { range: None } | ValueType::Boolean | ValueType::String => {}
     }
+}
+
+/// A name by its parts.
+fn name(digest: &mut Digest, name: Name) {
+    digest.word(name.layer().map_or(0, |layer| layer as u64 + 1));
+    text(digest, name.group());
+    text(digest, name.field());
 }
 
 /// Length and bytes, so that two texts cannot run into each other.

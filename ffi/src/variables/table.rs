@@ -1,7 +1,7 @@
 //! The table: every variable by its reference.
 
-use softanvil_kernel::parameter::Kind;
-use softanvil_kernel::{OUTPUTS, Output, PARAMETERS, Parameter, Scenario};
+use softanvil_kernel::parameter::{Kind, Name};
+use softanvil_kernel::{OUTPUTS, Output, Parameter, Scenario};
 
 use super::digest::digest;
 use super::inputs::{INPUTS, Input};
@@ -10,45 +10,47 @@ use super::references;
 use super::variable::{Source, ValueType, Variable};
 
 impl Variable {
-    fn of_parameter(parameter: &'static Parameter) -> Option<Self> {
-        let value = match parameter.kind {
-            Kind::Real { unit, min, max, .. } => ValueType::Real { unit, range: Some((min, max)) },
-            Kind::Choice { labels, .. } => ValueType::Enumeration { labels },
+    fn of_parameter(parameter: Parameter) -> Self {
+        let (min, max) = parameter.range();
+        let value = match parameter.kind() {
+            Kind::Quantity => ValueType::Real { unit: parameter.unit(), range: Some((min, max)) },
+            Kind::Count => ValueType::Integer { range: Some((min as i32, max as i32)) },
+            Kind::Choice { labels } => ValueType::Enumeration { labels },
         };
-        Some(Self {
-            reference: references::reference_of(references::PARAMETERS, parameter.name)?,
-            name: parameter.name,
-            description: parameter.description,
+        Self {
+            reference: references::of_parameter(parameter),
+            name: parameter.name(),
+            description: parameter.description(),
             value,
             source: Source::Parameter(parameter),
-        })
+        }
     }
 
     fn of_input(input: &'static Input) -> Self {
         Self {
             reference: input.reference,
-            name: input.row.name,
+            name: input.row.name.into(),
             description: input.description,
             value: ValueType::Real { unit: input.row.unit, range: Some(input.row.range) },
             source: Source::Input(input),
         }
     }
 
-    fn of_output(output: &'static Output) -> Option<Self> {
-        Some(Self {
-            reference: references::reference_of(references::OUTPUTS, output.name)?,
-            name: output.name,
+    fn of_output(output: &'static Output) -> Self {
+        Self {
+            reference: references::of_output(output),
+            name: output.name.into(),
             description: output.description,
             value: ValueType::Real { unit: output.unit, range: None },
             source: Source::Output(output),
-        })
+        }
     }
 }
 
 /// Simulated time.
 static TIME: Variable = Variable {
     reference: references::TIME,
-    name: "time",
+    name: Name::new("time"),
     description: "time of the communication point",
     value: ValueType::Real { unit: "s", range: None },
     source: Source::Time,
@@ -58,42 +60,42 @@ static TIME: Variable = Variable {
 static MODEL: [Variable; 6] = [
     Variable {
         reference: references::KERNEL_TIME,
-        name: "model.time",
+        name: Name::new("model.time"),
         description: "time that the kernel has reached: that of its step nearest to time, to which all outputs belong",
         value: ValueType::Real { unit: "s", range: None },
         source: Source::KernelTime,
     },
     Variable {
         reference: references::TIME_STEP,
-        name: "model.time_step",
+        name: Name::new("model.time_step"),
         description: "time step of the kernel, which goes to the step nearest to each communication point",
         value: ValueType::Real { unit: "s", range: None },
         source: Source::TimeStep,
     },
     Variable {
         reference: references::ELEMENTS,
-        name: "model.elements",
+        name: Name::new("model.elements"),
         description: "number of elements of the mesh",
-        value: ValueType::Integer,
+        value: ValueType::Integer { range: None },
         source: Source::Elements,
     },
     Variable {
         reference: references::SURFACE_NODES,
-        name: "model.surface_nodes",
+        name: Name::new("model.surface_nodes"),
         description: "number of nodes along the surface of the mesh",
-        value: ValueType::Integer,
+        value: ValueType::Integer { range: None },
         source: Source::SurfaceNodes,
     },
     Variable {
         reference: references::CONTACT_ACTIVE,
-        name: "contact.active",
+        name: Name::new("contact.active"),
         description: "whether the impactor touched the layer in the last step",
         value: ValueType::Boolean,
         source: Source::ContactActive,
     },
     Variable {
         reference: references::TRACE_HASH,
-        name: "result.trace_hash",
+        name: Name::new("result.trace_hash"),
         description: "digest (FNV-1a, 64 bit, hexadecimal) of all force samples so far: equal runs have equal digests",
         value: ValueType::String,
         source: Source::TraceHash,
@@ -107,14 +109,15 @@ const fn profile(
     shows: Profile,
     text: &'static str,
 ) -> Variable {
-    Variable { reference, name, description: text, value: ValueType::Array { unit }, source: Source::Profile(shows) }
+    let value = ValueType::Array { unit };
+    Variable { reference, name: Name::new(name), description: text, value, source: Source::Profile(shows) }
 }
 
 /// The number of points and the profiles.
 static SURFACE: [Variable; 4] = [
     Variable {
         reference: references::SURFACE_POINTS,
-        name: "surface.points",
+        name: Name::new("surface.points"),
         description: "points of the profiles surface.x, surface.height and surface.contact_pressure, spread evenly over \
                       the surface at rest; with as many as model.surface_nodes they are its nodes",
         value: ValueType::Size { range: POINTS },
@@ -144,11 +147,10 @@ static SURFACE: [Variable; 4] = [
 ];
 
 /// How many variables there are.
-const COUNT: usize =
-    1 + references::PARAMETERS.len() + INPUTS.len() + references::OUTPUTS.len() + MODEL.len() + SURFACE.len();
+const COUNT: usize = 1 + Parameter::COUNT + INPUTS.len() + OUTPUTS.len() + MODEL.len() + SURFACE.len();
 
 /// Groups of references by their hundreds.
-const GROUPS: usize = 70;
+const GROUPS: usize = 80;
 
 /// All variables, in ascending order of their references.
 pub struct Table {
@@ -161,11 +163,10 @@ pub struct Table {
 impl Table {
     /// The table, made from the kernel's.
     pub fn new() -> Self {
-        let mut all = PARAMETERS
-            .iter()
-            .filter_map(Variable::of_parameter)
+        let mut all = Parameter::all()
+            .map(Variable::of_parameter)
             .chain(INPUTS.iter().map(Variable::of_input))
-            .chain(OUTPUTS.iter().filter_map(Variable::of_output))
+            .chain(OUTPUTS.iter().map(Variable::of_output))
             .chain(MODEL)
             .chain(SURFACE);
         let mut rows = core::array::from_fn(|_| all.next().unwrap_or(TIME));
@@ -210,5 +211,5 @@ impl Default for Table {
 
 /// Whether two scenarios agree in every bit.
 pub(crate) fn same_bits(a: &Scenario, b: &Scenario) -> bool {
-    PARAMETERS.iter().all(|parameter| parameter.get(a).to_bits() == parameter.get(b).to_bits())
+    Parameter::all().all(|parameter| parameter.get(a).to_bits() == parameter.get(b).to_bits())
 }

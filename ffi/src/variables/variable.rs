@@ -1,5 +1,6 @@
 //! One variable: what a master knows of it, and where its value lives.
 
+use softanvil_kernel::parameter::Name;
 use softanvil_kernel::{Output, Parameter, preset};
 
 use super::inputs::{Input, Inputs};
@@ -20,7 +21,7 @@ pub struct Variable {
     /// Number by which a master names it.
     pub reference: u32,
     /// Structured name, unique in the table.
-    pub name: &'static str,
+    pub name: Name,
     /// Meaning, one line.
     pub description: &'static str,
     /// Type, with unit and range or names.
@@ -40,7 +41,10 @@ pub enum ValueType {
         range: Option<(f64, f64)>,
     },
     /// A count.
-    Integer,
+    Integer {
+        /// Smallest and largest legal value of what can be set.
+        range: Option<(i32, i32)>,
+    },
     /// One of several named choices, numbered from 0.
     Enumeration {
         /// Names of the choices.
@@ -68,8 +72,8 @@ impl ValueType {
         match (self, version) {
             (Self::Real { .. }, Version::Fmi2) => "Real",
             (Self::Real { .. } | Self::Array { .. }, _) => "Float64",
-            (Self::Integer, Version::Fmi2) => "Integer",
-            (Self::Integer, Version::Fmi3) => "Int32",
+            (Self::Integer { .. }, Version::Fmi2) => "Integer",
+            (Self::Integer { .. }, Version::Fmi3) => "Int32",
             (Self::Size { .. }, _) => "UInt64",
             (Self::Enumeration { .. }, _) => "Enumeration",
             (Self::Boolean, _) => "Boolean",
@@ -84,7 +88,7 @@ pub enum Source {
     /// Simulated time.
     Time,
     /// A parameter of the scenario.
-    Parameter(&'static Parameter),
+    Parameter(Parameter),
     /// Set by the master at communication points.
     Input(&'static Input),
     /// A result of the kernel.

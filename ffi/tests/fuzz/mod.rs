@@ -8,7 +8,6 @@ use std::ptr::{null, null_mut};
 use softanvil::c_api::error::SoftanvilError;
 use softanvil::c_api::fields::*;
 use softanvil::c_api::header::SoftanvilSimulation;
-use softanvil::c_api::ids::OUTPUT_BY_ID;
 use softanvil::c_api::library::softanvil_status_text;
 use softanvil::c_api::scenario::*;
 use softanvil::c_api::simulation::*;
@@ -18,9 +17,13 @@ use softanvil::c_api::tables::*;
 use softanvil::c_api::text::SOFTANVIL_NAME_SIZE;
 use softanvil::c_api::trace::softanvil_run_traced;
 use softanvil_kernel::number::digest::Digest;
+use softanvil_kernel::result::RETIRED_OUTPUTS;
 
 /// Largest block that a target builds, bytes: enough for the study, small enough for many runs per second.
 const MEMORY: usize = 1 << 18;
+
+/// The slot of mesh.element_size in a scenario.
+const ELEMENT_SIZE: usize = 23;
 
 /// A target: its name, which is that of its corpus, and what it does with its input.
 pub type Target = (&'static str, fn(&[u8]));
@@ -43,6 +46,10 @@ impl Input<'_> {
     fn byte(&mut self) -> u8 {
         let [byte] = self.bytes();
         byte
+    }
+
+    fn word(&mut self) -> u16 {
+        u16::from_le_bytes(self.bytes())
     }
 
     /// Any bits, or a number of ordinary size.
@@ -116,15 +123,16 @@ fn build(memory: &mut [Line], scenario: &SoftanvilScenario) -> Option<*mut Softa
 pub fn scenario(data: &[u8]) {
     let mut input = Input(data);
     let mut scenario = study();
-    scenario.value[41] = 7e-3;
+    scenario.value[ELEMENT_SIZE] = 7e-3;
     while !input.0.is_empty() {
-        let slot = input.byte() as usize;
+        let slot = input.word();
         match slot {
             // The words that are not to be changed, changed.
-            255 => scenario.count = u32::from(input.byte()),
-            254 => scenario.preset = u32::from(input.byte()),
-            253 => scenario.struct_size = u32::from_le_bytes(input.bytes()),
-            _ => scenario.value[slot % 64] = input.number(),
+            0xffff => scenario.count = u32::from(input.byte()),
+            0xfffe => scenario.preset = u32::from(input.byte()),
+            0xfffd => scenario.struct_size = u32::from_le_bytes(input.bytes()),
+            0xfffc => scenario.layer_count = u32::from(input.byte()),
+            _ => scenario.value[slot as usize % SOFTANVIL_PARAMETER_SLOTS] = input.number(),
         }
     }
     let mut memory = memory();
@@ -138,7 +146,7 @@ pub fn scenario(data: &[u8]) {
 /// from whatever state it holds end with a status.
 pub fn snapshot(data: &[u8]) {
     let mut scenario = study();
-    scenario.value[41] = 7e-3;
+    scenario.value[ELEMENT_SIZE] = 7e-3;
     let mut memory = memory();
     let simulation = build(&mut memory, &scenario).unwrap();
     let mut size = 0;
@@ -181,7 +189,7 @@ unsafe fn read_everything(simulation: *const SoftanvilSimulation) {
     let mut value = 0.0;
     let mut view = MaybeUninit::<SoftanvilView>::uninit();
     for output in 0..softanvil_output_count() {
-        let expected = if OUTPUT_BY_ID[output as usize].is_some() { Status::Ok } else { Status::UnknownId };
+        let expected = if RETIRED_OUTPUTS.contains(&output) { Status::UnknownId } else { Status::Ok };
         // SAFETY: the caller's guarantee.
         assert_eq!(unsafe { softanvil_output(simulation, output, &mut value) }, expected);
     }
@@ -206,7 +214,7 @@ pub fn calls(data: &[u8]) {
     let mut input = Input(data);
     let mut memory = memory();
     let mut scenario = study();
-    scenario.value[41] = 7e-3;
+    scenario.value[ELEMENT_SIZE] = 7e-3;
     let mut bytes = vec![0_u8; 1 << 16];
     let (mut id, mut value, mut word, mut size) = (0, 0.0, 0, 0);
     let mut name = [0 as c_char; SOFTANVIL_NAME_SIZE];
@@ -221,9 +229,9 @@ pub fn calls(data: &[u8]) {
                 1 => drop(softanvil_close(simulation)),
                 2 => drop(softanvil_reset(simulation)),
                 3 => drop(explained(|error| {
-                    softanvil_scenario_set(&mut scenario, u32::from(input.byte()), input.number(), error)
+                    softanvil_scenario_set(&mut scenario, u32::from(input.word()), input.number(), error)
                 })),
-                4 => drop(softanvil_scenario_get(&scenario, u32::from(input.byte()), &mut value)),
+                4 => drop(softanvil_scenario_get(&scenario, u32::from(input.word()), &mut value)),
                 5 => drop(explained(|e| softanvil_step(simulation, u64::from(input.byte() % 8), step_input, e))),
                 6 => drop(explained(|error| softanvil_step_to_sample(simulation, step_input, error))),
                 7 if input.byte() % 2 == 0 => {
@@ -242,7 +250,7 @@ pub fn calls(data: &[u8]) {
                 13 => drop(explained(|e| softanvil_snapshot_save(simulation, bytes.as_mut_ptr(), bytes.len(), e))),
                 14 => drop(explained(|e| softanvil_snapshot_restore(simulation, bytes.as_ptr(), bytes.len(), e))),
                 15 => {
-                    let at = u16::from_le_bytes(input.bytes()) as usize;
+                    let at = usize::from(input.word());
                     bytes[at] = input.byte();
                 }
                 16 if !simulation.is_null() => {
@@ -264,8 +272,8 @@ pub fn calls(data: &[u8]) {
                 }
                 19 => drop(softanvil_trace_hash(simulation, &mut word)),
                 _ => drop(softanvil_parameter_choice(
-                    u32::from(input.byte()),
-                    u32::from(input.byte()),
+                    u32::from(input.word()),
+                    u32::from(input.word()),
                     name.as_mut_ptr(),
                     input.byte() as usize % SOFTANVIL_NAME_SIZE,
                 )),

@@ -1,5 +1,6 @@
 //! `TypeDefinitions` and `ModelVariables`.
 
+use std::fmt::Display;
 use std::io;
 
 use softanvil::variables::{Source, ValueType, Variable, Version, references, units};
@@ -13,7 +14,8 @@ type Attributes = Vec<(&'static str, String)>;
 pub(super) fn write_types(xml: &mut Xml, rows: &[&Variable], version: Version) -> io::Result<()> {
     xml.create_element("TypeDefinitions").write_inner_content(|xml| {
         for variable in rows {
-            if let ValueType::Enumeration { labels } = variable.value {
+            let is_shared = variable.name.layer().is_some_and(|layer| layer > 0);
+            if let (ValueType::Enumeration { labels }, false) = (variable.value, is_shared) {
                 write_type(xml, variable, labels, version)?;
             }
         }
@@ -22,9 +24,9 @@ pub(super) fn write_types(xml: &mut Xml, rows: &[&Variable], version: Version) -
     Ok(())
 }
 
-/// Types and variables share no name, by the capital that the type's starts with.
+/// Types and variables share no name, by the capital that the type's starts with. All layers share a type.
 fn type_name(variable: &Variable) -> String {
-    format!("Types.{}", variable.name)
+    format!("Types.{}.{}", variable.name.group(), variable.name.field())
 }
 
 fn write_type(xml: &mut Xml, variable: &Variable, labels: &[&str], version: Version) -> io::Result<()> {
@@ -95,7 +97,7 @@ fn borrowed(attributes: &Attributes) -> impl Iterator<Item = (&str, &str)> {
 /// Name, reference and what FMI wants to know about every variable.
 fn role(variable: &Variable) -> Attributes {
     let mut attributes = vec![
-        ("name", variable.name.to_owned()),
+        ("name", variable.name.to_string()),
         ("valueReference", variable.reference.to_string()),
         ("description", variable.description.to_owned()),
         ("causality", variable.causality().to_owned()),
@@ -119,13 +121,16 @@ fn value(variable: &Variable) -> Attributes {
             attributes.extend(variable.start().map(|start| ("start", start.to_string())));
             attributes
         }
-        ValueType::Size { range: (min, max) } => {
-            let mut attributes = vec![("min", min.to_string()), ("max", max.to_string())];
-            attributes.extend(variable.start().map(|start| ("start", start.to_string())));
-            attributes
-        }
-        ValueType::Integer | ValueType::Boolean | ValueType::String => Vec::new(),
+        ValueType::Size { range: (min, max) } => count(variable, &min, &max),
+        ValueType::Integer { range: Some((min, max)) } => count(variable, &min, &max),
+        ValueType::Integer { range: None } | ValueType::Boolean | ValueType::String => Vec::new(),
     }
+}
+
+fn count(variable: &Variable, min: &dyn Display, max: &dyn Display) -> Attributes {
+    let mut attributes = vec![("min", min.to_string()), ("max", max.to_string())];
+    attributes.extend(variable.start().map(|start| ("start", start.to_string())));
+    attributes
 }
 
 fn quantity(variable: &Variable, unit: &str, range: Option<(f64, f64)>) -> Attributes {

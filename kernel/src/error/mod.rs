@@ -2,6 +2,7 @@
 
 mod memory;
 mod model;
+mod name;
 mod parameter;
 mod scenario;
 mod snapshot;
@@ -9,7 +10,8 @@ mod step;
 
 pub use memory::MemoryError;
 pub use model::ModelError;
-pub use parameter::{NoEffect, ParameterError};
+pub use name::Name;
+pub use parameter::{NoEffect, ParameterError, Says};
 pub use scenario::ScenarioError;
 pub use snapshot::SnapshotError;
 pub use step::StepError;

@@ -4,6 +4,7 @@ use core::fmt;
 
 use thiserror::Error;
 
+use super::name::Name;
 use crate::number::decimal::Decimal;
 use crate::number::real::Real;
 
@@ -21,7 +22,7 @@ use crate::number::real::Real;
 #[error("{name} = {} is refused: expected {} to {}", Quantity(*value, unit), Decimal(*min), Quantity(*max, unit))]
 pub struct ParameterError {
     /// Name of the parameter.
-    pub name: &'static str,
+    pub name: Name,
     /// The refused value.
     pub value: Real,
     /// Unit of the value.
@@ -47,26 +48,47 @@ impl fmt::Display for Quantity {
 /// A value that has no effect in its scenario.
 ///
 /// ```
-/// use softanvil_kernel::{Changes, NoEffect, Parameter, ScenarioError, preset};
+/// use softanvil_kernel::error::{NoEffect, Says};
+/// use softanvil_kernel::{Changes, Parameter, ScenarioError, preset};
 ///
 /// let mut changes = Changes::of(&preset::study());
-/// changes.set(Parameter::find("skin.density").unwrap(), 900.0)?;
-/// let no_effect = NoEffect { name: "skin.density", value: 900.0, unit: "kg/m3", by: "geometry.layers", says: "one" };
+/// let density = Parameter::find("layers[1].density").unwrap();
+/// changes.set(density, 900.0)?;
+/// let (by, says) = ("layers.count".into(), Says::Number(1.0));
+/// let no_effect = NoEffect { name: density.name(), value: 900.0, unit: "kg/m3", by, says };
 /// assert_eq!(changes.apply(), Err(ScenarioError::NoEffect(no_effect)));
-/// assert_eq!(no_effect.to_string(), "skin.density = 900 kg/m3 has no effect: geometry.layers is one");
+/// assert_eq!(no_effect.to_string(), "layers[1].density = 900 kg/m3 has no effect: layers.count is 1");
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
-#[error("{name} = {} has no effect: {by} is {}", Quantity(*value, unit), if says.is_empty() { "0" } else { says })]
+#[error("{name} = {} has no effect: {by} is {says}", Quantity(*value, unit))]
 pub struct NoEffect {
     /// Name of the parameter.
-    pub name: &'static str,
+    pub name: Name,
     /// Its value.
     pub value: Real,
     /// Unit of the value.
     pub unit: &'static str,
     /// Name of the parameter that leaves it without effect.
-    pub by: &'static str,
-    /// What that says: the label of its choice, or nothing where it is 0.
-    pub says: &'static str,
+    pub by: Name,
+    /// What that says.
+    pub says: Says,
+}
+
+/// What a parameter says: a choice or a number.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Says {
+    /// Label of a choice.
+    Label(&'static str),
+    /// Value in the parameter's unit.
+    Number(Real),
+}
+
+impl fmt::Display for Says {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Label(label) => f.write_str(label),
+            Self::Number(number) => write!(f, "{}", Decimal(*number)),
+        }
+    }
 }

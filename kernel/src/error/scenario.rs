@@ -2,6 +2,7 @@
 
 use thiserror::Error;
 
+use super::name::Name;
 use super::parameter::{NoEffect, ParameterError};
 use crate::number::decimal::Decimal;
 use crate::number::real::Real;
@@ -12,8 +13,8 @@ use crate::number::real::Real;
 /// use softanvil_kernel::{ScenarioError, preset};
 ///
 /// let mut scenario = preset::study();
-/// scenario.silicone.prony_g = [0.75, 0.5, 0.0, 0.0, 0.0];
-/// assert_eq!(scenario.validate(), Err(ScenarioError::PronySum { layer: "silicone", sum: 1.25 }));
+/// scenario.layers[0].material.prony_g = [0.75, 0.5, 0.0, 0.0, 0.0];
+/// assert_eq!(scenario.validate(), Err(ScenarioError::PronySum { layer: 0, sum: 1.25 }));
 /// ```
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
 pub enum ScenarioError {
@@ -27,54 +28,51 @@ pub enum ScenarioError {
     #[error("{} and {} state the same thing: expected one of them", names[0], names[1])]
     Contradiction {
         /// Names of their parameters.
-        names: [&'static str; 2],
+        names: [Name; 2],
     },
-    /// Another number of layers than in the base is given, but not how thick the silicone then is.
-    #[error(
-        "geometry.layers = {} needs geometry.silicone_thickness as well: {} m is that of {}",
-        if *two { "two" } else { "one" },
-        Decimal(*thickness),
-        if *two { "the whole layer" } else { "the silicone alone" }
-    )]
+    /// Interfaces that do not fit the layers.
+    #[error("{interfaces} interfaces are refused: expected {} between {layers} layers", layers.saturating_sub(1))]
+    Interfaces {
+        /// How many layers there are.
+        layers: usize,
+        /// How many interfaces there are.
+        interfaces: usize,
+    },
+    /// A layer has next to no thickness.
+    #[error("layers[{layer}].thickness = {} m is refused: expected at least {} m", Decimal(*thickness), Decimal(*minimum))]
     LayerThickness {
-        /// Whether two layers are given, or one.
-        two: bool,
-        /// Thickness of the silicone in the base, m.
+        /// The layer, counted from the core.
+        layer: usize,
+        /// Its thickness, m.
         thickness: Real,
+        /// Smallest legal thickness, m.
+        minimum: Real,
     },
     /// The Prony coefficients leave no long-term stiffness.
-    #[error("{layer}.prony_g_1 to _5 sum to {}: expected at least 0 and below 1", Decimal(*sum))]
+    #[error("layers[{layer}].prony_g_1 to _5 sum to {}: expected at least 0 and below 1", Decimal(*sum))]
     PronySum {
-        /// Group of the layer's parameters.
-        layer: &'static str,
+        /// The layer, counted from the core.
+        layer: usize,
         /// sum g_i.
         sum: Real,
     },
     /// The elastic law has no positive shear modulus at rest.
-    #[error("{layer}.{coefficients} a shear modulus of {} Pa: expected above 0 Pa", Decimal(*modulus))]
+    #[error("layers[{layer}].{coefficients} a shear modulus of {} Pa: expected above 0 Pa", Decimal(*modulus))]
     ShearModulus {
-        /// Group of the layer's parameters.
-        layer: &'static str,
+        /// The layer, counted from the core.
+        layer: usize,
         /// Names of the coefficients that give it, and the verb that belongs to them.
         coefficients: &'static str,
         /// Its shear modulus at rest, Pa.
         modulus: Real,
     },
     /// The material would be torn before the test.
-    #[error("{layer}.tear_stretch = {} is refused: expected 0 (off) or at least 1", Decimal(*stretch))]
+    #[error("layers[{layer}].tear_stretch = {} is refused: expected 0 (off) or at least 1", Decimal(*stretch))]
     TearStretch {
-        /// Group of the layer's parameters.
-        layer: &'static str,
+        /// The layer, counted from the core.
+        layer: usize,
         /// Stretch at which it begins to tear.
         stretch: Real,
-    },
-    /// A skin with a material of its own has next to no thickness.
-    #[error("geometry.skin_thickness = {} m is refused: expected at least {} m with two layers", Decimal(*thickness), Decimal(*minimum))]
-    SkinTooThin {
-        /// Thickness of the skin, m.
-        thickness: Real,
-        /// Smallest legal thickness, m.
-        minimum: Real,
     },
     /// The face does not cover the anvil, so the chord thickness ends inside the section.
     #[error("impactor.face_diameter = {} m is refused: expected at least {} m over this anvil", Decimal(*diameter), Decimal(*minimum))]

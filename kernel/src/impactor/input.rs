@@ -84,7 +84,7 @@ impl InputRow {
 
     fn check_within(&self, value: Real, (min, max): (Real, Real)) -> Result<(), ParameterError> {
         let in_range = value >= min && value <= max;
-        if in_range { Ok(()) } else { Err(ParameterError { name: self.name, value, unit: self.unit, min, max }) }
+        if in_range { Ok(()) } else { Err(ParameterError { name: self.name.into(), value, unit: self.unit, min, max }) }
     }
 }
 

@@ -6,11 +6,13 @@
 //! of [`LANES`] cells lie along a row, so that the data of neighbouring cells are neighbours in memory and the element
 //! loop needs no index table. A row is padded to whole blocks with cells of no volume and nodes of no mobility.
 
+use core::ops::Range;
+
 use crate::error::ModelError;
 use crate::number::math;
 use crate::number::pack::LANES;
 use crate::number::real::Real;
-use crate::scenario::{Formulation, Layers, Scenario, Section, Shape};
+use crate::scenario::{Formulation, Layer, MAX_LAYERS, Scenario, Section, Shape};
 
 /// Largest number of cells of a mesh.
 pub const MAX_CELLS: usize = 1 << 20;
@@ -24,8 +26,8 @@ pub struct Grid {
     pub centre: usize,
     /// Rows of cells, from the core to the surface.
     pub n_v: usize,
-    /// Rows of the silicone; the skin has the others.
-    pub n_v_silicone: usize,
+    /// Row that ends each layer: the first of the next one. Layers that the scenario does not have end with the last.
+    pub layer_end: [usize; MAX_LAYERS],
     /// Whether the cells are rings.
     pub axisymmetric: bool,
 }
@@ -37,28 +39,29 @@ impl Grid {
     /// An element size that asks for more than [`MAX_CELLS`] cells.
     pub fn new(scenario: &Scenario) -> Result<Self, ModelError> {
         let geometry = &scenario.geometry;
-        let thickness = geometry.layer_thickness();
         let width = match geometry.shape {
-            Shape::Round => HALF_PI * (geometry.core_radius + 0.5 * thickness),
+            Shape::Round => HALF_PI * (geometry.core_radius + 0.5 * scenario.thickness()),
             Shape::Block => 0.5 * geometry.block_width,
         };
-        let count = |length: Real| math::max(1.0, math::round(length / scenario.mesh.element_size));
-        let [silicone, skin] = match geometry.layers {
-            Layers::One => [count(thickness), 0.0],
-            Layers::Two => [count(geometry.silicone_thickness), count(geometry.skin_thickness)],
-        };
+        let element_size = scenario.mesh.element_size;
+        let columns = cells_along(width, element_size);
+        let rows = scenario.layers.iter().fold(0.0, |sum, layer| sum + layer_rows(layer, element_size) as Real);
         let halves = if geometry.section == Section::Full { 2.0 } else { 1.0 };
-        let cells = halves * count(width) * (silicone + skin);
+        let cells = halves * columns * rows;
         if cells > MAX_CELLS as Real {
             return Err(ModelError::TooManyCells { cells, max: MAX_CELLS });
         }
-        let half = count(width) as usize;
-        let n_v_silicone = silicone as usize;
-        let n_v = n_v_silicone + skin as usize;
+        let half = columns as usize;
+        let mut n_v = 0;
+        let mut layers = scenario.layers.iter();
+        let layer_end = [(); MAX_LAYERS].map(|()| {
+            n_v += layers.next().map_or(0, |layer| layer_rows(layer, element_size));
+            n_v
+        });
         let axisymmetric = geometry.formulation == Formulation::Axisymmetric;
         Ok(match geometry.section {
-            Section::Half => Self { n_u: half, centre: 0, n_v, n_v_silicone, axisymmetric },
-            Section::Full => Self { n_u: 2 * half, centre: half, n_v, n_v_silicone, axisymmetric },
+            Section::Half => Self { n_u: half, centre: 0, n_v, layer_end, axisymmetric },
+            Section::Full => Self { n_u: 2 * half, centre: half, n_v, layer_end, axisymmetric },
         })
     }
 
@@ -72,9 +75,22 @@ impl Grid {
         self.blocks_per_row() * self.n_v
     }
 
-    /// Blocks of the silicone, which are the first ones.
-    pub fn n_block_silicone(&self) -> usize {
-        self.blocks_per_row() * self.n_v_silicone
+    /// Rows of cells of a layer, counted from the core.
+    pub fn rows_of(&self, layer: usize) -> Range<usize> {
+        let end = |layer: usize| self.layer_end.get(layer).copied().unwrap_or(self.n_v);
+        layer.checked_sub(1).map_or(0, end)..end(layer)
+    }
+
+    /// The layer, counted from the core, that a row of cells is in.
+    pub fn layer_of_row(&self, row: usize) -> usize {
+        self.layer_end.iter().take(MAX_LAYERS - 1).filter(|end| **end <= row).count()
+    }
+
+    /// The layer, counted from the core, that a block is in.
+    #[inline(always)]
+    pub fn layer_of_block(&self, block: usize) -> usize {
+        let per_row = self.blocks_per_row();
+        self.layer_end.iter().take(MAX_LAYERS - 1).filter(|end| per_row * **end <= block).count()
     }
 
     /// Nodes from one row to the next, padding included: whole lanes, and one node more than cells.
@@ -113,3 +129,16 @@ impl Grid {
 }
 
 const HALF_PI: Real = crate::number::real::consts::FRAC_PI_2;
+
+/// Cells of about `size` m along `length` m, at least one.
+fn cells_along(length: Real, size: Real) -> Real {
+    math::max(1.0, math::round(length / size))
+}
+
+/// Rows of cells of a layer: as many as it says, or as come nearest to an element size.
+pub(crate) fn layer_rows(layer: &Layer, element_size: Real) -> usize {
+    match layer.rows {
+        0 => cells_along(layer.thickness, element_size) as usize,
+        rows => rows,
+    }
+}

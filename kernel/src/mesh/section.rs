@@ -4,7 +4,7 @@ use crate::mesh::Grid;
 use crate::number::math;
 use crate::number::real::Real;
 use crate::number::real::consts::{FRAC_PI_2, PI};
-use crate::scenario::{Formulation, Layers, Scenario, Shape};
+use crate::scenario::{Formulation, Scenario, Shape};
 
 /// Position of node (u, v) at rest, m.
 pub fn reference_position(scenario: &Scenario, grid: &Grid, u: usize, v: usize) -> [Real; 2] {
@@ -23,16 +23,15 @@ pub fn reference_position(scenario: &Scenario, grid: &Grid, u: usize, v: usize) 
 
 /// Height of row `v` of nodes over the core at rest, m.
 fn height_over_core(scenario: &Scenario, grid: &Grid, v: usize) -> Real {
-    let geometry = &scenario.geometry;
-    let part = |row: usize, rows: usize| row as Real / rows as Real;
-    match geometry.layers {
-        Layers::One => geometry.layer_thickness() * part(v, grid.n_v),
-        Layers::Two if v <= grid.n_v_silicone => geometry.silicone_thickness * part(v, grid.n_v_silicone),
-        Layers::Two => {
-            let row = part(v - grid.n_v_silicone, grid.n_v - grid.n_v_silicone);
-            geometry.silicone_thickness + geometry.skin_thickness * row
+    let mut below = 0.0;
+    for (place, layer) in scenario.layers.iter().enumerate() {
+        let rows = grid.rows_of(place);
+        if v <= rows.end {
+            return below + layer.thickness * (v.saturating_sub(rows.start) as Real / rows.len() as Real);
         }
+        below += layer.thickness;
     }
+    below
 }
 
 /// Reference volume per area of section at `x` from the centre line, m: the out-of-plane thickness in plane

@@ -7,6 +7,7 @@ use crate::model::Size;
 use crate::number::math;
 use crate::number::real::{self, Real};
 use crate::sampling::SAMPLING_RATE;
+use crate::scenario::preset::elastic_silicone;
 use crate::scenario::{MAX_LAYERS, Scenario};
 
 /// The scalar constants of a model.
@@ -39,7 +40,7 @@ pub struct Constants {
     pub steps_per_sample: u32,
     /// Channel filter of the contact force.
     pub channel: Coefficients,
-    /// Material models of silicone and skin.
+    /// Material models of the layers from the core to the surface; behind them that of the last again.
     pub laws: [MaterialModel; MAX_LAYERS],
     /// Forces of the whole anvil per force of the meshed section: 2 in plane strain, which meshes one half.
     pub symmetry_factor: Real,
@@ -53,9 +54,7 @@ impl Constants {
     /// Goes over to steps of `dt` s, `steps_per_sample` of them in a sampling interval.
     pub(crate) fn set_step(&mut self, dt: Real, steps_per_sample: u32) {
         (self.dt, self.steps_per_sample) = (dt, steps_per_sample);
-        for (laws, layer) in self.laws.iter_mut().zip(self.scenario.layers()) {
-            *laws = MaterialModel::new(layer.material, dt);
-        }
+        self.laws = laws_of_layers(&self.scenario, dt);
     }
 
     /// Mass of the impactor that belongs to the meshed section, kg.
@@ -65,8 +64,13 @@ impl Constants {
 
     /// Material model of a block of cells.
     pub fn laws_of(&self, block: usize) -> &MaterialModel {
-        let [silicone, skin] = &self.laws;
-        if block < self.grid.n_block_silicone() { silicone } else { skin }
+        let [first, second, third, fourth] = &self.laws;
+        match self.grid.layer_of_block(block) {
+            0 => first,
+            1 => second,
+            2 => third,
+            _ => fourth,
+        }
     }
 
     /// Entries of viscous history per triangle: those of the layer that has more.
@@ -93,4 +97,13 @@ impl Constants {
         let samples = if is_whole { nearest } else { math::ceil(samples) };
         samples as u64 * u64::from(self.steps_per_sample)
     }
+}
+
+/// Material models of the layers of `scenario` for steps of `dt` s; behind them that of the last again.
+pub(crate) fn laws_of_layers(scenario: &Scenario, dt: Real) -> [MaterialModel; MAX_LAYERS] {
+    core::array::from_fn(|place| {
+        let layer = scenario.layers.get(place).or(scenario.layers.last());
+        // A scenario without a layer is refused.
+        layer.map_or_else(|| MaterialModel::new(&elastic_silicone(), dt), |layer| MaterialModel::new(&layer.material, dt))
+    })
 }

@@ -18,7 +18,7 @@ pub(crate) const SURFACE_FIELDS: usize = 2;
 ///
 /// let size = Size::of(&preset::study())?;
 /// // The history of two triangles a cell for every Prony term, and no hoops in plane strain.
-/// let terms = preset::study().silicone.n_viscous_term();
+/// let terms = preset::study().layers[0].material.n_viscous_term();
 /// assert_eq!((size.state_viscous, size.model_hoops), (2 * terms * size.state_cells, 0));
 ///
 /// // Half the edge length makes about four times the cells.
@@ -56,7 +56,7 @@ impl Size {
 
     /// What a legal `scenario` needs on its `grid`.
     pub(crate) fn of_grid(scenario: &Scenario, grid: &Grid) -> Self {
-        let terms = scenario.layers().iter().fold(0, |most, layer| most.max(layer.material.n_viscous_term()));
+        let terms = scenario.layers.iter().fold(0, |most, layer| most.max(layer.material.n_viscous_term()));
         Self {
             model_nodes: MODEL_NODE_FIELDS * grid.n_node(),
             model_cells: grid.n_block(),

@@ -54,6 +54,8 @@ pub enum Source {
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 pub struct Field {
+    /// Its number, for ever: no other field gets it, even when this one is no more.
+    pub id: u32,
     /// Name, such as "node.displacement".
     pub name: &'static str,
     /// SI unit.
@@ -69,16 +71,18 @@ pub struct Field {
 }
 
 const fn stored(
+    id: u32,
     name: &'static str,
     unit: &'static str,
     place: Place,
     source: for<'a> fn(&Model<'a>, &StateView<'a>) -> [&'a [Real]; 2],
     description: &'static str,
 ) -> Field {
-    Field { name, unit, description, place, components: 2, source: Source::Stored(source) }
+    Field { id, name, unit, description, place, components: 2, source: Source::Stored(source) }
 }
 
 const fn computed(
+    id: u32,
     name: &'static str,
     unit: &'static str,
     place: Place,
@@ -86,22 +90,34 @@ const fn computed(
     source: fn(&Model, &StateView, usize, usize, usize) -> Option<Real>,
     description: &'static str,
 ) -> Field {
-    Field { name, unit, description, place, components, source: Source::Computed(source) }
+    Field { id, name, unit, description, place, components, source: Source::Computed(source) }
 }
+
+/// Ids of fields that are no more, which no other field gets.
+pub const RETIRED_FIELDS: &[u32] = &[];
 
 /// Every field.
 pub static FIELDS: [Field; 12] = [
     stored(
+        0,
         "node.reference_position",
         "m",
         Place::Node,
         |model, _| [model.nodes.reference_x, model.nodes.reference_y],
         "position at rest, x outwards from the centre line and y upwards from the centre of the core",
     ),
-    computed("node.position", "m", Place::Node, 2, position, "current position, x and y"),
-    stored("node.displacement", "m", Place::Node, |_, state| state.displacement(), "displacement from rest, x and y"),
-    stored("node.velocity", "m/s", Place::Node, |_, state| state.velocity(), "velocity half a step back, x and y"),
+    computed(1, "node.position", "m", Place::Node, 2, position, "current position, x and y"),
     stored(
+        2,
+        "node.displacement",
+        "m",
+        Place::Node,
+        |_, state| state.displacement(),
+        "displacement from rest, x and y",
+    ),
+    stored(3, "node.velocity", "m/s", Place::Node, |_, state| state.velocity(), "velocity half a step back, x and y"),
+    stored(
+        4,
         "node.force",
         "N",
         Place::Node,
@@ -109,6 +125,7 @@ pub static FIELDS: [Field; 12] = [
         "force in the last step on the meshed section, contact and friction included, x and y",
     ),
     stored(
+        5,
         "surface.contact_force",
         "N",
         Place::Surface,
@@ -116,6 +133,7 @@ pub static FIELDS: [Field; 12] = [
         "force of the face in the last step on the meshed section, pressing and, outwards, by friction",
     ),
     computed(
+        6,
         "surface.contact_pressure",
         "Pa",
         Place::Surface,
@@ -124,6 +142,7 @@ pub static FIELDS: [Field; 12] = [
         "contact pressure in the last step, over the area halfway to the neighbouring nodes",
     ),
     computed(
+        7,
         "element.pressure",
         "Pa",
         Place::Element,
@@ -132,6 +151,7 @@ pub static FIELDS: [Field; 12] = [
         "hydrostatic pressure of the last step, positive in compression",
     ),
     computed(
+        8,
         "element.von_mises_stress",
         "Pa",
         Place::Element,
@@ -140,6 +160,7 @@ pub static FIELDS: [Field; 12] = [
         "von Mises stress of the last step, viscous and damping parts included",
     ),
     computed(
+        9,
         "element.principal_stress",
         "Pa",
         Place::Element,
@@ -148,6 +169,7 @@ pub static FIELDS: [Field; 12] = [
         "principal Cauchy stresses of the last step: larger and smaller in the section, then out of its plane",
     ),
     computed(
+        10,
         "element.cauchy_stress",
         "Pa",
         Place::Element,
@@ -156,6 +178,7 @@ pub static FIELDS: [Field; 12] = [
         "Cauchy stress of the last step, positive in tension: xx, yy, xy, and zz out of the section",
     ),
     computed(
+        11,
         "element.principal_stretch",
         "1",
         Place::Element,

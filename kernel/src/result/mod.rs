@@ -4,5 +4,5 @@ mod field;
 mod output;
 pub mod stress;
 
-pub use field::{FIELDS, Field, Place, Source, Strided};
-pub use output::{OUTPUTS, Output};
+pub use field::{FIELDS, Field, Place, RETIRED_FIELDS, Source, Strided};
+pub use output::{OUTPUTS, Output, RETIRED_OUTPUTS};

@@ -1,13 +1,14 @@
-//! The description of one drop test: geometry, impactor, material, interfaces, mesh, time.
+//! The description of one drop test: geometry, impactor, layers, interfaces, mesh, time.
 //!
-//! A [`Scenario`] is plain data. Every field is a row of [`crate::scenario::parameter::PARAMETERS`], which holds its name,
-//! unit, legal range and meaning; [`Scenario::validate`] checks the rows and what several fields say together.
+//! A [`Scenario`] is plain data. Every number and choice in it is a [`crate::Parameter`], which has a name, unit, legal range
+//! and meaning; [`Scenario::validate`] checks each of them and what several say together.
 
+use heapless::Vec;
 use strum::{FromRepr, VariantNames};
 
-use crate::material::Material;
 use crate::number::math;
 use crate::number::real::Real;
+use crate::scenario::layer::{Layer, LayerInterface, MAX_LAYERS};
 
 /// Everything that defines a simulation, in SI units.
 ///
@@ -15,7 +16,7 @@ use crate::number::real::Real;
 /// use softanvil_kernel::preset;
 ///
 /// let mut scenario = preset::study();
-/// scenario.geometry.silicone_thickness = 20e-3;
+/// scenario.layers[0].thickness = 20e-3;
 /// scenario.impactor.mass = 4.0;
 /// scenario.impactor = scenario.impactor.with_energy(8.0);
 /// scenario.validate()?;
@@ -25,16 +26,16 @@ use crate::number::real::Real;
 /// assert!(refused.starts_with("impactor.face_diameter = 0.01 m is refused: expected at least "));
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Scenario {
     /// Shape and size of the anvil.
     pub geometry: Geometry,
     /// The drop mass.
     pub impactor: Impactor,
-    /// Material of the silicone.
-    pub silicone: Material,
-    /// Material of the skin where [`Geometry::layers`] gives it one of its own.
-    pub skin: Material,
+    /// The layers from the core to the surface, at least one.
+    pub layers: Vec<Layer, MAX_LAYERS>,
+    /// The interfaces between neighbouring layers, from the core to the surface: one less than there are layers.
+    pub interfaces: Vec<LayerInterface, MAX_INTERFACES>,
     /// Interface between layer and core.
     pub core: CoreInterface,
     /// Interface between impactor and layer.
@@ -67,27 +68,8 @@ pub enum Formulation {
     Axisymmetric,
 }
 
-/// Layers of different material.
-#[derive(Clone, Copy, Debug, FromRepr, PartialEq, Eq, VariantNames)]
-#[strum(serialize_all = "snake_case")]
-pub enum Layers {
-    /// The silicone's material through the whole thickness: the study's simplification.
-    One,
-    /// A skin with a material, and rows of the mesh, of its own.
-    Two,
-}
-
-/// Most layers of different material.
-pub const MAX_LAYERS: usize = 2;
-
-/// A layer of the anvil.
-#[derive(Clone, Copy, Debug)]
-pub struct Layer<'a> {
-    /// Group of its parameters.
-    pub name: &'static str,
-    /// Its material.
-    pub material: &'a Material,
-}
+/// Most interfaces between layers.
+pub const MAX_INTERFACES: usize = MAX_LAYERS - 1;
 
 /// How much of the section is meshed.
 #[derive(Clone, Copy, Debug, FromRepr, PartialEq, Eq, VariantNames)]
@@ -106,30 +88,14 @@ pub struct Geometry {
     pub shape: Shape,
     /// Plane strain or axisymmetric.
     pub formulation: Formulation,
-    /// One material, or two.
-    pub layers: Layers,
     /// Half or full section.
     pub section: Section,
     /// Radius of the rigid core of a round anvil, m.
     pub core_radius: Real,
-    /// Thickness of the silicone, m; of the whole layer where there is one.
-    pub silicone_thickness: Real,
-    /// Thickness of the skin on top of it where there are two layers, m.
-    pub skin_thickness: Real,
     /// Largest out-of-plane thickness in plane strain, m.
     pub length: Real,
     /// Full width (plane strain) or diameter (axisymmetric) of a block, m.
     pub block_width: Real,
-}
-
-impl Geometry {
-    /// Thickness of the whole soft layer, m.
-    pub fn layer_thickness(&self) -> Real {
-        match self.layers {
-            Layers::One => self.silicone_thickness,
-            Layers::Two => self.silicone_thickness + self.skin_thickness,
-        }
-    }
 }
 
 /// How the impactor moves.
@@ -273,14 +239,9 @@ pub struct Measurement {
 }
 
 impl Scenario {
-    /// The layers from the core to the surface; one material through the whole thickness counts for both.
-    pub fn layers(&self) -> [Layer<'_>; MAX_LAYERS] {
-        let silicone = Layer { name: "silicone", material: &self.silicone };
-        let skin = match self.geometry.layers {
-            Layers::One => silicone,
-            Layers::Two => Layer { name: "skin", material: &self.skin },
-        };
-        [silicone, skin]
+    /// Thickness of all layers together, m.
+    pub fn thickness(&self) -> Real {
+        self.layers.iter().fold(0.0, |sum, layer| sum + layer.thickness)
     }
 
     /// Radius of the curved core surface, m; none for a flat one.

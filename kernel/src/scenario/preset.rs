@@ -1,18 +1,22 @@
 //! Ready-made scenarios. The parameter sets stand here and nowhere else.
 
+use heapless::Vec;
+
 use crate::material::{
     Coefficients, ElasticLaw, Material, Moduli, MooneyRivlin, NeoHookean, Ogden, VolumetricBy, VolumetricLaw, Yeoh,
 };
 use crate::number::real::Real;
 use crate::sampling::SAMPLING_INTERVAL;
 use crate::scenario::{
-    CoreInterface, DropBy, FaceInterface, Formulation, Geometry, Impactor, Interface, Layers, Measurement, Mesh,
-    Motion, Scenario, Section, Shape, StepBy, Time,
+    CoreInterface, DropBy, FaceInterface, Formulation, Geometry, Impactor, Interface, Layer, MAX_LAYERS, Measurement,
+    Mesh, Motion, Scenario, Section, Shape, StepBy, Time,
 };
 
 /// A scenario with a name.
 #[derive(Clone, Copy, Debug)]
 pub struct Preset {
+    /// Its number, for ever: no other preset gets it, even when this one is no more.
+    pub id: u32,
     /// Name.
     pub name: &'static str,
     /// Makes the scenario.
@@ -54,51 +58,62 @@ impl core::fmt::Display for Fitted {
     }
 }
 
+/// Ids of presets that are no more, which no other preset gets.
+pub const RETIRED: &[u32] = &[];
+
 /// Every preset; the first is the default.
 pub static PRESETS: &[Preset] = &[
     Preset {
+        id: 0,
         name: "study",
         scenario: study,
         description: "the study's soft anvil, 5 parameters fitted to the 12 numbers of its 3 drops",
         fitted: Fitted { parameters: 5, numbers: 12 },
     },
     Preset {
+        id: 1,
         name: "study-14.7",
         scenario: study_14_7,
         description: "the study's soft anvil, 4 parameters fitted to the 4 numbers of 14.7 J alone",
         fitted: Fitted { parameters: 4, numbers: 4 },
     },
     Preset {
+        id: 2,
         name: "study-incompressible",
         scenario: study_incompressible,
         description: "the study's soft anvil, incompressible, 5 parameters fitted to the 12 numbers",
         fitted: Fitted { parameters: 5, numbers: 12 },
     },
     Preset {
+        id: 3,
         name: "elastic",
         scenario: elastic,
         description: "the study's anvil of a plain elastic silicone, to start from with a material of one's own",
         fitted: Fitted::NONE,
     },
     Preset {
+        id: 4,
         name: "block",
         scenario: block,
         description: "a flat block of the plain elastic silicone on a flat core, bonded",
         fitted: Fitted::NONE,
     },
     Preset {
+        id: 5,
         name: "ecoflex-00-30",
         scenario: ecoflex_00_30,
         description: "the study's anvil of Ecoflex 00-30, elastic, from tension tests of Marechal et al. (2021)",
         fitted: Fitted::NONE,
     },
     Preset {
+        id: 6,
         name: "dragon-skin-30",
         scenario: dragon_skin_30,
         description: "the study's anvil of Dragon Skin 30, elastic, from tension tests of Marechal et al. (2021)",
         fitted: Fitted::NONE,
     },
     Preset {
+        id: 7,
         name: "natural-rubber",
         scenario: natural_rubber,
         description: "the study's anvil of Treloar's vulcanised natural rubber, elastic, by Ogden (1972)",
@@ -118,11 +133,8 @@ pub fn study() -> Scenario {
         geometry: Geometry {
             shape: Shape::Round,
             formulation: Formulation::PlaneStrain,
-            layers: Layers::One,
             section: Section::Half,
             core_radius: 37.5e-3,
-            silicone_thickness: 15e-3,
-            skin_thickness: 1e-3,
             length: 150e-3,
             block_width: 30e-3,
         },
@@ -141,8 +153,8 @@ pub fn study() -> Scenario {
             prescribed_depth: 5e-3,
             prescribed_rise: 5e-3,
         },
-        silicone: study_silicone(),
-        skin: chamois(),
+        layers: one_layer(study_silicone()),
+        interfaces: Vec::new(),
         core: CoreInterface { interface: Interface::Frictional, friction_coefficient: 0.3 },
         face: FaceInterface { friction_coefficient: 0.3 },
         mesh: Mesh { element_size: 3e-3 },
@@ -169,15 +181,24 @@ fn consistent(mut scenario: Scenario) -> Scenario {
     if impactor.drop_by != DropBy::Speed {
         impactor.drop_speed = speed;
     }
-    for material in [&mut scenario.silicone, &mut scenario.skin] {
-        match material.volumetric_by {
-            VolumetricBy::BulkModulus => {
-                material.poissons_ratio = material.poissons_ratio_of(material.shear_modulus_inf())
-            }
-            VolumetricBy::PoissonsRatio => material.bulk_modulus = material.effective_bulk_modulus(),
-        }
+    for layer in &mut scenario.layers {
+        layer.material = consistent_material(layer.material);
     }
     scenario
+}
+
+/// The same for a material.
+fn consistent_material(mut material: Material) -> Material {
+    match material.volumetric_by {
+        VolumetricBy::BulkModulus => material.poissons_ratio = material.poissons_ratio_of(material.shear_modulus_inf()),
+        VolumetricBy::PoissonsRatio => material.bulk_modulus = material.effective_bulk_modulus(),
+    }
+    material
+}
+
+/// The one layer of the study's anvil, of `silicone`.
+fn one_layer(silicone: Material) -> Vec<Layer, MAX_LAYERS> {
+    Vec::from_iter([Layer::new("silicone", 15e-3, silicone)])
 }
 
 /// The silicone of [`study`], near the best of `calibration/all.toml`. Five parameters were fitted to twelve numbers: three
@@ -240,12 +261,11 @@ pub fn elastic_silicone() -> Material {
 /// is 0.31 MPa, where the paper's relaxation test has 0.33 MPa after a second, and 2.9 MPa at once; Poisson's ratio is 0.49
 /// in the long term and 0.41 at once.
 pub fn study_14_7() -> Scenario {
-    let study = study();
     let overstress = 8.5;
     let silicone = Material {
         prony_g: [overstress / (1.0 + overstress), 0.0, 0.0, 0.0, 0.0],
         prony_tau: [0.3e-3, 1.0, 1.0, 1.0, 1.0],
-        ..study.silicone.with(MooneyRivlin { c10: 155e3, c20: 90e3, ..MooneyRivlin::ZERO })
+        ..study_silicone().with(MooneyRivlin { c10: 155e3, c20: 90e3, ..MooneyRivlin::ZERO })
     };
     of_silicone(silicone, 7.0)
 }
@@ -256,14 +276,13 @@ pub fn study_14_7() -> Scenario {
 /// and 0.47 at once. The shear modulus at rest is 0.56 MPa, and 11.2 MPa at once. It meets the twelve numbers as well, so they
 /// do not ask for a silicone that gives way; what it costs is a shorter step, too short for real time on one core.
 pub fn study_incompressible() -> Scenario {
-    let study = study();
     let overstress = 18.9;
     let silicone = Material {
         volumetric_by: VolumetricBy::BulkModulus,
         bulk_modulus: 200e6,
         prony_g: [overstress / (1.0 + overstress), 0.0, 0.0, 0.0, 0.0],
         prony_tau: [0.117e-3, 1.0, 1.0, 1.0, 1.0],
-        ..study.silicone.with(MooneyRivlin { c10: 30.2e3, c01: 251e3, c20: 116e3, ..MooneyRivlin::ZERO })
+        ..study_silicone().with(MooneyRivlin { c10: 30.2e3, c01: 251e3, c20: 116e3, ..MooneyRivlin::ZERO })
     };
     of_silicone(silicone, 17.0)
 }
@@ -271,7 +290,8 @@ pub fn study_incompressible() -> Scenario {
 /// The anvil of [`study`] made of `silicone`, for which a sampling interval takes `steps` steps.
 fn of_silicone(silicone: Material, steps: Real) -> Scenario {
     let study = study();
-    consistent(Scenario { silicone, time: Time { step: SAMPLING_INTERVAL / steps, ..study.time }, ..study })
+    let time = Time { step: SAMPLING_INTERVAL / steps, ..study.time };
+    consistent(Scenario { layers: one_layer(silicone), time, ..study })
 }
 
 /// The same of an elastic silicone, which nothing slows down on its way back: its contact takes longer.
@@ -320,8 +340,14 @@ pub fn natural_rubber() -> Scenario {
     elastic_of(silicone, 8.0)
 }
 
-/// A synthetic chamois for two layers. Not from the study, which gives its skin the silicone's material: the density and
-/// the modulus of 3 MPa are of the order of soft leather, and nothing is fitted.
-fn chamois() -> Material {
-    Material { density: 600.0, poissons_ratio: 0.45, ..elastic_silicone().with(NeoHookean { c10: 0.5e6 }) }
+/// A skin to lay on the silicone: 1 mm of synthetic chamois. Not from the study, which gives its skin the silicone's material: the
+/// density and the modulus of 3 MPa are of the order of soft leather, and nothing is fitted.
+pub fn chamois() -> Layer {
+    let silicone = elastic_silicone().with(NeoHookean { c10: 0.5e6 });
+    Layer::new("skin", 1e-3, consistent_material(Material { density: 600.0, poissons_ratio: 0.45, ..silicone }))
+}
+
+/// What a layer is that nothing is said of but that it is there: [`elastic_silicone`], without a thickness yet.
+pub fn spare_layer() -> Layer {
+    Layer::new("", 0.0, consistent_material(elastic_silicone()))
 }

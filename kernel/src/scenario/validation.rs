@@ -3,8 +3,8 @@
 use crate::error::ScenarioError;
 use crate::number::math;
 use crate::number::real::Real;
-use crate::scenario::parameter::PARAMETERS;
-use crate::scenario::{Formulation, Layer, Layers, Scenario, Section, Shape};
+use crate::scenario::parameter::Parameter;
+use crate::scenario::{Formulation, Layer, Scenario, Section, Shape};
 
 impl Scenario {
     /// Checks every parameter against its legal range, then what several parameters say together.
@@ -12,19 +12,20 @@ impl Scenario {
     /// # Errors
     /// The first refused value, by name, with its unit and legal range.
     pub fn validate(&self) -> Result<(), ScenarioError> {
-        for parameter in PARAMETERS {
+        for parameter in Parameter::of(self) {
             parameter.check(parameter.get(self))?;
         }
-        self.layers().iter().try_for_each(Layer::validate)?;
+        let (layers, interfaces) = (self.layers.len(), self.interfaces.len());
+        if interfaces + 1 != layers {
+            return Err(ScenarioError::Interfaces { layers, interfaces });
+        }
+        self.layers.iter().enumerate().try_for_each(|(place, layer)| layer.validate(place))?;
         self.validate_geometry()
     }
 
     fn validate_geometry(&self) -> Result<(), ScenarioError> {
         let geometry = &self.geometry;
-        if geometry.layers == Layers::Two && geometry.skin_thickness < MIN_SKIN {
-            return Err(ScenarioError::SkinTooThin { thickness: geometry.skin_thickness, minimum: MIN_SKIN });
-        }
-        let outer = geometry.core_radius + geometry.layer_thickness();
+        let outer = geometry.core_radius + self.thickness();
         let chord_ends = geometry.shape == Shape::Round && geometry.formulation == Formulation::PlaneStrain;
         let reach = FACE_MARGIN * outer + math::abs(self.impactor.offset);
         if geometry.section == Section::Full && geometry.formulation == Formulation::Axisymmetric {
@@ -41,9 +42,12 @@ impl Scenario {
     }
 }
 
-impl Layer<'_> {
-    fn validate(&self) -> Result<(), ScenarioError> {
-        let (layer, material) = (self.name, self.material);
+impl Layer {
+    fn validate(&self, layer: usize) -> Result<(), ScenarioError> {
+        let (thickness, material) = (self.thickness, &self.material);
+        if thickness < MIN_THICKNESS {
+            return Err(ScenarioError::LayerThickness { layer, thickness, minimum: MIN_THICKNESS });
+        }
         if material.prony_g_inf() <= 0.0 {
             return Err(ScenarioError::PronySum { layer, sum: 1.0 - material.prony_g_inf() });
         }
@@ -59,8 +63,8 @@ impl Layer<'_> {
     }
 }
 
-/// Thinnest skin with a material of its own, m: as thin as the smallest element.
-const MIN_SKIN: Real = 1e-5;
+/// Thinnest layer, m: as thin as the smallest element.
+const MIN_THICKNESS: Real = 1e-5;
 
 /// The face's chord is the thickness of the section, so the face must reach past the anvil's side by this factor.
 const FACE_MARGIN: Real = 1.02;

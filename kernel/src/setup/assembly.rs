@@ -3,14 +3,13 @@
 use crate::cfc::Coefficients;
 use crate::element::{CellConstants, HoopConstants, Triangle};
 use crate::error::{ModelError, ScenarioError};
-use crate::material::MaterialModel;
 use crate::mesh::{CORNERS, Grid, triangles};
-use crate::model::{Constants, MODEL_NODE_FIELDS, ModelArrays, Size, split_row};
+use crate::model::{Constants, MODEL_NODE_FIELDS, ModelArrays, Size, laws_of_layers, split_row};
 use crate::number::digest::Digest;
 use crate::number::pack::LANES;
 use crate::number::real::Real;
 use crate::sampling::SAMPLING_INTERVAL;
-use crate::scenario::parameter::PARAMETERS;
+use crate::scenario::parameter::Parameter;
 use crate::scenario::{Formulation, Interface, Scenario, Section};
 
 /// Fills `arrays` with the model of `scenario` whose nodes rest at `position(u, v)`, m, and gives its constants, for steps
@@ -30,14 +29,14 @@ pub(crate) fn assemble(
     build_nodes(scenario, &grid, position, cells, nodes);
     let channel = Coefficients::new(scenario.measurement.channel_class, SAMPLING_INTERVAL);
     Ok(Constants {
-        scenario: *scenario,
+        scenario: scenario.clone(),
         grid,
         size,
         dt: SAMPLING_INTERVAL,
         design_stretch: 1.0,
         steps_per_sample: 1,
         channel: channel.map_err(ScenarioError::Parameter)?,
-        laws: scenario.layers().map(|layer| MaterialModel::new(layer.material, SAMPLING_INTERVAL)),
+        laws: laws_of_layers(scenario, SAMPLING_INTERVAL),
         symmetry_factor: symmetry_factor(scenario),
         top_height: position(grid.centre, grid.n_v)[1],
         fingerprint: 0,
@@ -47,7 +46,7 @@ pub(crate) fn assemble(
 /// Digest of the parameters and of where the nodes of the filled `nodes` rest, which need not follow from them.
 pub(crate) fn fingerprint(scenario: &Scenario, grid: &Grid, nodes: &[Real]) -> u64 {
     let mut digest = Digest::new();
-    for parameter in PARAMETERS {
+    for parameter in Parameter::of(scenario) {
         digest.number(parameter.get(scenario));
     }
     nodes.iter().take(REFERENCE_FIELDS * grid.n_node()).for_each(|coordinate| digest.number(*coordinate));
@@ -148,9 +147,8 @@ fn fixed_directions(scenario: &Scenario, u: usize, v: usize) -> [bool; 2] {
 /// A quarter of each cell's mass to each of its corners, whichever way its diagonal runs: even masses have the lowest
 /// highest frequency.
 fn lump_mass(scenario: &Scenario, grid: &Grid, cells: &[CellConstants], mass: &mut [Real]) {
-    let [silicone, skin] = scenario.layers().map(|layer| layer.material.density);
     for v in 0..grid.n_v {
-        let density = if v < grid.n_v_silicone { silicone } else { skin };
+        let density = scenario.layers.get(grid.layer_of_row(v)).map_or(0.0, |layer| layer.material.density);
         for u in 0..grid.n_u {
             let Some(cell) = cells.get(v * grid.blocks_per_row() + u / LANES) else { continue };
             let [a, b] = &cell.triangle;

@@ -7,12 +7,12 @@
 //! pressed most, and the trial is repeated on the mesh itself.
 
 use crate::error::ModelError;
-use crate::mesh::{Grid, reference_position};
+use crate::mesh::{Grid, layer_rows, reference_position};
 use crate::model::{Constants, ModelArrays};
 use crate::number::math;
 use crate::number::real::{self, Real};
 use crate::sampling::{MAX_STEPS_PER_SAMPLE, SAMPLING_INTERVAL, SMALLEST_STEP};
-use crate::scenario::{Scenario, StepBy};
+use crate::scenario::{Layer, Scenario, StepBy};
 use crate::setup::assembly::{assemble, fingerprint};
 use crate::setup::trial::{self, Forecast};
 use crate::state::StateMemory;
@@ -73,8 +73,7 @@ fn foresee(
     state: &mut StateMemory,
 ) -> Result<Forecast, ModelError> {
     let (mut tried, motion) = trial::of(scenario);
-    let size = scenario.geometry.layer_thickness() / COARSE_ROWS;
-    tried.mesh.element_size = math::max(size, scenario.mesh.element_size);
+    coarsen(&mut tried);
     let coarse = Grid::new(&tried)?;
     if coarse != *grid {
         let rest = |u, v| reference_position(&tried, &coarse, u, v);
@@ -84,7 +83,17 @@ fn foresee(
         }
     }
     tried.mesh.element_size = scenario.mesh.element_size;
+    tried.layers.clone_from(&scenario.layers);
     trial::run(&tried, &motion, *grid, position, arrays, state)
+}
+
+/// Goes over to a coarse mesh, no layer of which has more rows than on its own mesh.
+fn coarsen(scenario: &mut Scenario) {
+    let size = math::max(scenario.thickness() / COARSE_ROWS, scenario.mesh.element_size);
+    for layer in scenario.layers.iter_mut().filter(|layer| layer.rows > 0) {
+        layer.rows = layer.rows.min(layer_rows(&Layer { rows: 0, ..layer.clone() }, size));
+    }
+    scenario.mesh.element_size = size;
 }
 
 /// Part of the limit that is kept where a trial has found `ratio`.

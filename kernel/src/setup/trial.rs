@@ -46,7 +46,7 @@ const DEEPEST: Real = 0.95;
 
 /// The scenario of a trial of `scenario`, and how its impactor moves.
 pub(crate) fn of(scenario: &Scenario) -> (Scenario, TrialMotion) {
-    let (motion, mut trial) = (TrialMotion::new(scenario), *scenario);
+    let (motion, mut trial) = (TrialMotion::new(scenario), scenario.clone());
     trial.impactor.gap = 0.0;
     match motion {
         TrialMotion::Drop { speed } => {
@@ -126,7 +126,7 @@ impl Trial {
 /// Steps to the next look.
 fn stride(model: &Model, state: &State) -> usize {
     let travel = math::abs(state.scalars.impactor.velocity_half) * model.constants.dt;
-    let most = TRAVEL * model.constants.scenario.geometry.layer_thickness();
+    let most = TRAVEL * model.constants.scenario.thickness();
     // A quotient of any size or none ends in range.
     if most >= MAX_STRIDE * travel { MAX_STRIDE as usize } else { 1 + (most / travel) as usize }
 }
@@ -154,19 +154,18 @@ pub(crate) enum TrialMotion {
 
 impl TrialMotion {
     fn new(scenario: &Scenario) -> Self {
-        let (impactor, thickness) = (&scenario.impactor, scenario.geometry.layer_thickness());
+        let (impactor, thickness) = (&scenario.impactor, scenario.thickness());
         let depth = match impactor.motion {
             Motion::Drop => return Self::Drop { speed: touching_speed(impactor) },
             Motion::Driven => scenario.time.design_compression * thickness,
             Motion::Prescribed => impactor.prescribed_depth,
         };
         let depth = if depth < DEEPEST * thickness { depth } else { DEEPEST * thickness };
-        let slowest = scenario
-            .layers()
-            .map(|layer| layer.material)
-            .map(|material| math::sqrt(material.shear_modulus_inf() / material.density));
-        let waves = if slowest[0] < slowest[1] { slowest[0] } else { slowest[1] };
-        Self::Press { depth, speed: PRESS_SPEED * waves }
+        let slowest = scenario.layers.iter().map(|layer| &layer.material).fold(Real::MAX, |slowest, material| {
+            let waves = math::sqrt(material.shear_modulus_inf() / material.density);
+            if waves < slowest { waves } else { slowest }
+        });
+        Self::Press { depth, speed: PRESS_SPEED * slowest }
     }
 
     /// Height of a pressing face `time` s after its start, m.
@@ -183,7 +182,7 @@ impl TrialMotion {
         let impactor = &state.scalars.impactor;
         match *self {
             Self::Drop { .. } => {
-                impactor.velocity_half >= 0.0 || impactor.deformation() > constants.scenario.geometry.layer_thickness()
+                impactor.velocity_half >= 0.0 || impactor.deformation() > constants.scenario.thickness()
             }
             Self::Press { depth, speed } => speed * time >= depth,
         }

@@ -5,7 +5,7 @@ use softanvil_kernel::material::{
     Coefficients, ElasticLaw, Material, Moduli, MooneyRivlin, NeoHookean, Ogden, VolumetricBy, VolumetricLaw, Yeoh,
 };
 use softanvil_kernel::number::real::Real;
-use softanvil_kernel::scenario::{DropBy, Formulation, Interface, Layers, Motion, Section, StepBy};
+use softanvil_kernel::scenario::{DropBy, Formulation, Interface, Layer, Motion, Section, StepBy};
 use softanvil_kernel::{Constants, Scenario, StepInput, preset};
 
 /// Force samples from one record to the next: 0.25 ms.
@@ -96,7 +96,7 @@ fn base(silicone: Material) -> Scenario {
     scenario.geometry.length = 0.12;
     scenario.impactor.drop_by = DropBy::Energy;
     scenario.impactor.drop_energy = 5.0;
-    scenario.silicone = silicone;
+    scenario.layers[0].material = silicone;
     scenario.core.interface = Interface::Bonded;
     scenario.face.friction_coefficient = 0.3;
     scenario.mesh.element_size = 3e-3;
@@ -153,10 +153,8 @@ fn yeoh() -> Scenario {
 
 fn two_layers() -> Scenario {
     let mut scenario = base(rubber());
-    scenario.geometry.layers = Layers::Two;
-    scenario.geometry.silicone_thickness = 14e-3;
-    scenario.geometry.skin_thickness = 1.5e-3;
-    scenario.skin = Material {
+    scenario.layers[0].thickness = 14e-3;
+    let skin = Material {
         density: 900.0,
         bulk_modulus: 8e6,
         maxwell_g: [0.4e6, 0.2e6, 0.1e6, 0.0, 0.0],
@@ -166,6 +164,8 @@ fn two_layers() -> Scenario {
         tear_residual: 0.2,
         ..rubber().with(NeoHookean { c10: 0.5e6 })
     };
+    // There is room for a second layer.
+    let _ = scenario.add_layer(Layer::new("skin", 1.5e-3, skin));
     scenario.time.step = 1.25e-6;
     scenario.time.duration = 4e-3;
     scenario

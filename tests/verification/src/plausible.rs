@@ -26,20 +26,21 @@ pub fn scenario(samples: &mut Samples) -> Scenario {
     let mut unit = || 0.5 * (1.0 + samples.number());
     let c10 = logarithmic(unit(), 20e3, 1e6);
     let (damping, numbers) = (unit(), [unit(), unit()]);
-    scenario.geometry.silicone_thickness = 6e-3 + 24e-3 * unit();
+    scenario.layers[0].thickness = 6e-3 + 24e-3 * unit();
     scenario.impactor.drop_energy = 2.5 + 12.2 * unit();
     if unit() < 0.5 {
         scenario.geometry.formulation = Formulation::Axisymmetric;
     }
     scenario.core.interface = if unit() < 0.5 { Interface::Bonded } else { Interface::Frictional };
     // A thick layer reaches past the study's face.
-    let radius = scenario.geometry.core_radius + scenario.geometry.layer_thickness();
+    let radius = scenario.geometry.core_radius + scenario.thickness();
     scenario.impactor.face_diameter = scenario.impactor.face_diameter.max(2.1 * radius);
     let volumetric_law = if unit() < 0.7 { VolumetricLaw::Quadratic } else { VolumetricLaw::Simo };
     let poissons_ratio = 0.45 + 0.045 * unit();
     let law = random_law(samples, c10);
-    scenario.silicone = Material { volumetric_by: VolumetricBy::PoissonsRatio, poissons_ratio, volumetric_law, ..law };
-    damp(&mut scenario.silicone, damping, numbers);
+    scenario.layers[0].material =
+        Material { volumetric_by: VolumetricBy::PoissonsRatio, poissons_ratio, volumetric_law, ..law };
+    damp(&mut scenario.layers[0].material, damping, numbers);
     scenario
 }
 
@@ -93,7 +94,7 @@ pub fn outcome(scenario: &Scenario) -> Result<Outcome, String> {
 
 /// A drop in one line.
 pub fn summary(scenario: &Scenario) -> String {
-    let (geometry, material) = (&scenario.geometry, &scenario.silicone);
+    let (geometry, material) = (&scenario.geometry, &scenario.layers[0].material);
     format!(
         "{:?}, {:?}, {:.1} mm of {:?} with G = {:.0} Pa, nu = {:.3}, {:.1} J",
         geometry.formulation,

@@ -34,7 +34,7 @@ pub fn elastic(c10: f64, c01: f64, bulk_modulus: f64) -> Material {
         prony_g: [0.0; 5],
         slider_stiffness: 0.0,
         slider_yield_stress: 0.0,
-        ..preset::study().silicone.with(MooneyRivlin { c10, c01, ..MooneyRivlin::ZERO })
+        ..preset::study().layers[0].material.with(MooneyRivlin { c10, c01, ..MooneyRivlin::ZERO })
     }
 }
 
@@ -76,13 +76,13 @@ pub fn block(width: f64, height: f64, material: Material) -> Scenario {
     let mut scenario = preset::study();
     scenario.geometry.shape = Shape::Block;
     scenario.geometry.block_width = width;
-    scenario.geometry.silicone_thickness = height;
+    scenario.layers[0].thickness = height;
     scenario.geometry.skin_thickness = 0.0;
     scenario.impactor.motion = Motion::Driven;
     scenario.core.interface = Interface::Frictional;
     scenario.core.friction_coefficient = 0.0;
     scenario.face.friction_coefficient = 0.0;
-    scenario.silicone = material;
+    scenario.layers[0].material = material;
     scenario
 }
 

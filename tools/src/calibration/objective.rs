@@ -77,7 +77,7 @@ fn attempt(problem: &Problem, values: &[f64]) -> Result<Evaluation, (f64, String
         .map(|(run, i)| measure(problem, i, run))
         .collect::<Result<_, _>>()
         .map_err(|error| refuse(error.to_string()))?;
-    let penalty = problem.prior.map_or(0.0, |prior| prior.penalty(&scenario.silicone));
+    let penalty = problem.prior.map_or(0.0, |prior| prior.penalty(&scenario.layers[0].material));
     let score = score(problem, &impacts) + penalty;
     Ok(Evaluation { score, mean_error: mean_error(problem, &impacts), impacts, refusal: None })
 }

@@ -114,14 +114,14 @@ mod tests {
 
     #[test]
     fn a_neo_hookean_cylinder_has_the_secant_of_the_textbook() {
-        let material = preset::study().silicone.with(NeoHookean { c10: 1e5 });
+        let material = preset::study().layers[0].material.with(NeoHookean { c10: 1e5 });
         // Nominal stress 2 C10 (l - l^-2) at l = 0.5 is -7 C10.
         assert!((secant_shear_modulus(&material, 0.5) - 7e5 / 1.5).abs() < 1.0);
     }
 
     #[test]
     fn a_factor_costs_the_same_in_both_directions() {
-        let material = preset::study().silicone;
+        let material = preset::study().layers[0].material;
         let model = secant_shear_modulus(&material, 0.5);
         let prior = |measured: f64| Prior {
             weight: 2.0,
@@ -139,7 +139,7 @@ mod tests {
 
     #[test]
     fn only_what_relaxes_slowly_is_left_of_a_ramp() {
-        let mut material = preset::study().silicone;
+        let mut material = preset::study().layers[0].material;
         material.prony_g = [0.5, 0.25, 0.0, 0.0, 0.0];
         material.prony_tau = [1e-4, 1e4, 1.0, 1.0, 1.0];
         assert!((slow_overstress(&material, 1.0) - 1.0).abs() < 1e-3);

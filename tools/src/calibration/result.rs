@@ -138,7 +138,7 @@ impl Found {
                 demand.model * 1e-6
             )
         };
-        prior.demands(&scenario.silicone).iter().map(line).collect()
+        prior.demands(&scenario.layers[0].material).iter().map(line).collect()
     }
 
     fn parameters(&self, problem: &Problem) -> String {

@@ -88,7 +88,7 @@ impl Variable {
     pub fn get(&self, scenario: &Scenario) -> f64 {
         match self.place {
             Place::Row(parameter) => parameter.get(scenario),
-            Place::Overstress(term) => overstress(&scenario.silicone)[term],
+            Place::Overstress(term) => overstress(&scenario.layers[0].material)[term],
         }
     }
 
@@ -151,7 +151,7 @@ impl Variable {
 /// # Errors
 /// A value that the kernel refuses.
 pub fn apply(variables: &[Variable], values: &[f64], scenario: &mut Scenario) -> Result<(), String> {
-    let mut ratios = overstress(&scenario.silicone);
+    let mut ratios = overstress(&scenario.layers[0].material);
     let mut relative = false;
     for (variable, value) in variables.iter().zip(values) {
         match variable.place {
@@ -164,7 +164,7 @@ pub fn apply(variables: &[Variable], values: &[f64], scenario: &mut Scenario) ->
     }
     if relative {
         let instantaneous = 1.0 + ratios.iter().sum::<f64>();
-        scenario.silicone.prony_g = ratios.map(|ratio| ratio / instantaneous);
+        scenario.layers[0].material.prony_g = ratios.map(|ratio| ratio / instantaneous);
     }
     Ok(())
 }
@@ -215,9 +215,9 @@ mod tests {
     fn the_overstress_of_a_term_leaves_that_of_the_others() {
         let variables = [Variable::new("silicone.overstress_1", range(1.0, 60.0)).unwrap()];
         let mut scenario = preset::study();
-        let before = overstress(&scenario.silicone)[1];
+        let before = overstress(&scenario.layers[0].material)[1];
         apply(&variables, &[7.0], &mut scenario).unwrap();
-        let after = overstress(&scenario.silicone);
+        let after = overstress(&scenario.layers[0].material);
         assert!((after[0] - 7.0).abs() < 1e-12 && (after[1] - before).abs() < 1e-12, "{after:?}");
         assert_eq!(variables[0].get(&scenario), after[0]);
     }

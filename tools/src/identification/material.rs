@@ -84,7 +84,7 @@ impl Identified {
             }
             None => {
                 lines.push("No curve was fitted: the elastic law is that of the preset study.".into());
-                let study = preset::study().silicone;
+                let study = preset::study().layers[0].material;
                 Material { prony_g: [0.0; 5], slider_stiffness: 0.0, slider_yield_stress: 0.0, ..study }
             }
         };
@@ -141,11 +141,11 @@ impl Identified {
     pub fn scenario(&self) -> Scenario {
         let mut scenario = preset::study();
         match self.layer {
-            Layer::Silicone => scenario.silicone = self.material,
+            Layer::Silicone => scenario.layers[0].material = self.material,
             Layer::Skin => {
                 scenario.skin = self.material;
                 scenario.geometry.layers = Layers::Two;
-                scenario.geometry.silicone_thickness -= scenario.geometry.skin_thickness;
+                scenario.layers[0].thickness -= scenario.geometry.skin_thickness;
             }
         }
         scenario
@@ -184,9 +184,9 @@ impl Identified {
     /// A file that is refused.
     pub fn read_toml(&self, text: &str) -> Result<Card, ReadBackError> {
         let (mut base, study) = (self.scenario(), preset::study());
-        (base.silicone, base.skin) = (study.silicone, study.skin);
+        (base.layers[0].material, base.skin) = (study.layers[0].material, study.skin);
         let scenario = scenario_file::parse(text, &base).map_err(|error| ReadBackError::new(error.to_string()))?;
-        Ok(Card::of(if self.layer == Layer::Skin { &scenario.skin } else { &scenario.silicone }))
+        Ok(Card::of(if self.layer == Layer::Skin { &scenario.skin } else { &scenario.layers[0].material }))
     }
 }
 
@@ -206,7 +206,7 @@ fn add_prony(material: &mut Material, terms: Vec<(f64, f64)>) -> Option<String> 
 /// What the options give, and the layer's values in the preset study where they leave it open.
 pub fn given(moduli: Moduli, density: Option<f64>, poissons_ratio: Option<f64>, layer: Layer) -> Given {
     let study = preset::study();
-    let own = if layer == Layer::Skin { study.skin } else { study.silicone };
+    let own = if layer == Layer::Skin { study.skin } else { study.layers[0].material };
     Given {
         moduli,
         density: density.unwrap_or(own.density),
@@ -221,7 +221,9 @@ mod tests {
 
     #[test]
     fn what_no_option_gives_is_the_preset_s() {
-        for (layer, material) in [(Layer::Silicone, preset::study().silicone), (Layer::Skin, preset::study().skin)] {
+        for (layer, material) in
+            [(Layer::Silicone, preset::study().layers[0].material), (Layer::Skin, preset::study().skin)]
+        {
             let left_open = given(Moduli::LongTerm, None, None, layer);
             assert_eq!((left_open.density, left_open.poissons_ratio), (material.density, material.poissons_ratio));
             assert_eq!(given(Moduli::LongTerm, None, Some(0.4), layer).poissons_ratio, 0.4);

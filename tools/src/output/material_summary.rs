@@ -118,8 +118,8 @@ mod tests {
     #[test]
     fn every_mechanism_that_is_on_is_told() {
         let mut scenario = preset::elastic();
-        assert_eq!(mechanisms(&scenario.silicone).len(), 0);
-        let silicone = &mut scenario.silicone;
+        assert_eq!(mechanisms(&scenario.layers[0].material).len(), 0);
+        let silicone = &mut scenario.layers[0].material;
         (silicone.prony_g[1], silicone.maxwell_g[0]) = (0.5, 1e5);
         (silicone.slider_stiffness, silicone.slider_yield_stress, silicone.tear_stretch) = (1e5, 2e4, 3.0);
         let told = mechanisms(silicone);

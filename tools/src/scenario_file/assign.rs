@@ -94,7 +94,7 @@ mod tests {
             set_text(&mut changes, text).unwrap();
         }
         let scenario = changes.apply().unwrap();
-        assert_eq!((scenario.silicone.coefficient("c10"), scenario.impactor.mass), (Some(2e5), 4.0));
+        assert_eq!((scenario.layers[0].material.coefficient("c10"), scenario.impactor.mass), (Some(2e5), 4.0));
         assert_eq!(scenario.geometry.layers, Layers::Two);
     }
 

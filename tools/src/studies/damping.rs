@@ -35,7 +35,7 @@ const NO_LIMIT: &str = "none";
 
 /// Limit stresses, Pa, with their names.
 fn limits(scenario: &Scenario) -> Vec<(String, f64)> {
-    let own = scenario.silicone.slider_yield_stress;
+    let own = scenario.layers[0].material.slider_yield_stress;
     let stresses = with_own(vec![LIMIT_STRESSES.0, LIMIT_STRESSES.1], own).into_iter().filter(|stress| *stress > 0.0);
     let unlimited =
         Parameter::find("silicone.slider_yield_stress").map(|parameter| (NO_LIMIT.into(), parameter.range().1));
@@ -45,7 +45,7 @@ fn limits(scenario: &Scenario) -> Vec<(String, f64)> {
 fn plan(scenario: &Scenario, values: &[String]) -> Result<Vec<Case>, Failure> {
     let mut moduli = numbers("damping", values)?;
     moduli.extend([1e-6 * LOW_DAMPING_MODULUS, 1e-6 * DAMPING_MODULUS]);
-    let moduli = with_own(moduli, 1e-6 * scenario.silicone.slider_stiffness);
+    let moduli = with_own(moduli, 1e-6 * scenario.layers[0].material.slider_stiffness);
     let mut cases = Vec::new();
     for (name, stress) in limits(scenario) {
         for modulus in &moduli {
@@ -60,7 +60,7 @@ fn plan(scenario: &Scenario, values: &[String]) -> Result<Vec<Case>, Failure> {
 
 fn evaluate(results: &Results) -> Evaluation {
     let limits = limits(&results.scenario);
-    let own = short(1e-3 * results.scenario.silicone.slider_yield_stress);
+    let own = short(1e-3 * results.scenario.layers[0].material.slider_yield_stress);
     let mut evaluation =
         Evaluation { sheets: Vec::new(), findings: Vec::new(), notes: Vec::new(), picture: picture(results, &limits) };
     for (name, _) in &limits {

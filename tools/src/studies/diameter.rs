@@ -56,7 +56,7 @@ fn plan(scenario: &Scenario, values: &[String]) -> Result<Vec<Case>, Failure> {
 
 /// Outer diameter, mm.
 fn diameter(scenario: &Scenario) -> f64 {
-    2e3 * (scenario.geometry.core_radius + scenario.geometry.layer_thickness())
+    2e3 * (scenario.geometry.core_radius + scenario.thickness())
 }
 
 fn evaluate(results: &Results) -> Evaluation {

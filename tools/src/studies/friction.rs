@@ -215,7 +215,7 @@ fn combination_sheet(results: &Results) -> Sheet {
         let changes = RANGES.map(|range| effect(results, &combination, range).map_or("-".into(), percent));
         combination.iter().cloned().chain(forces).chain(changes).collect()
     });
-    let depth = 1e3 * DEPTH * results.scenario.geometry.layer_thickness();
+    let depth = 1e3 * DEPTH * results.scenario.thickness();
     Sheet {
         title: format!(
             "Force by friction: held force of a press to {} mm at {SPEED} m/s, peak force of an impact",
@@ -292,7 +292,7 @@ fn notes(results: &Results) -> Vec<String> {
 
 /// Why damping hides friction: what is stiff in shear does not flow sideways.
 fn stiff_in_shear(scenario: &Scenario) -> String {
-    let silicone = &scenario.silicone;
+    let silicone = &scenario.layers[0].material;
     let relaxed = silicone.shear_modulus_inf();
     let unrelaxed = relaxed / silicone.prony_g_inf() + silicone.maxwell_g.iter().sum::<f64>();
     let bulk = silicone.effective_bulk_modulus();

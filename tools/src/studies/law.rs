@@ -76,7 +76,7 @@ fn curve(material: &Material, strain: f64) -> DataSet {
 
 /// The drop with `law` in place of its own, fitted to it up to a strain, perhaps with stable coefficients only.
 fn fitted(scenario: &Scenario, law: &'static Law, (strain, demanded): (f64, bool)) -> Case {
-    let data = curve(&scenario.silicone, strain);
+    let data = curve(&scenario.layers[0].material, strain);
     let settings = Settings {
         weighting: Weighting::Absolute,
         stability_range: (1.0 - strain, 1.0 / (1.0 - strain)),
@@ -93,7 +93,7 @@ fn fitted(scenario: &Scenario, law: &'static Law, (strain, demanded): (f64, bool
     let scenario = match fit {
         Some(fit) => {
             let mut scenario = *scenario;
-            scenario.silicone = with_law(&scenario.silicone, law.material(&fit.values));
+            scenario.layers[0].material = with_law(&scenario.layers[0].material, law.material(&fit.values));
             scenario.validate().map(|()| scenario).map_err(|error| error.to_string())
         }
         None => Err("no such coefficients were found".into()),

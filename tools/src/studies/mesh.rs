@@ -51,9 +51,7 @@ fn plan(scenario: &Scenario, values: &[String]) -> Result<Vec<Case>, Failure> {
         let mut scenario = *scenario;
         let size = match rows == own.n_v {
             true => scenario.mesh.element_size,
-            false => {
-                even_size(&scenario, &own, rows).unwrap_or_else(|| scenario.geometry.layer_thickness() / rows as f64)
-            }
+            false => even_size(&scenario, &own, rows).unwrap_or_else(|| scenario.thickness() / rows as f64),
         };
         set(&mut scenario, "mesh.element_size", size)?;
         let grid = grid(&scenario)?;

@@ -78,7 +78,7 @@ fn with_ratio(mut scenario: Scenario, ratio: f64) -> Result<Scenario, Failure> {
 
 /// The bulk modulus that belongs to the paper's 140 MPa.
 fn with_stiff_bulk(mut scenario: Scenario, ratio: f64) -> Result<Scenario, Failure> {
-    scenario.silicone.volumetric_by = VolumetricBy::BulkModulus;
+    scenario.layers[0].material.volumetric_by = VolumetricBy::BulkModulus;
     set(&mut scenario, "silicone.bulk_modulus", DAMPING_YOUNGS_MODULUS / (3.0 * (1.0 - 2.0 * ratio)))?;
     Ok(scenario)
 }

@@ -80,7 +80,7 @@ impl Results {
     pub fn fitted(&self) -> Option<String> {
         let own = (self.preset.scenario)().silicone;
         let text = format!("Of the silicone as it is, {}.", self.preset.fitted);
-        (self.scenario.silicone == own).then_some(text)
+        (self.scenario.layers[0].material == own).then_some(text)
     }
 
     /// The cases whose numbers are not those of a whole impact, or a whole press, with their simulations.

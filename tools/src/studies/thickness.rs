@@ -26,7 +26,7 @@ pub static STUDY: Study = Study {
 };
 
 fn plan(scenario: &Scenario, values: &[String]) -> Result<Vec<Case>, Failure> {
-    let own = 1e3 * scenario.geometry.silicone_thickness;
+    let own = 1e3 * scenario.layers[0].thickness;
     let case = |thickness: f64| {
         let mut scenario = *scenario;
         set(&mut scenario, "geometry.silicone_thickness", 1e-3 * thickness)?;
@@ -36,7 +36,7 @@ fn plan(scenario: &Scenario, values: &[String]) -> Result<Vec<Case>, Failure> {
 }
 
 fn evaluate(results: &Results) -> Evaluation {
-    let own = 1e3 * results.scenario.geometry.silicone_thickness;
+    let own = 1e3 * results.scenario.layers[0].thickness;
     let reference = results.find(&[&short(own)]);
     let points = |i: usize| {
         let change = |outcome: &super::case::Outcome| Some(error_percent(outcome.values[i], reference?.values[i]));

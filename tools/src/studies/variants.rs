@@ -22,7 +22,7 @@ pub fn press(mut scenario: Scenario) -> Scenario {
     impactor.motion = Motion::Prescribed;
     impactor.gap = 0.0;
     impactor.prescribed_speed = SPEED;
-    impactor.prescribed_depth = DEPTH * scenario.geometry.layer_thickness();
+    impactor.prescribed_depth = DEPTH * scenario.thickness();
     impactor.prescribed_rise = RISE.min(0.5 * impactor.prescribed_depth / SPEED);
     scenario.time.duration = impactor.prescribed_depth / SPEED + impactor.prescribed_rise + HOLD;
     scenario
@@ -30,7 +30,7 @@ pub fn press(mut scenario: Scenario) -> Scenario {
 
 /// `scenario` without Prony series, Maxwell terms and damping spring: its long-term law alone.
 pub fn undamped(mut scenario: Scenario) -> Scenario {
-    for material in [&mut scenario.silicone, &mut scenario.skin] {
+    for material in scenario.layers.iter_mut().map(|layer| &mut layer.material) {
         material.coefficients = material.coefficients.scaled(material.long_term_scale());
         material.prony_g = [0.0; 5];
         material.maxwell_g = [0.0; 5];
@@ -44,12 +44,13 @@ pub fn undamped(mut scenario: Scenario) -> Scenario {
 /// # Errors
 /// A ratio that is refused.
 pub fn set_ratio(scenario: &mut Scenario, ratio: f64) -> Result<(), Failure> {
-    scenario.silicone.volumetric_by = VolumetricBy::PoissonsRatio;
+    scenario.layers[0].material.volumetric_by = VolumetricBy::PoissonsRatio;
     set(scenario, "silicone.poissons_ratio", ratio)
 }
 
 /// Poisson's ratio of the scenario's silicone, also where its bulk modulus is given.
 pub fn ratio_of(scenario: &Scenario) -> f64 {
-    let (bulk, shear) = (scenario.silicone.effective_bulk_modulus(), scenario.silicone.shear_modulus_inf());
+    let (bulk, shear) =
+        (scenario.layers[0].material.effective_bulk_modulus(), scenario.layers[0].material.shear_modulus_inf());
     (3.0 * bulk - 2.0 * shear) / (2.0 * (3.0 * bulk + shear))
 }

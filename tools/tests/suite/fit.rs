@@ -98,7 +98,7 @@ fn poissons_ratio_is_the_preset_s_unless_given() {
     let fit = ["fit", "--uniaxial", "curve.csv", "--law", "neo_hookean", "--out", "out"];
     succeed(folder.path(), &fit);
     let text = std::fs::read_to_string(folder.path().join("out/material.toml")).unwrap();
-    let own = softanvil_kernel::preset::study().silicone.poissons_ratio;
+    let own = softanvil_kernel::preset::study().layers[0].material.poissons_ratio;
     assert!(text.contains(&format!("\npoissons_ratio = {own} ")), "{text}");
 }
 

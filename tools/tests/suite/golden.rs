@@ -87,7 +87,7 @@ fn scenes_reach_what_they_are_there_for() {
         assert!(contact > 100.0, "{}: contact {contact} N", scene.name);
         let energy = &run.state.scalars.energy;
         assert!(energy.friction > 0.0, "{}: friction", scene.name);
-        let material = &run.model.constants.scenario.silicone;
+        let material = &run.model.constants.scenario.layers[0].material;
         let viscous = run.model.constants.n_term() > 0;
         assert_eq!(energy.viscous > 0.0, viscous, "{}: viscous", scene.name);
         assert_eq!(energy.slider_dissipation > 0.0, material.slider_stiffness > 0.0, "{}: slider", scene.name);

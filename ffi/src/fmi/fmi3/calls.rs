@@ -47,6 +47,7 @@ pub(super) const GET_UINT64: Function = function("fmi3GetUInt64", READABLE);
 pub(super) const GET_BOOLEAN: Function = function("fmi3GetBoolean", READABLE);
 pub(super) const GET_STRING: Function = function("fmi3GetString", READABLE);
 pub(super) const SET_FLOAT64: Function = function("fmi3SetFloat64", SETTABLE);
+pub(super) const SET_INT32: Function = function("fmi3SetInt32", SETTABLE);
 pub(super) const SET_INT64: Function = function("fmi3SetInt64", SETTABLE);
 pub(super) const SET_UINT64: Function = function("fmi3SetUInt64", SETTABLE);
 pub(super) const GET_FMU_STATE: Function = function("fmi3GetFMUState", SAVABLE);

@@ -178,6 +178,21 @@ pub extern "C" fn fmi3SetFloat64(
     })
 }
 
+/// Sets counts.
+#[unsafe(no_mangle)]
+pub extern "C" fn fmi3SetInt32(
+    mut instance: types::Instance,
+    value_references: Array<ValueReference>,
+    n_value_references: usize,
+    values: Array<Int32>,
+    n_values: usize,
+) -> Status {
+    let named = Named { references: value_references, n_references: n_value_references, n_values };
+    set(&mut instance, &calls::SET_INT32, &named, values, |session, references, values| {
+        session.instance.set_counts(references.iter().copied().zip(values.iter().copied()))
+    })
+}
+
 /// Sets choices by their numbers.
 #[unsafe(no_mangle)]
 pub extern "C" fn fmi3SetInt64(

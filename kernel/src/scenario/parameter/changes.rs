@@ -3,11 +3,12 @@
 //! Where one of several parameters that state the same thing is given, it decides; where two are, that is an error. A law that
 //! is given anew starts from coefficients of zero, so that nothing of another material stays in it unseen.
 
-use super::effect::{conditions, is_off_at_zero};
-use super::{PARAMETERS, Parameter, ROWS};
-use crate::error::{NoEffect, ParameterError, ScenarioError};
+use super::effect::conditions;
+use super::number::NUMBERS;
+use super::{Parameter, Values};
+use crate::error::{Name, NoEffect, ParameterError, ScenarioError};
 use crate::number::real::Real;
-use crate::scenario::{Layers, Scenario};
+use crate::scenario::Scenario;
 
 /// Values given over those of a base.
 ///
@@ -26,42 +27,42 @@ use crate::scenario::{Layers, Scenario};
 /// assert!(changes.apply().is_err());
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Changes {
-    scenario: Scenario,
-    given: [bool; ROWS.len()],
+    values: Values,
+    given: Given,
 }
 
 impl Changes {
     /// Nothing given: the scenario is `base`.
     pub fn of(base: &Scenario) -> Self {
-        Self { scenario: *base, given: [false; ROWS.len()] }
+        Self { values: Values::of(base), given: Given::default() }
     }
 
-    /// What `scenario` says over `base`, where no more is known: the values that differ.
-    pub fn between(base: &Scenario, scenario: &Scenario) -> Self {
-        let mut changes = Self::of(scenario);
-        for (given, parameter) in changes.given.iter_mut().zip(PARAMETERS) {
-            *given = parameter.get(base).to_bits() != parameter.get(scenario).to_bits();
+    /// What `values` say over `base`, where no more is known: those that differ.
+    pub fn between(base: &Scenario, values: &Values) -> Self {
+        let mut given = Given::default();
+        for parameter in Parameter::all() {
+            if parameter.get(base).to_bits() != values.get(parameter).to_bits() {
+                given.add(parameter);
+            }
         }
-        changes
+        Self { values: values.clone(), given }
     }
 
     /// Gives a value.
     ///
     /// # Errors
     /// A value that is not legal is refused and changes nothing.
-    pub fn set(&mut self, parameter: &Parameter, value: Real) -> Result<(), ParameterError> {
-        parameter.set(&mut self.scenario, value)?;
-        for (given, row) in self.given.iter_mut().zip(PARAMETERS) {
-            *given |= row.name == parameter.name;
-        }
+    pub fn set(&mut self, parameter: Parameter, value: Real) -> Result<(), ParameterError> {
+        self.values.set(parameter, value)?;
+        self.given.add(parameter);
         Ok(())
     }
 
     /// The values as they stand, before any follows from another.
-    pub fn scenario(&self) -> &Scenario {
-        &self.scenario
+    pub fn values(&self) -> &Values {
+        &self.values
     }
 
     /// The scenario that the values make, in which each of them acts.
@@ -70,10 +71,11 @@ impl Changes {
     /// Values that contradict each other, the first that has no effect, or what [`Scenario::validate`] refuses.
     pub fn apply(&self) -> Result<Scenario, ScenarioError> {
         let scenario = self.resolve()?;
-        match self.without_effect(&scenario).next() {
-            Some(no_effect) => Err(ScenarioError::NoEffect(no_effect)),
-            None => scenario.validate().map(|()| scenario),
+        if let Some(no_effect) = self.without_effect(&scenario).next() {
+            return Err(ScenarioError::NoEffect(no_effect));
         }
+        scenario.validate()?;
+        Ok(scenario)
     }
 
     /// The scenario that the values make, in which some may have no effect.
@@ -81,58 +83,71 @@ impl Changes {
     /// # Errors
     /// Values that contradict each other.
     pub fn resolve(&self) -> Result<Scenario, ScenarioError> {
-        let mut scenario = self.scenario;
-        self.choose(&mut scenario)?;
-        self.start_laws(&mut scenario);
-        if self.is_given("geometry.layers") && !self.is_given("geometry.silicone_thickness") {
-            let (layers, thickness) = (scenario.geometry.layers, scenario.geometry.silicone_thickness);
-            return Err(ScenarioError::LayerThickness { two: layers == Layers::Two, thickness });
-        }
-        Ok(scenario)
+        let mut values = self.values.clone();
+        self.choose(&mut values)?;
+        self.start_laws(&mut values);
+        Ok(values.scenario())
     }
 
     /// The given values that have no effect in `scenario`, which they make.
     pub fn without_effect(&self, scenario: &Scenario) -> impl Iterator<Item = NoEffect> {
-        self.given_rows().filter_map(move |parameter| parameter.without_effect(scenario))
+        self.given().filter_map(move |parameter| parameter.refused(self.values.get(parameter), scenario))
     }
 
     /// Makes the choices that are made by giving a value, where nothing else makes them.
-    fn choose(&self, scenario: &mut Scenario) -> Result<(), ScenarioError> {
+    fn choose(&self, values: &mut Values) -> Result<(), ScenarioError> {
         let made =
-            || conditions().filter(|made| made.choice().is_some() && self.is_given(made.of) && !self.is_given(made.by));
+            || conditions().filter(|made| made.is_choice() && self.is_given(made.of()) && !self.is_given(made.by()));
         for condition in made() {
-            if let Some(other) = made().find(|other| other.by == condition.by && other.of != condition.of) {
-                return Err(ScenarioError::Contradiction { names: [condition.of, other.of] });
+            if let Some(other) = made().find(|other| other.by() == condition.by() && other.of() != condition.of()) {
+                return Err(ScenarioError::Contradiction { names: [condition.of(), other.of()] });
             }
-            if let (Some(row), Some(choice)) = (Parameter::find(condition.by), condition.choice()) {
-                row.set(scenario, choice as Real)?;
+            if let (Some(decider), Some(choice)) = (condition.decider(), condition.choice()) {
+                values.set(decider, choice as Real)?;
             }
         }
         Ok(())
     }
 
     /// Sets the coefficients of the laws that are given anew to zero, but for those that are given.
-    fn start_laws(&self, scenario: &mut Scenario) {
-        for group in ["silicone.", "skin."] {
-            let is_law = |row: &Parameter| row.name.strip_prefix(group) == Some("law");
-            if !self.given_rows().any(is_law) {
-                continue;
-            }
-            for (row, given) in PARAMETERS.iter().zip(self.given) {
-                if !given && row.name.starts_with(group) && is_off_at_zero(row.name) {
+    fn start_laws(&self, values: &mut Values) {
+        for law in self.given().filter(|parameter| parameter.name().field() == "law") {
+            for parameter in law.layer().into_iter().flat_map(Parameter::of_layer) {
+                if !self.given.has(parameter) && parameter.is_off_at_zero() {
                     // Zero is legal for every coefficient.
-                    let _ = row.set(scenario, 0.0);
+                    let _ = values.set(parameter, 0.0);
                 }
             }
         }
     }
 
-    fn is_given(&self, name: &str) -> bool {
-        self.given_rows().any(|row| row.name == name)
+    fn is_given(&self, name: Name) -> bool {
+        self.given().any(|parameter| parameter.name() == name)
     }
 
-    fn given_rows(&self) -> impl Iterator<Item = &'static Parameter> {
-        PARAMETERS.iter().zip(self.given).filter(|(_, given)| *given).map(|(row, _)| row)
+    fn given(&self) -> impl Iterator<Item = Parameter> {
+        Parameter::all().filter(|parameter| self.given.has(*parameter))
+    }
+}
+
+/// A set of parameters: a bit for the number of each.
+#[derive(Clone, Debug, Default)]
+struct Given([u32; NUMBERS.div_ceil(WORD)]);
+
+/// Bits of a word.
+const WORD: usize = u32::BITS as usize;
+
+impl Given {
+    fn add(&mut self, parameter: Parameter) {
+        let number = parameter.number() as usize;
+        if let Some(word) = self.0.get_mut(number / WORD) {
+            *word |= 1 << (number % WORD);
+        }
+    }
+
+    fn has(&self, parameter: Parameter) -> bool {
+        let number = parameter.number() as usize;
+        self.0.get(number / WORD).is_some_and(|word| word & 1 << (number % WORD) != 0)
     }
 }
 
@@ -142,19 +157,16 @@ mod tests {
     use alloc::string::{String, ToString};
 
     use super::*;
-    use crate::scenario::parameter::Kind;
-    use crate::scenario::preset;
+    use crate::scenario::{Layer, MAX_LAYERS, preset};
 
     /// What becomes of `given` over `base`, or why it is refused. A label stands for a choice.
     fn apply(base: Scenario, given: &[(&str, &str)]) -> Result<Scenario, String> {
         let mut changes = Changes::of(&base);
         for (name, value) in given {
-            let row = Parameter::find(name).unwrap();
-            let value = match row.kind {
-                Kind::Real { .. } => value.parse().unwrap(),
-                Kind::Choice { labels, .. } => labels.iter().position(|label| label == value).unwrap() as Real,
-            };
-            changes.set(row, value).unwrap();
+            let parameter = Parameter::find_in(&base, name).unwrap();
+            let label = parameter.labels().iter().position(|label| label == value);
+            let value = label.map_or_else(|| value.parse().unwrap(), |choice| choice as Real);
+            changes.set(parameter, value).unwrap();
         }
         changes.apply().map_err(|error| error.to_string())
     }
@@ -164,7 +176,7 @@ mod tests {
         let height = apply(preset::study(), &[("impactor.drop_height", "0.1")]).unwrap();
         assert_eq!(height.impactor.start_speed(), crate::number::math::sqrt(2.0 * 9.81 * 0.1));
         let bulk = apply(preset::study(), &[("silicone.bulk_modulus", "1e6")]).unwrap();
-        assert_eq!(bulk.silicone.effective_bulk_modulus(), 1e6);
+        assert_eq!(bulk.layers[0].material.effective_bulk_modulus(), 1e6);
         let step = apply(preset::study(), &[("time.step", "1e-6")]).unwrap();
         assert_eq!(step.time.step_by, crate::scenario::StepBy::Given);
     }
@@ -186,17 +198,21 @@ mod tests {
             ),
             (
                 &[("silicone.law", "neo_hookean"), ("silicone.c10", "1e5"), ("silicone.c01", "1e5")],
-                "silicone.c01 = 100000 Pa has no effect: silicone.law is neo_hookean",
+                "layers[0].c01 = 100000 Pa has no effect: layers[0].law is neo_hookean",
             ),
-            (&[("silicone.prony_tau_2", "0.1")], "silicone.prony_tau_2 = 0.1 s has no effect: silicone.prony_g_2 is 0"),
-            (&[("skin.density", "900")], "skin.density = 900 kg/m3 has no effect: geometry.layers is one"),
+            (
+                &[("silicone.prony_tau_2", "0.1")],
+                "layers[0].prony_tau_2 = 0.1 s has no effect: layers[0].prony_g_2 is 0",
+            ),
+            (&[("layers[1].density", "900")], "layers[1].density = 900 kg/m3 has no effect: layers.count is 1"),
+            (&[("layers[3].law", "yeoh")], "layers[3].law = 2 has no effect: layers.count is 1"),
             (
                 &[("impactor.motion", "driven"), ("impactor.drop_speed", "2")],
                 "impactor.drop_speed = 2 m/s has no effect: impactor.motion is driven",
             ),
             (
-                &[("geometry.layers", "two")],
-                "geometry.layers = two needs geometry.silicone_thickness as well: 0.015 m is that of the whole layer",
+                &[("layers.count", "2"), ("layers[1].density", "900")],
+                "layers[1].thickness = 0 m is refused: expected at least 0.00001 m",
             ),
         ] {
             assert_eq!(apply(preset::study(), given).unwrap_err(), message);
@@ -207,14 +223,13 @@ mod tests {
     fn a_law_that_is_given_starts_from_zero() {
         let study = preset::study();
         let given = [("silicone.law", "mooney_rivlin"), ("silicone.c10", "1e5"), ("silicone.prony_g_2", "0.5")];
-        let material = apply(study, &given).unwrap().silicone;
+        let material = apply(study.clone(), &given).unwrap().layers.remove(0).material;
         assert_eq!(["c10", "c01", "c20"].map(|name| material.coefficient(name)), [Some(1e5), Some(0.0), Some(0.0)]);
         assert_eq!(material.prony_g, [0.0, 0.5, 0.0, 0.0, 0.0]);
-        assert_eq!(material.density, study.silicone.density);
-        assert_eq!(
-            apply(study, &[("silicone.c10", "1e5")]).unwrap().silicone.coefficient("c20"),
-            study.silicone.coefficient("c20")
-        );
+        let silicone = study.layers[0].material;
+        assert_eq!(material.density, silicone.density);
+        let changed = apply(study, &[("silicone.c10", "1e5")]).unwrap().layers[0].material;
+        assert_eq!(changed.coefficient("c20"), silicone.coefficient("c20"));
     }
 
     #[test]
@@ -226,19 +241,50 @@ mod tests {
     #[test]
     fn what_differs_counts_as_given() {
         let study = preset::study();
-        let mut other = study;
-        other.impactor.drop_height = 0.1;
+        let mut other = Values::of(&study);
+        other.set(Parameter::find("impactor.drop_height").unwrap(), 0.1).unwrap();
         assert_eq!(Changes::between(&study, &other).apply().unwrap().impactor.drop_by, crate::scenario::DropBy::Height);
-        assert_eq!(Changes::between(&study, &study).apply().unwrap(), study);
+        assert_eq!(Changes::between(&study, &Values::of(&study)).apply().unwrap(), study);
     }
 
-    /// Every name of a condition is that of a parameter, or of a group.
+    #[test]
+    fn a_new_layer_starts_as_plain_silicone() {
+        let given = [("layers[2].thickness", "0.001"), ("layers[1].thickness", "0.002"), ("layers.count", "3")];
+        let stack = apply(preset::study(), &given).unwrap();
+        assert_eq!(stack.thickness(), 0.015 + 0.002 + 0.001);
+        for (layer, thickness) in stack.layers[1..].iter().zip([2e-3, 1e-3]) {
+            assert_eq!(*layer, Layer { thickness, ..preset::spare_layer() });
+        }
+        let given = [("layers[1].law", "yeoh"), ("layers[1].c20", "1e5"), ("layers[1].thickness", "1e-3")];
+        let refused = apply(preset::study(), &[&given[..], &[("layers.count", "2")]].concat()).unwrap_err();
+        assert_eq!(refused, "layers[1].c10 gives a shear modulus of 0 Pa: expected above 0 Pa");
+        let one = apply(stack, &[("layers.count", "1")]).unwrap();
+        assert_eq!(one, preset::study());
+    }
+
+    #[test]
+    fn what_is_said_of_one_layer_leaves_the_others() {
+        let mut base = preset::study();
+        base.add_layer(preset::chamois()).unwrap();
+        let given = [("skin.law", "yeoh"), ("skin.c10", "1e5"), ("skin.bulk_modulus", "1e6")];
+        let changed = apply(base.clone(), &given).unwrap();
+        assert_eq!(changed.layers[0], base.layers[0]);
+        assert_eq!(changed.layers[1].material.effective_bulk_modulus(), 1e6);
+        let two = [("skin.bulk_modulus", "1e6"), ("layers[1].poissons_ratio", "0.4")];
+        let refused = apply(base, &two).unwrap_err();
+        assert!(refused.starts_with("layers[1].bulk_modulus and layers[1].poissons_ratio state the same"), "{refused}");
+    }
+
+    /// Every name of a condition is that of a parameter.
     #[test]
     fn conditions_are_of_parameters() {
         for condition in conditions() {
-            assert!(Parameter::find(condition.by).is_some(), "{}", condition.by);
-            assert!(PARAMETERS.iter().any(|row| condition.concerns(row.name)), "{}", condition.of);
+            assert!(condition.decider().is_some(), "{}", condition.by());
+            assert!(Parameter::all().any(|parameter| parameter.name() == condition.of()), "{}", condition.of());
         }
-        assert_eq!(conditions().filter(|condition| condition.choice().is_some()).count(), 9);
+        assert_eq!(
+            conditions().filter(|condition| condition.is_choice() && condition.choice().is_some()).count(),
+            5 + 2 * MAX_LAYERS
+        );
     }
 }

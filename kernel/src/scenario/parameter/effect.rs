@@ -1,18 +1,17 @@
 //! Which parameters act in a scenario: a value that another parameter leaves without effect is not to pass unseen.
 
-use super::{Kind, Parameter};
-use crate::error::NoEffect;
+use super::Parameter;
+use crate::error::{Name, NoEffect, Says};
 use crate::material::{COEFFICIENTS, Coefficient, ElasticLaw, N_COEFFICIENT, Role};
 use crate::number::real::Real;
-use crate::number::text::same;
-use crate::scenario::Scenario;
+use crate::scenario::{MAX_LAYERS, Scenario};
 
 /// What a parameter needs to act.
 pub(super) struct Condition {
-    /// Name of the parameter, or a group with its dot.
-    pub(super) of: &'static str,
-    /// Name of the parameter that decides.
-    pub(super) by: &'static str,
+    /// Name of the parameter; of a layer's the field alone.
+    of: &'static str,
+    /// Name of the parameter that decides, of the same layer.
+    by: &'static str,
     acts: Acts,
 }
 
@@ -21,8 +20,6 @@ pub(super) struct Condition {
 enum Acts {
     /// Under these choices.
     Under(&'static [&'static str]),
-    /// Under these choices; 0 says that there is nothing, which is so under the others, too.
-    CoefficientUnder(&'static [&'static str]),
     /// Under the elastic laws that have the coefficient of this place; a modulus of 0 is nothing under the others, too.
     InLaw(usize),
     /// Under this choice, which is made by giving the parameter.
@@ -31,77 +28,115 @@ enum Acts {
     Beside,
 }
 
-impl Condition {
-    pub(super) fn concerns(&self, name: &str) -> bool {
-        self.of == name || self.of.ends_with('.') && name.starts_with(self.of)
+/// A condition of the parameters of a layer, or of those of none.
+#[derive(Clone, Copy)]
+pub(super) struct Placed {
+    condition: &'static Condition,
+    layer: Option<usize>,
+}
+
+impl Placed {
+    /// The parameter that has to act.
+    pub(super) fn of(&self) -> Name {
+        self.name(self.condition.of)
+    }
+
+    /// The parameter that decides.
+    pub(super) fn by(&self) -> Name {
+        self.name(self.condition.by)
+    }
+
+    fn name(&self, text: &'static str) -> Name {
+        self.layer.map_or(text.into(), |layer| Name::of_layer(layer, text))
+    }
+
+    /// The parameter that decides.
+    pub(super) fn decider(&self) -> Option<Parameter> {
+        beside(self.layer).find(|parameter| parameter.name() == self.by())
+    }
+
+    /// Whether giving the parameter makes a choice.
+    pub(super) fn is_choice(&self) -> bool {
+        matches!(self.condition.acts, Acts::Chosen(_))
     }
 
     /// The index of the choice that is made by giving the parameter.
     pub(super) fn choice(&self) -> Option<usize> {
-        match (self.acts, Parameter::find(self.by)?.kind) {
-            (Acts::Chosen(label), Kind::Choice { labels, .. }) => labels.iter().position(|known| *known == label),
+        match self.condition.acts {
+            Acts::Chosen(label) => self.decider()?.labels().iter().position(|known| *known == label),
             _ => None,
         }
     }
 
     /// What the other parameter says, if that leaves `value` without effect.
-    fn obstacle(&self, value: Real, scenario: &Scenario) -> Option<&'static str> {
-        let by = Parameter::find(self.by)?;
-        let says = match by.kind {
-            Kind::Choice { labels, read, .. } => labels.get(read(scenario)).copied().unwrap_or_default(),
-            Kind::Real { .. } => "",
-        };
-        let acts = match self.acts {
+    fn obstacle(&self, value: Real, scenario: &Scenario) -> Option<Says> {
+        let decider = self.decider()?;
+        let number = decider.get(scenario);
+        let label = decider.labels().get(number as usize).copied();
+        let says = label.unwrap_or_default();
+        let acts = match self.condition.acts {
             Acts::Under(labels) => labels.contains(&says),
-            Acts::CoefficientUnder(labels) => value == 0.0 || labels.contains(&says),
             Acts::InLaw(place) => {
-                let law = ElasticLaw::from_repr(by.get(scenario) as usize);
+                let law = ElasticLaw::from_repr(number as usize);
                 law.is_some_and(|law| law.places().contains(&place)) || value == 0.0 && is_modulus(place)
             }
             Acts::Chosen(label) => label == says,
-            Acts::Beside => by.get(scenario) != 0.0,
+            Acts::Beside => number != 0.0,
         };
-        if acts { None } else { Some(says) }
+        if acts { None } else { Some(label.map_or(Says::Number(number), Says::Label)) }
     }
+}
+
+/// The parameters of a layer, or of none.
+fn beside(layer: Option<usize>) -> impl Iterator<Item = Parameter> {
+    let test = Parameter::all().filter(move |parameter| layer.is_none() && parameter.layer().is_none());
+    layer.into_iter().flat_map(Parameter::of_layer).chain(test)
 }
 
 impl Parameter {
     /// Why the value of this parameter has no effect in `scenario`; none if it acts.
     pub fn without_effect(&self, scenario: &Scenario) -> Option<NoEffect> {
-        let value = self.get(scenario);
-        conditions().filter(|condition| condition.concerns(self.name)).find_map(|condition| {
+        self.refused(self.get(scenario), scenario)
+    }
+
+    /// Why `value` of this parameter has no effect in `scenario`; none if it acts.
+    pub(super) fn refused(&self, value: Real, scenario: &Scenario) -> Option<NoEffect> {
+        if self.layer().is_some_and(|layer| layer >= scenario.layers.len()) {
+            return Some(self.of_absent_layer(value, scenario));
+        }
+        conditions_of(self.layer()).filter(|condition| condition.of() == self.name()).find_map(|condition| {
             let says = condition.obstacle(value, scenario)?;
-            Some(NoEffect { name: self.name, value, unit: self.unit(), by: condition.by, says })
+            Some(NoEffect { name: self.name(), value, unit: self.unit(), by: condition.by(), says })
+        })
+    }
+
+    /// Whether the parameter is a coefficient, or switches others on: at 0 there is nothing.
+    pub(super) fn is_off_at_zero(&self) -> bool {
+        conditions_of(self.layer()).any(|placed| match placed.condition.acts {
+            Acts::InLaw(place) => placed.of() == self.name() && is_modulus(place),
+            Acts::Beside => placed.by() == self.name(),
+            Acts::Under(_) | Acts::Chosen(_) => false,
         })
     }
 }
 
 /// Every condition, those first that stand above others.
-pub(super) fn conditions() -> impl Iterator<Item = &'static Condition> {
-    let coefficients = COEFFICIENTS_OF_SILICONE.iter().chain(&COEFFICIENTS_OF_SKIN);
-    TEST.iter().chain(coefficients).chain(SILICONE).chain(SKIN)
+pub(super) fn conditions() -> impl Iterator<Item = Placed> + Clone {
+    conditions_of(None).chain((0..MAX_LAYERS).flat_map(|layer| conditions_of(Some(layer))))
+}
+
+/// The conditions of the parameters of a layer, or of those of none.
+fn conditions_of(layer: Option<usize>) -> impl Iterator<Item = Placed> + Clone {
+    let lists: [&[Condition]; 2] = if layer.is_some() { [&COEFFICIENT, LAYER] } else { [TEST, &[]] };
+    lists.into_iter().flatten().map(move |condition| Placed { condition, layer })
 }
 
 fn is_modulus(place: usize) -> bool {
     COEFFICIENTS.get(place).is_some_and(Coefficient::is_modulus)
 }
 
-/// Whether the parameter called `name` is a coefficient, or switches others on: at 0 there is nothing.
-pub(super) fn is_off_at_zero(name: &str) -> bool {
-    conditions().any(|condition| match condition.acts {
-        Acts::CoefficientUnder(_) => condition.of == name,
-        Acts::InLaw(place) => condition.of == name && is_modulus(place),
-        Acts::Beside => condition.by == name,
-        Acts::Under(_) | Acts::Chosen(_) => false,
-    })
-}
-
 const fn under(of: &'static str, by: &'static str, choices: &'static [&'static str]) -> Condition {
     Condition { of, by, acts: Acts::Under(choices) }
-}
-
-const fn coefficient_under(of: &'static str, by: &'static str, choices: &'static [&'static str]) -> Condition {
-    Condition { of, by, acts: Acts::CoefficientUnder(choices) }
 }
 
 const fn chosen(of: &'static str, by: &'static str, choice: &'static str) -> Condition {
@@ -112,10 +147,8 @@ const fn only_with(of: &'static str, by: &'static str) -> Condition {
     Condition { of, by, acts: Acts::Beside }
 }
 
-/// What does not belong to a material.
+/// What does not belong to a layer.
 static TEST: &[Condition] = &[
-    under("skin.", "geometry.layers", &["two"]),
-    coefficient_under("geometry.skin_thickness", "geometry.layers", &["two"]),
     under("geometry.core_radius", "geometry.shape", &["round"]),
     under("geometry.block_width", "geometry.shape", &["block"]),
     under("geometry.length", "geometry.formulation", &["plane_strain"]),
@@ -138,34 +171,42 @@ static TEST: &[Condition] = &[
     under("time.design_compression", "time.step_by", &["safety_factor"]),
 ];
 
-macro_rules! material_conditions {
-    ($layer:literal) => {{
-        const VOLUMETRIC_BY: &str = concat!($layer, ".volumetric_by");
-        &[
-            chosen(concat!($layer, ".bulk_modulus"), VOLUMETRIC_BY, "bulk_modulus"),
-            chosen(concat!($layer, ".poissons_ratio"), VOLUMETRIC_BY, "poissons_ratio"),
-            only_with(concat!($layer, ".prony_tau_1"), concat!($layer, ".prony_g_1")),
-            only_with(concat!($layer, ".prony_tau_2"), concat!($layer, ".prony_g_2")),
-            only_with(concat!($layer, ".prony_tau_3"), concat!($layer, ".prony_g_3")),
-            only_with(concat!($layer, ".prony_tau_4"), concat!($layer, ".prony_g_4")),
-            only_with(concat!($layer, ".prony_tau_5"), concat!($layer, ".prony_g_5")),
-            only_with(concat!($layer, ".maxwell_beta_1"), concat!($layer, ".maxwell_g_1")),
-            only_with(concat!($layer, ".maxwell_beta_2"), concat!($layer, ".maxwell_g_2")),
-            only_with(concat!($layer, ".maxwell_beta_3"), concat!($layer, ".maxwell_g_3")),
-            only_with(concat!($layer, ".maxwell_beta_4"), concat!($layer, ".maxwell_g_4")),
-            only_with(concat!($layer, ".maxwell_beta_5"), concat!($layer, ".maxwell_g_5")),
-            only_with(concat!($layer, ".slider_yield_stress"), concat!($layer, ".slider_stiffness")),
-            only_with(concat!($layer, ".tear_width"), concat!($layer, ".tear_stretch")),
-            only_with(concat!($layer, ".tear_residual"), concat!($layer, ".tear_stretch")),
-        ]
-    }};
-}
+/// What belongs to a layer, but for the coefficients of the elastic laws.
+static LAYER: &[Condition] = &[
+    chosen("bulk_modulus", "volumetric_by", "bulk_modulus"),
+    chosen("poissons_ratio", "volumetric_by", "poissons_ratio"),
+    only_with("prony_tau_1", "prony_g_1"),
+    only_with("prony_tau_2", "prony_g_2"),
+    only_with("prony_tau_3", "prony_g_3"),
+    only_with("prony_tau_4", "prony_g_4"),
+    only_with("prony_tau_5", "prony_g_5"),
+    only_with("maxwell_beta_1", "maxwell_g_1"),
+    only_with("maxwell_beta_2", "maxwell_g_2"),
+    only_with("maxwell_beta_3", "maxwell_g_3"),
+    only_with("maxwell_beta_4", "maxwell_g_4"),
+    only_with("maxwell_beta_5", "maxwell_g_5"),
+    only_with("slider_yield_stress", "slider_stiffness"),
+    only_with("tear_width", "tear_stretch"),
+    only_with("tear_residual", "tear_stretch"),
+];
 
-static COEFFICIENTS_OF_SILICONE: [Condition; N_CONDITION] =
-    coefficient_conditions(super::material::SILICONE, "silicone.law");
-static COEFFICIENTS_OF_SKIN: [Condition; N_CONDITION] = coefficient_conditions(super::material::SKIN, "skin.law");
+/// A coefficient acts in the laws that have it; one that shapes the term of a modulus, where that is not 0 as well.
+static COEFFICIENT: [Condition; N_CONDITION] = {
+    let mut conditions = [const { only_with("", "") }; N_CONDITION];
+    let (mut n, mut place) = (0, 0);
+    while place < N_COEFFICIENT {
+        let of = COEFFICIENTS[place].name;
+        conditions[n] = Condition { of, by: "law", acts: Acts::InLaw(place) };
+        n += 1;
+        if let Role::Shape { of: modulus } = COEFFICIENTS[place].role {
+            conditions[n] = only_with(of, modulus);
+            n += 1;
+        }
+        place += 1;
+    }
+    conditions
+};
 
-/// A condition for each coefficient of the elastic laws, and another for those that shape the term of a modulus.
 const N_CONDITION: usize = {
     let (mut n, mut place) = (N_COEFFICIENT, 0);
     while place < N_COEFFICIENT {
@@ -174,36 +215,3 @@ const N_CONDITION: usize = {
     }
     n
 };
-
-/// The conditions of the coefficients among the `rows` of a layer, whose choice of a law is called `law`.
-const fn coefficient_conditions(rows: &'static [Parameter], law: &'static str) -> [Condition; N_CONDITION] {
-    let mut conditions = [const { only_with("", "") }; N_CONDITION];
-    let (mut n, mut place) = (0, 0);
-    while place < N_COEFFICIENT {
-        let of = row_of(rows, COEFFICIENTS[place].name);
-        conditions[n] = Condition { of, by: law, acts: Acts::InLaw(place) };
-        n += 1;
-        if let Role::Shape { of: modulus } = COEFFICIENTS[place].role {
-            conditions[n] = only_with(of, row_of(rows, modulus));
-            n += 1;
-        }
-        place += 1;
-    }
-    conditions
-}
-
-/// The whole name of the row whose name ends with a dot and `field`.
-const fn row_of(rows: &'static [Parameter], field: &str) -> &'static str {
-    let mut i = 0;
-    while i < rows.len() {
-        let (name, at) = (rows[i].name, rows[i].name.len().saturating_sub(field.len()));
-        if at > 0 && name.as_bytes()[at - 1] == b'.' && same(name.split_at(at).1, field) {
-            return name;
-        }
-        i += 1;
-    }
-    panic!("a coefficient without a row")
-}
-
-static SILICONE: &[Condition] = material_conditions!("silicone");
-static SKIN: &[Condition] = material_conditions!("skin");

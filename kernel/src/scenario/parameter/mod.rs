@@ -1,15 +1,22 @@
-//! The table of parameters: name, unit, legal range and meaning of every field of a [`crate::Scenario`], in one place.
+//! The parameters of a scenario: name, unit, legal range and meaning of every value of a [`crate::Scenario`], in one place.
 //!
-//! Scenario files, the C ABI and the FMU are all generated from or checked against this table.
+//! Scenario files, the C ABI and the FMU are all generated from or checked against these tables. What every layer has is written
+//! once, for all of them.
 
 mod changes;
-mod coefficient;
 mod effect;
-mod material;
+mod handle;
+mod layer;
+mod number;
 mod row;
-mod table;
+mod test;
+mod values;
 
+#[cfg(test)]
+mod tests;
+
+pub use crate::error::{Name, Says};
 pub use changes::Changes;
-pub use row::{Kind, Parameter};
-pub use table::PARAMETERS;
-pub(crate) use table::ROWS;
+pub use handle::{Kind, Parameter};
+pub use number::{LAYER_NUMBERS, NUMBERS, TEST_NUMBERS};
+pub use values::Values;

@@ -53,7 +53,7 @@ fn bar(sides: Sides, n: usize) -> Simulation {
     let across = 2;
     let mut scenario: Scenario = grid(across, n, neo_hookean(SHEAR_MODULUS, BULK_MODULUS));
     scenario.core.interface = Interface::Sliding;
-    scenario.silicone.density = DENSITY;
+    scenario.layers[0].material.density = DENSITY;
     scenario.impactor.gap = 0.0;
     let position = |u: usize, v: usize| [sides.half_width() * u as f64 / across as f64, LENGTH * v as f64 / n as f64];
     Simulation::with_positions(&scenario, &position).expect("a legal mesh")

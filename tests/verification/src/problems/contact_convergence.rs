@@ -34,7 +34,7 @@ pub fn scenario(formulation: Formulation, bulk_modulus: f64, element_size: f64) 
     scenario.impactor.gap = 0.0;
     scenario.core.interface = Interface::Bonded;
     scenario.face.friction_coefficient = 0.0;
-    scenario.silicone = elastic(0.1e6, 0.06e6, bulk_modulus);
+    scenario.layers[0].material = elastic(0.1e6, 0.06e6, bulk_modulus);
     scenario.mesh.element_size = element_size;
     scenario
 }

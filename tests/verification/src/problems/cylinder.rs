@@ -34,7 +34,7 @@ pub fn viscoelastic() -> Material {
 
 /// The silicone of the study; without a slider, which the reference below does not know.
 pub fn study_silicone() -> Material {
-    preset::study().silicone
+    preset::study().layers[0].material
 }
 
 /// Nominal stresses of a homogeneous uniaxial compression at the times and strains of `curve`, compression positive, Pa.
@@ -108,12 +108,12 @@ pub fn bonded_equilibrium(cells: u32) -> f64 {
     let mut scenario: Scenario = preset::study();
     scenario.geometry.shape = Shape::Block;
     scenario.geometry.formulation = Formulation::Axisymmetric;
-    (scenario.geometry.silicone_thickness, scenario.geometry.skin_thickness) = (test.height, 0.0);
+    (scenario.layers[0].thickness, scenario.geometry.skin_thickness) = (test.height, 0.0);
     scenario.geometry.block_width = test.diameter;
     scenario.core.interface = Interface::Bonded;
     scenario.impactor.motion = softanvil_kernel::scenario::Motion::Driven;
     scenario.impactor.gap = 1.0;
-    scenario.silicone = bonded_material();
+    scenario.layers[0].material = bonded_material();
     scenario.mesh.element_size = test.height / f64::from(cells);
     let grid = softanvil_kernel::mesh::Grid::new(&scenario).expect("a legal mesh");
     let position = |u, v| softanvil_kernel::mesh::reference_position(&scenario, &grid, u, v);

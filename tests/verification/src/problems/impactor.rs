@@ -24,7 +24,7 @@ pub fn spring() -> [Measured; 3] {
     let (width, height, length) = (30e-3, 15e-3, 100e-3);
     let (shear, bulk) = (1e8, 4e8);
     let mut scenario = block(width, height, elastic(0.5 * shear, 0.0, bulk));
-    scenario.silicone.density = 100.0;
+    scenario.layers[0].material.density = 100.0;
     scenario.geometry.length = length;
     scenario.impactor.motion = Motion::Drop;
     scenario.impactor.mass = 500.0;

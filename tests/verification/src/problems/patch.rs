@@ -46,7 +46,7 @@ pub fn residual(mut scenario: Scenario, gradient: Gradient) -> f64 {
 
 fn round() -> Scenario {
     let mut scenario = preset::study();
-    scenario.silicone = elastic(0.1e6, 0.05e6, 5e6);
+    scenario.layers[0].material = elastic(0.1e6, 0.05e6, 5e6);
     // Shorter than every chord, so that the thickness is constant and a homogeneous stress is in equilibrium.
     scenario.geometry.length = 50e-3;
     scenario

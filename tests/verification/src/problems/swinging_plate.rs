@@ -37,7 +37,7 @@ fn computed_error(nu: f64, n: usize, periods: f64) -> f64 {
     let bulk = YOUNGS_MODULUS / (3.0 * (1.0 - 2.0 * nu));
     let mut scenario = grid(n, n, neo_hookean(shear, bulk));
     scenario.core.interface = Interface::Sliding;
-    scenario.silicone.density = DENSITY;
+    scenario.layers[0].material.density = DENSITY;
     let position = |u: usize, v: usize| [SIDE * u as f64 / n as f64, SIDE * v as f64 / n as f64];
     let mut simulation = Simulation::with_positions(&scenario, &position).expect("a legal mesh");
     let omega = PI / SQRT_2 / SIDE * (shear / DENSITY).sqrt();

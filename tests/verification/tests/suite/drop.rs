@@ -13,7 +13,7 @@ fn energy_is_accounted_for_at_every_step() {
         let mut scenario = preset::study();
         scenario.impactor = scenario.impactor.with_energy(energy);
         // The preset has no slider.
-        (scenario.silicone.slider_stiffness, scenario.silicone.slider_yield_stress) = (1e6, 10e3);
+        (scenario.layers[0].material.slider_stiffness, scenario.layers[0].material.slider_yield_stress) = (1e6, 10e3);
         let mut simulation = Simulation::new(&scenario).expect("a legal scenario");
         let steps = simulation.constants().steps_in(scenario.time.duration);
         let mut largest = 0.0_f64;

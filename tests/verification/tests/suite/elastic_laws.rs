@@ -127,12 +127,12 @@ fn the_shear_tangent_bounds_that_of_a_plane_compression() {
 #[test]
 fn energy_closes_in_a_drop_with_every_law() {
     let study = preset::study();
-    for (name, law) in laws(study.silicone.bulk_modulus) {
+    for (name, law) in laws(study.layers[0].material.bulk_modulus) {
         for volumetric_law in [VolumetricLaw::Quadratic, VolumetricLaw::Simo] {
             let mut scenario = study;
-            scenario.silicone = Material {
+            scenario.layers[0].material = Material {
                 volumetric_law,
-                prony_g: study.silicone.prony_g,
+                prony_g: study.layers[0].material.prony_g,
                 slider_stiffness: 1e6,
                 slider_yield_stress: 10e3,
                 ..law

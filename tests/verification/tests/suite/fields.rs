@@ -73,7 +73,7 @@ fn cauchy_stresses_give_the_forces_of_the_nodes() {
         scenario.geometry.formulation = formulation;
         scenario.geometry.section = section;
         if tears {
-            let silicone = &mut scenario.silicone;
+            let silicone = &mut scenario.layers[0].material;
             (silicone.tear_stretch, silicone.tear_width, silicone.tear_residual) = (1.02, 0.1, 0.5);
         }
         let mut simulation = Simulation::new(&scenario).expect("a legal scenario");

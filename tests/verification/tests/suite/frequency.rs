@@ -144,7 +144,7 @@ impl Body {
                 let double_area = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
                 0.5 * double_area * out_of_plane(&self.scenario, (a[0] + b[0] + c[0]) / 3.0)
             });
-            let quarter = 0.25 * self.scenario.silicone.density * (volumes[0] + volumes[1]);
+            let quarter = 0.25 * self.scenario.layers[0].material.density * (volumes[0] + volumes[1]);
             nodes.into_iter().for_each(|node| masses[node] += quarter);
         }
         masses

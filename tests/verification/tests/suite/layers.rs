@@ -12,8 +12,8 @@ fn coinciding(layers: Layers) -> Scenario {
     let mut scenario = preset::study();
     set_layers(&mut scenario, layers, 12e-3, 3e-3);
     // The preset has no slider.
-    (scenario.silicone.slider_stiffness, scenario.silicone.slider_yield_stress) = (1e6, 10e3);
-    scenario.skin = scenario.silicone;
+    (scenario.layers[0].material.slider_stiffness, scenario.layers[0].material.slider_yield_stress) = (1e6, 10e3);
+    scenario.skin = scenario.layers[0].material;
     // The same step for both: trials on coarse meshes have rows of their own.
     (scenario.time.step_by, scenario.time.step) = (StepBy::Given, 4e-6);
     scenario
@@ -72,7 +72,7 @@ fn the_skin_has_rows_and_mass_of_its_own() {
     let grid = Simulation::new(&scenario).expect("a legal scenario").constants().grid;
     assert_eq!((grid.n_v_silicone, grid.n_v), (5, 6));
     scenario.impactor.gap = 1.0;
-    scenario.skin.density = 2.0 * scenario.silicone.density;
+    scenario.skin.density = 2.0 * scenario.layers[0].material.density;
     let mut simulation = Simulation::new(&scenario).expect("a legal scenario");
     // The surface moves at 1 m/s over a layer at rest: the kinetic energy of the step is half its mass.
     let kinetic = |simulation: &mut Simulation| {
@@ -91,7 +91,7 @@ fn the_skin_has_rows_and_mass_of_its_own() {
         simulation.scalars().energy.layer_kinetic
     };
     let heavy = kinetic(&mut simulation);
-    scenario.skin.density = scenario.silicone.density;
+    scenario.skin.density = scenario.layers[0].material.density;
     let light = kinetic(&mut Simulation::new(&scenario).expect("a legal scenario"));
     // The surface nodes have mass of the skin alone.
     assert!(relative_error(heavy, 2.0 * light) < 1e-3, "{heavy} J against twice {light} J");

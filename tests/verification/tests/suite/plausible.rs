@@ -29,7 +29,7 @@ fn random_drops_go_through_with_few_steps_too_many() {
 #[test]
 fn drops_that_a_fixed_design_refused_go_through() {
     let mut soft = preset::study();
-    soft.silicone = neo_hookean(0.2e6, 0.2e6 * 2.0 * 1.48 / (3.0 * 0.04));
+    soft.layers[0].material = neo_hookean(0.2e6, 0.2e6 * 2.0 * 1.48 / (3.0 * 0.04));
     let hard = |energy: f64| {
         let mut scenario = preset::study();
         scenario.impactor = scenario.impactor.with_energy(energy);
@@ -52,7 +52,7 @@ fn a_driven_face_may_go_as_deep_as_the_design_says() {
         driven.impactor.motion = Motion::Driven;
         driven.time.design_compression = compression;
         let mut simulation = Simulation::new(&driven).expect("a legal scenario");
-        let (gap, depth) = (driven.impactor.gap, compression * driven.geometry.layer_thickness());
+        let (gap, depth) = (driven.impactor.gap, compression * driven.thickness());
         let steps = simulation.constants().steps_in(8e-3);
         for step in 1..=steps {
             // Down in a half wave and up again.

@@ -102,7 +102,7 @@ fn contact_half_width_follows_the_load() {
         widest = widest.max(scalars.contact_half_width);
     }
     // The chord of the undeformed circle at the largest deformation, which bulging can only widen.
-    let outer = scenario.geometry.core_radius + scenario.geometry.layer_thickness();
+    let outer = scenario.geometry.core_radius + scenario.thickness();
     let depth = simulation.scalars().metrics.max_deformation;
     let chord = (depth * (2.0 * outer - depth)).sqrt();
     assert!(widest > 0.8 * chord && widest < outer, "{widest} m against a chord of {chord} m");

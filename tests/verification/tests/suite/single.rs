@@ -63,15 +63,15 @@ fn a_branch_of_any_time_carries_its_part_in_single_precision() {
     for tau in (-7..=6).map(|exponent| 10_f64.powi(exponent)) {
         let mut scenario = preset::study();
         scenario.mesh.element_size = 5e-3;
-        scenario.silicone.prony_g = [0.5, 0.0, 0.0, 0.0, 0.0];
-        scenario.silicone.prony_tau[0] = tau;
+        scenario.layers[0].material.prony_g = [0.5, 0.0, 0.0, 0.0, 0.0];
+        scenario.layers[0].material.prony_tau[0] = tau;
         let mut double = Simulation::new(&scenario).unwrap();
         let step = double.constants().dt;
         double.step(double.constants().steps_in(8e-3), &StepInput::default()).unwrap();
         let mut scenario = single::preset::study();
         scenario.mesh.element_size = 5e-3;
-        scenario.silicone.prony_g = [0.5, 0.0, 0.0, 0.0, 0.0];
-        scenario.silicone.prony_tau[0] = tau as f32;
+        scenario.layers[0].material.prony_g = [0.5, 0.0, 0.0, 0.0, 0.0];
+        scenario.layers[0].material.prony_tau[0] = tau as f32;
         (scenario.time.step_by, scenario.time.step) = (single::scenario::StepBy::Given, step as f32);
         let mut found = single::Simulation::new(&scenario).unwrap();
         found.step(found.constants().steps_in(8e-3), &single::StepInput::default()).unwrap();

@@ -78,7 +78,7 @@ impl Body {
             }
         }
         let largest = SymmetricEigen::new(0.5 * (stiffness + stiffness.transpose())).eigenvalues.max();
-        2.0 / (largest / (0.25 * self.scenario.silicone.density * self.volume(&corners))).sqrt()
+        2.0 / (largest / (0.25 * self.scenario.layers[0].material.density * self.volume(&corners))).sqrt()
     }
 
     /// Volume of a cell, m3: the area of its quadrilateral times the length of the block, or, by Pappus, of the way around of

@@ -68,7 +68,7 @@ fn energy_closes_in_a_drop_that_tears() {
     for (layers, tear, residual) in [(Layers::Two, 1.1, 0.05), (Layers::One, 1.02, 0.5)] {
         let mut scenario = preset::study();
         scenario.geometry.layers = layers;
-        let layer = if layers == Layers::Two { &mut scenario.skin } else { &mut scenario.silicone };
+        let layer = if layers == Layers::Two { &mut scenario.skin } else { &mut scenario.layers[0].material };
         (layer.tear_stretch, layer.tear_width, layer.tear_residual) = (tear, 0.1, residual);
         let mut simulation = Simulation::new(&scenario).expect("a legal scenario");
         let mut torn = 0.0;

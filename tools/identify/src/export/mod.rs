@@ -47,7 +47,7 @@ impl Layer {
 fn rows(material: &Material, layer: Layer) -> Vec<(&'static Parameter, f64)> {
     let mut scenario = preset::study();
     match layer {
-        Layer::Silicone => scenario.silicone = *material,
+        Layer::Silicone => scenario.layers[0].material = *material,
         Layer::Skin => (scenario.skin, scenario.geometry.layers) = (*material, Layers::Two),
     }
     let acts = |parameter: &&Parameter| parameter.without_effect(&scenario).is_none();
@@ -60,7 +60,7 @@ fn rows(material: &Material, layer: Layer) -> Vec<(&'static Parameter, f64)> {
 /// are not there keep the values of [`crate::law::blank`].
 fn read_rows(of: impl Fn(&str) -> Option<String>, layer: Layer) -> Result<Material, ReadBackError> {
     let mut scenario = preset::study();
-    (scenario.silicone, scenario.skin) = (crate::law::blank(), crate::law::blank());
+    (scenario.layers[0].material, scenario.skin) = (crate::law::blank(), crate::law::blank());
     for parameter in
         PARAMETERS.iter().filter(|p| p.name.split_once('.').is_some_and(|(group, _)| group == layer.group()))
     {
@@ -74,7 +74,7 @@ fn read_rows(of: impl Fn(&str) -> Option<String>, layer: Layer) -> Result<Materi
         let number = number.ok_or_else(|| ReadBackError(format!("{} = {text}", parameter.name)))?;
         parameter.set(&mut scenario, number).map_err(|error| ReadBackError(error.to_string()))?;
     }
-    Ok(if layer == Layer::Skin { scenario.skin } else { scenario.silicone })
+    Ok(if layer == Layer::Skin { scenario.skin } else { scenario.layers[0].material })
 }
 
 /// The coefficient called `name` of a law that has it; 0 of others.

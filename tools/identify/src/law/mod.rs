@@ -174,6 +174,6 @@ pub fn blank() -> Material {
         slider_stiffness: 0.0,
         slider_yield_stress: 0.0,
         tear_stretch: 0.0,
-        ..preset::study().silicone
+        ..preset::study().layers[0].material
     }
 }

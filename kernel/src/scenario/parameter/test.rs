@@ -1,0 +1,112 @@
+//! The rows of what is not a layer's.
+
+use super::row::{Access, Row, choice, real};
+use crate::scenario::{DropBy, Formulation, Interface, MAX_LAYERS, Motion, Scenario, Section, Shape, StepBy};
+
+/// Geometry and impactor.
+pub(super) static TEST: &[Row<Scenario>] = &[
+    choice!(0, geometry.shape: Shape, "layer on a round core, or a flat block on a flat core"),
+    choice!(1, geometry.formulation: Formulation, "kinematics of the section"),
+    choice!(2, geometry.section: Section, "half of the section with symmetry, or all of it"),
+    real!(3, geometry.core_radius, "m", (1e-3, 1.0), "radius of the rigid core (round shape)"),
+    real!(
+        4,
+        geometry.length,
+        "m",
+        (1e-3, 10.0),
+        "largest out-of-plane thickness in plane strain (effective length of the layers)"
+    ),
+    real!(5, geometry.block_width, "m", (1e-4, 10.0), "full width, or diameter if axisymmetric (block shape)"),
+    choice!(
+        6, impactor.motion: Motion,
+        "a falling mass, a position given from outside with every call, or down at a speed to a depth and hold"
+    ),
+    real!(7, impactor.mass, "kg", (1e-3, 1e4), "mass of the impactor"),
+    real!(
+        8,
+        impactor.face_diameter,
+        "m",
+        (1e-3, 10.0),
+        "diameter of the flat face; its chord is the thickness of a round section in plane strain"
+    ),
+    real!(
+        9,
+        impactor.offset,
+        "m",
+        (-1.0, 1.0),
+        "distance of the face's centre from the centre line, to the right (full section)"
+    ),
+    real!(10, impactor.gap, "m", (0.0, 1.0), "height of the face above the anvil at the start"),
+    real!(11, impactor.gravity, "m/s2", (0.0, 100.0), "acceleration of gravity"),
+    choice!(12, impactor.drop_by: DropBy, "which of the next three states the drop"),
+    real!(13, impactor.drop_height, "m", (0.0, 100.0), "free fall before the start"),
+    real!(14, impactor.drop_energy, "J", (0.0, 1e5), "kinetic energy at the start"),
+    real!(15, impactor.drop_speed, "m/s", (0.0, 100.0), "downward speed at the start"),
+    real!(16, impactor.prescribed_speed, "m/s", (1e-6, 100.0), "downward speed of the prescribed motion"),
+    real!(
+        17,
+        impactor.prescribed_depth,
+        "m",
+        (0.0, 1.0),
+        "depth below the undeformed anvil at which the prescribed motion ends and holds"
+    ),
+    real!(
+        18,
+        impactor.prescribed_rise,
+        "s",
+        (0.0, 100.0),
+        "time over which the prescribed speed rises at the start and falls at the end, smoothly; at most travel / speed"
+    ),
+];
+
+/// How many layers there are.
+pub(super) static LAYER_COUNT: Row<usize> = Row {
+    id: 19,
+    name: "layers.count",
+    access: Access::Count {
+        min: 1,
+        max: MAX_LAYERS as u32,
+        read: |count| *count,
+        write: |count, number| *count = number,
+    },
+    description: "number of layers between core and face, layers[0] next to the core",
+};
+
+/// Interfaces, mesh, time and measurement.
+pub(super) static NUMERICS: &[Row<Scenario>] = &[
+    choice!(
+        20, core.interface: Interface,
+        "how the layer sits on the core: glued, in contact with friction, or on rollers (neither lifts nor rubs)"
+    ),
+    real!(21, core.friction_coefficient, "1", (0.0, 10.0), "Coulomb coefficient of a frictional core"),
+    real!(22, face.friction_coefficient, "1", (0.0, 10.0), "Coulomb coefficient under the impactor"),
+    real!(23, mesh.element_size, "m", (1e-5, 0.1), "edge length that the structured mesh aims at"),
+    choice!(24, time.step_by: StepBy, "which of the next two states the time step"),
+    real!(
+        25,
+        time.safety_factor,
+        "1",
+        (0.01, 1.0),
+        "fraction of the smallest stability limit that a trial of the scenario finds"
+    ),
+    real!(26, time.step, "s", (1e-10, 5e-5), "requested step; the largest whole divisor of 50 us not above it is used"),
+    real!(
+        27,
+        time.design_compression,
+        "1",
+        (0.01, 0.95),
+        "part of the layer's thickness that a driven face presses it by at most, for which the step is chosen"
+    ),
+    real!(28, time.duration, "s", (5e-5, 100.0), "simulated time of a run"),
+    real!(29, measurement.force_threshold, "N", (0.0, 1e5), "force that begins and ends the impact duration"),
+    real!(
+        30,
+        measurement.channel_class,
+        "Hz",
+        (1.0, 2000.0),
+        "channel frequency class (SAE J211, ISO 6487) of contact.force_filtered, such as 60, 180, 600 or 1000"
+    ),
+];
+
+/// Ids of rows that are no more, which no other row gets.
+pub(super) const RETIRED: &[u32] = &[];
