@@ -136,7 +136,7 @@ fn cells_along(length: Real, size: Real) -> Real {
 }
 
 /// Rows of cells of a layer: as many as it says, or as come nearest to an element size.
-pub(crate) fn layer_rows(layer: &Layer, element_size: Real) -> usize {
+fn layer_rows(layer: &Layer, element_size: Real) -> usize {
     match layer.rows {
         0 => cells_along(layer.thickness, element_size) as usize,
         rows => rows,

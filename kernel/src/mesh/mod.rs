@@ -5,6 +5,5 @@ mod grid;
 mod section;
 
 pub use cell::{CORNERS, triangles};
-pub(crate) use grid::layer_rows;
 pub use grid::{Grid, MAX_CELLS};
 pub use section::{out_of_plane, reference_position};

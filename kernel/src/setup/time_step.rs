@@ -4,15 +4,15 @@
 //! presses it, which no formula says beforehand. A trial (`trial.rs`) on a coarse mesh with a step that follows its
 //! limit tells the ratio of the smallest limit to that at rest; times the limit at rest of the mesh itself and
 //! the safety factor it gives the step. Where the ratio is small, a coarse mesh says too little of the cells that are
-//! pressed most, and the trial is repeated on the mesh itself.
+//! pressed most, and the trial is repeated on the mesh itself. So it is at once where a layer says its rows.
 
 use crate::error::ModelError;
-use crate::mesh::{Grid, layer_rows, reference_position};
+use crate::mesh::{Grid, reference_position};
 use crate::model::{Constants, ModelArrays};
 use crate::number::math;
 use crate::number::real::{self, Real};
 use crate::sampling::{MAX_STEPS_PER_SAMPLE, SAMPLING_INTERVAL, SMALLEST_STEP};
-use crate::scenario::{Layer, Scenario, StepBy};
+use crate::scenario::{Scenario, StepBy};
 use crate::setup::assembly::{assemble, fingerprint};
 use crate::setup::trial::{self, Forecast};
 use crate::state::StateMemory;
@@ -73,9 +73,12 @@ fn foresee(
     state: &mut StateMemory,
 ) -> Result<Forecast, ModelError> {
     let (mut tried, motion) = trial::of(scenario);
-    coarsen(&mut tried);
+    let size = scenario.thickness() / COARSE_ROWS;
+    tried.mesh.element_size = math::max(size, scenario.mesh.element_size);
     let coarse = Grid::new(&tried)?;
-    if coarse != *grid {
+    // The cells of a layer that says its rows may be flat or tall, and a coarse mesh says little of those.
+    let says_rows = scenario.layers.iter().any(|layer| layer.rows > 0);
+    if coarse != *grid && !says_rows {
         let rest = |u, v| reference_position(&tried, &coarse, u, v);
         let forecast = trial::run(&tried, &motion, coarse, &rest, arrays, state)?;
         if forecast.ratio >= REPEAT_BELOW {
@@ -83,17 +86,7 @@ fn foresee(
         }
     }
     tried.mesh.element_size = scenario.mesh.element_size;
-    tried.layers.clone_from(&scenario.layers);
     trial::run(&tried, &motion, *grid, position, arrays, state)
-}
-
-/// Goes over to a coarse mesh, no layer of which has more rows than on its own mesh.
-fn coarsen(scenario: &mut Scenario) {
-    let size = math::max(scenario.thickness() / COARSE_ROWS, scenario.mesh.element_size);
-    for layer in scenario.layers.iter_mut().filter(|layer| layer.rows > 0) {
-        layer.rows = layer.rows.min(layer_rows(&Layer { rows: 0, ..layer.clone() }, size));
-    }
-    scenario.mesh.element_size = size;
 }
 
 /// Part of the limit that is kept where a trial has found `ratio`.

@@ -38,7 +38,7 @@ impl Body {
     /// The body of `scenario` with its nodes at `position(u, v)`, m.
     pub fn new(scenario: &Scenario, position: &dyn Fn(usize, usize) -> [f64; 2], pressure: Pressure) -> Self {
         // Time stands still: a step that no trial has to find.
-        let mut scenario = *scenario;
+        let mut scenario = scenario.clone();
         (scenario.time.step_by, scenario.time.step) = (StepBy::Given, SMALLEST_STEP);
         let size = Size::of(&scenario).expect("a legal scenario");
         let mut nodes = vec![0.0; size.model_nodes];

@@ -99,7 +99,7 @@ pub fn summary(scenario: &Scenario) -> String {
         "{:?}, {:?}, {:.1} mm of {:?} with G = {:.0} Pa, nu = {:.3}, {:.1} J",
         geometry.formulation,
         scenario.core.interface,
-        1e3 * geometry.layer_thickness(),
+        1e3 * scenario.thickness(),
         material.law,
         material.shear_modulus_inf(),
         material.poissons_ratio,

@@ -77,7 +77,6 @@ pub fn block(width: f64, height: f64, material: Material) -> Scenario {
     scenario.geometry.shape = Shape::Block;
     scenario.geometry.block_width = width;
     scenario.layers[0].thickness = height;
-    scenario.geometry.skin_thickness = 0.0;
     scenario.impactor.motion = Motion::Driven;
     scenario.core.interface = Interface::Frictional;
     scenario.core.friction_coefficient = 0.0;

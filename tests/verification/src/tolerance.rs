@@ -98,6 +98,9 @@ pub const NO_GAIN: f64 = 1e-12;
 /// Energy residual over impact energy (0.1 % is the requirement).
 pub const ENERGY_RESIDUAL: f64 = 1e-3;
 
+/// A stack pressed by a thousandth against springs in series: what the law is not linear by, and what still swings.
+pub const SERIES: f64 = 5e-3;
+
 /// Two layers of one material against one layer: the round-off of the positions of the rows, grown in some thousand steps
 /// in which nodes touch and leave the face.
 pub const LAYERS: f64 = 1e-9;

@@ -62,7 +62,7 @@ fn names_and_numbers_are_unique_and_lead_back() {
         assert!(Parameter::find(unknown).is_none(), "{unknown}");
     }
     let unknown = [NUMBERS as u32, TEST_NUMBERS - 1, TEST_NUMBERS + LAYER_NUMBERS - 1, u32::MAX];
-    unknown.map(|number| assert!(Parameter::by_number(number).is_none(), "{number}"));
+    unknown.iter().for_each(|number| assert!(Parameter::by_number(*number).is_none(), "{number}"));
 }
 
 #[test]

@@ -108,7 +108,7 @@ pub fn bonded_equilibrium(cells: u32) -> f64 {
     let mut scenario: Scenario = preset::study();
     scenario.geometry.shape = Shape::Block;
     scenario.geometry.formulation = Formulation::Axisymmetric;
-    (scenario.layers[0].thickness, scenario.geometry.skin_thickness) = (test.height, 0.0);
+    scenario.layers[0].thickness = test.height;
     scenario.geometry.block_width = test.diameter;
     scenario.core.interface = Interface::Bonded;
     scenario.impactor.motion = softanvil_kernel::scenario::Motion::Driven;

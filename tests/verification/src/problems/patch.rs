@@ -62,10 +62,10 @@ pub fn plane_strain() -> Vec<(Scenario, Gradient)> {
 pub fn axisymmetric() -> Vec<(Scenario, Gradient)> {
     let mut dome = round();
     dome.geometry.formulation = Formulation::Axisymmetric;
-    let mut block = dome;
+    let mut block = dome.clone();
     block.geometry.shape = Shape::Block;
     let gradients = [[[1.1, 0.0], [0.0, 0.9]], [[0.8, 0.0], [0.0, 1.3]]];
-    [dome, block].into_iter().flat_map(|scenario| gradients.map(|g| (scenario, g))).collect()
+    [dome, block].into_iter().flat_map(|scenario| gradients.map(|g| (scenario.clone(), g))).collect()
 }
 
 /// Lines of the table.

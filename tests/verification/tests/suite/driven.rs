@@ -142,7 +142,7 @@ fn inputs_that_are_not_legal_are_refused_and_change_nothing() {
     (falling.impactor.motion, falling.impactor.drop_by) = (Motion::Drop, DropBy::Energy);
     let force = |external_force| StepInput { external_force, ..StepInput::default() };
     let cases = [
-        (falling, force(1e300), "impactor.external_force = 1e300 N is refused: expected -1000000 to 1000000 N"),
+        (falling.clone(), force(1e300), "impactor.external_force = 1e300 N is refused: expected -1000000 to 1000000 N"),
         (falling, force(f64::NAN), "impactor.external_force = NaN N is refused: expected -1000000 to 1000000 N"),
         (scenario(), to(1.5, None), "impactor.driven_position = 1.5 m is refused: expected -1 to 1 m"),
         (scenario(), to(f64::NAN, None), "impactor.driven_position = NaN m is refused: expected -1 to 1 m"),

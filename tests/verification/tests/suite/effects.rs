@@ -1,7 +1,7 @@
 //! What is said to have no effect has none, and what is not said so has one: the table of the kernel against the kernel.
 
 use softanvil_kernel::parameter::Kind;
-use softanvil_kernel::{PARAMETERS, Parameter, Scenario, Simulation, StepInput, preset};
+use softanvil_kernel::{Parameter, Scenario, ScenarioError, Simulation, StepInput, preset};
 
 /// Scenarios in which, together, every parameter acts and every one that can be without effect is.
 fn scenarios() -> Vec<(&'static str, Scenario)> {
@@ -11,7 +11,8 @@ fn scenarios() -> Vec<(&'static str, Scenario)> {
         scenario.time.duration = 4e-3;
         scenario.impactor.gap = 1e-4;
         for (name, value) in given {
-            Parameter::find(name).unwrap().set(&mut scenario, *value).unwrap();
+            let parameter = Parameter::find_in(&scenario, name).unwrap();
+            parameter.set(&mut scenario, *value).unwrap();
         }
         scenario
     };
@@ -38,7 +39,13 @@ fn scenarios() -> Vec<(&'static str, Scenario)> {
         ("core.interface", 0.0),
         ("impactor.drop_by", 0.0),
     ];
-    let two = [("geometry.layers", 1.0), ("impactor.drop_by", 2.0), ("silicone.law", 2.0), ("skin.law", 1.0)];
+    let two = [
+        ("layers.count", 2.0),
+        ("layers[1].thickness", 1e-3),
+        ("layers[1].law", 1.0),
+        ("impactor.drop_by", 2.0),
+        ("silicone.law", 2.0),
+    ];
     let block = [("geometry.shape", 1.0), ("silicone.law", 0.0), ("silicone.volumetric_by", 0.0)];
     let axisymmetric = [("geometry.formulation", 1.0), ("time.step_by", 1.0), ("time.step", 2.5e-6)];
     vec![
@@ -79,12 +86,13 @@ fn run(scenario: &Scenario) -> String {
 /// Another legal value.
 fn other(parameter: &Parameter, scenario: &Scenario) -> f64 {
     let (value, (min, max)) = (parameter.get(scenario), parameter.range());
-    match parameter.kind {
-        Kind::Choice { .. } => (value + 1.0) % (max + 1.0),
+    match parameter.kind() {
+        Kind::Choice { .. } | Kind::Count if value == max => min,
+        Kind::Choice { .. } | Kind::Count => value + 1.0,
         // Coefficients that are 0 are made to be seen.
-        Kind::Real { unit: "Pa", .. } if value == 0.0 => 5e4,
-        Kind::Real { .. } if value == 0.0 => min + 1e-3 * (max - min),
-        Kind::Real { .. } => (0.9 * value).clamp(min, max),
+        Kind::Quantity if value == 0.0 && parameter.unit() == "Pa" => 5e4,
+        Kind::Quantity if value == 0.0 => min + 1e-3 * (max - min),
+        Kind::Quantity => (0.9 * value).clamp(min, max),
     }
 }
 
@@ -92,20 +100,25 @@ fn other(parameter: &Parameter, scenario: &Scenario) -> f64 {
 fn what_has_no_effect_changes_nothing_and_the_rest_does() {
     let scenarios = scenarios();
     let unchanged: Vec<String> = scenarios.iter().map(|(_, scenario)| run(scenario)).collect();
-    for parameter in PARAMETERS {
+    for parameter in Parameter::all() {
         let mut acted = false;
         for ((name, scenario), unchanged) in scenarios.iter().zip(&unchanged) {
-            let mut changed = *scenario;
-            parameter.set(&mut changed, other(parameter, scenario)).unwrap();
+            let mut changed = scenario.clone();
+            let set = parameter.set(&mut changed, other(&parameter, scenario));
+            if parameter.layer().is_some_and(|layer| layer >= scenario.layers.len()) {
+                assert!(matches!(set, Err(ScenarioError::NoEffect(_))), "{} in {name}", parameter.name());
+                continue;
+            }
+            set.unwrap();
             // A choice may bring others into play; a value has no effect by what is chosen beside it.
             if parameter.without_effect(&changed).is_some() {
-                assert_eq!(&run(&changed), unchanged, "{} in {name}", parameter.name);
+                assert_eq!(&run(&changed), unchanged, "{} in {name}", parameter.name());
             } else if !acted {
                 acted = &run(&changed) != unchanged;
             }
         }
-        // The rows of the skin are those of the silicone, and a duration is how long is looked.
-        let seen_elsewhere = parameter.name.starts_with("skin.") || parameter.name == "time.duration";
-        assert!(acted || seen_elsewhere, "{} acts nowhere", parameter.name);
+        // The parameters of the layers above are those of the first, and a duration is how long is looked.
+        let seen_elsewhere = parameter.layer().is_some_and(|layer| layer > 0) || parameter.name() == "time.duration";
+        assert!(acted || seen_elsewhere, "{} acts nowhere", parameter.name());
     }
 }

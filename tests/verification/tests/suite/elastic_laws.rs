@@ -129,7 +129,7 @@ fn energy_closes_in_a_drop_with_every_law() {
     let study = preset::study();
     for (name, law) in laws(study.layers[0].material.bulk_modulus) {
         for volumetric_law in [VolumetricLaw::Quadratic, VolumetricLaw::Simo] {
-            let mut scenario = study;
+            let mut scenario = study.clone();
             scenario.layers[0].material = Material {
                 volumetric_law,
                 prony_g: study.layers[0].material.prony_g,

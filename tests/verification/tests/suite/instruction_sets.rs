@@ -1,7 +1,7 @@
 //! Every instruction set of this processor gives the same bits, in one process.
 
 use softanvil_kernel::material::{Material, VolumetricLaw};
-use softanvil_kernel::scenario::{Formulation, Layers};
+use softanvil_kernel::scenario::Formulation;
 use softanvil_kernel::state::state_digest;
 use softanvil_kernel::{InstructionSet, Scenario, Simulation, StepInput, preset, step_with};
 use softanvil_verification::scenes::ogden;
@@ -24,12 +24,12 @@ fn digest(scenario: &Scenario, set: InstructionSet) -> u64 {
 fn give_the_same_bits() {
     let mut rings = preset::study();
     rings.geometry.formulation = Formulation::Axisymmetric;
-    rings.geometry.layers = Layers::Two;
+    rings.add_layer(preset::chamois()).expect("room");
     rings.time.duration = 6e-3;
-    let mut powers = rings;
-    powers.silicone =
+    let mut powers = rings.clone();
+    powers.layers[0].material =
         Material { volumetric_law: VolumetricLaw::Simo, ..ogden(2e6, [0.3e6, 2e3, -0.02e6], [1.3, 5.0, -2.0]) };
-    powers.geometry.layers = Layers::One;
+    powers.set_layer_count(1);
     powers.time.duration = 4e-3;
     for scenario in [preset::study(), rings, powers] {
         let baseline = digest(&scenario, InstructionSet::Baseline);

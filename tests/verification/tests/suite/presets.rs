@@ -46,7 +46,7 @@ fn values_that_state_the_same_thing_agree() {
             impactor.drop_by = drop_by;
             assert!(relative_error(impactor.start_speed(), speed) < CLOSED_FORM, "{}: {drop_by:?}", preset.name);
         }
-        for material in scenario.layers().map(|layer| *layer.material) {
+        for material in scenario.layers.iter().map(|layer| layer.material) {
             for volumetric_by in [VolumetricBy::BulkModulus, VolumetricBy::PoissonsRatio] {
                 let other = Material { volumetric_by, ..material };
                 let (other, own) = (other.effective_bulk_modulus(), material.effective_bulk_modulus());

@@ -9,7 +9,7 @@ use softanvil_verification::tolerance::{SYMMETRY, relative_error};
 #[test]
 fn a_full_section_is_two_halves() {
     let half = preset::study();
-    let mut full = half;
+    let mut full = half.clone();
     full.geometry.section = Section::Full;
     let (half, mut full) = (run(&half), run(&full));
     assert_eq!(full.constants().grid.n_elem(), 2 * half.constants().grid.n_elem());

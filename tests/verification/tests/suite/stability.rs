@@ -53,7 +53,7 @@ impl Body {
     }
 
     fn simulation(&self, step: f64) -> Result<Simulation, ModelError> {
-        let mut scenario = self.scenario;
+        let mut scenario = self.scenario.clone();
         scenario.time.step_by = StepBy::Given;
         scenario.time.step = step;
         Simulation::with_positions(&scenario, &|u, v| self.position(u, v))
