@@ -1,6 +1,8 @@
 //! The study's drop, for instruments that watch a program from outside (`instructions.sh`).
 //!
-//!     softanvil-bench INSTRUCTION_SET
+//!     softanvil-bench INSTRUCTION_SET [STEPS]
+//!
+//! STEPS are the first of the drop alone, for instruments that are slow.
 
 use std::hint::black_box;
 use std::process::ExitCode;
@@ -16,7 +18,8 @@ fn main() -> ExitCode {
     };
     let scenario = preset::study();
     let mut simulation = Simulation::new(&scenario).expect("a legal scenario");
-    let steps = simulation.constants().steps_in(scenario.time.duration);
+    let drop = simulation.constants().steps_in(scenario.time.duration);
+    let steps = std::env::args().nth(2).and_then(|steps| steps.parse().ok()).unwrap_or(drop);
     let work = simulation.with(|model, state| (0..steps).for_each(|_| measured_step(set, model, state)));
     work.expect("memory of the right size");
     println!("{} {steps} {:016x}", simulation.constants().grid.n_elem(), simulation.scalars().sampler.trace_hash);

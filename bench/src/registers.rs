@@ -36,7 +36,7 @@ impl<const W: usize> NullaryFnOnce for Arithmetic<W> {
 /// none; returns the number of operations.
 pub fn arithmetic(set: InstructionSet, length: usize) -> usize {
     match set {
-        InstructionSet::Baseline => run(set, Arithmetic::<2>(length)),
+        InstructionSet::Baseline | InstructionSet::Neon | InstructionSet::Simd128 => run(set, Arithmetic::<2>(length)),
         InstructionSet::Avx2 => run(set, Arithmetic::<4>(length)),
         InstructionSet::Avx512 => run(set, Arithmetic::<8>(length)),
     }
@@ -51,7 +51,7 @@ pub fn run<W: NullaryFnOnce>(set: InstructionSet, work: W) -> W::Output {
     match set {
         InstructionSet::Avx2 => return pulp::x86::V3::try_new().expect("AVX2").vectorize(work),
         InstructionSet::Avx512 => return pulp::x86::V4::try_new().expect("AVX-512").vectorize(work),
-        InstructionSet::Baseline => {}
+        _ => {}
     }
     #[cfg(not(target_arch = "x86_64"))]
     let _ = set;

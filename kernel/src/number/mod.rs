@@ -4,6 +4,7 @@ pub(crate) mod complex;
 pub mod cube_root;
 pub mod decimal;
 pub mod digest;
+pub(crate) mod dispatch;
 pub mod instruction_set;
 pub mod math;
 pub mod pack;
@@ -11,5 +12,18 @@ pub mod power;
 pub mod real;
 pub(crate) mod text;
 pub mod vector;
-#[cfg(all(feature = "dispatch", target_arch = "x86_64", not(miri), not(feature = "single")))]
-pub(crate) mod x86;
+
+// The one condition for vectors. Miri has no instructions of processors, and `pulp`'s numbers here are of double precision.
+#[cfg(all(
+    feature = "dispatch",
+    not(any(miri, feature = "single")),
+    any(target_arch = "x86_64", target_arch = "aarch64", all(target_arch = "wasm32", target_feature = "simd128"))
+))]
+mod processor;
+#[cfg(not(all(
+    feature = "dispatch",
+    not(any(miri, feature = "single")),
+    any(target_arch = "x86_64", target_arch = "aarch64", all(target_arch = "wasm32", target_feature = "simd128"))
+)))]
+#[path = "scalar.rs"]
+mod processor;

@@ -64,7 +64,7 @@ mod chosen {
         &[(256, 1e256), (128, 1e128), (64, 1e64), (32, 1e32), (16, 1e16), (8, 1e8), (4, 1e4), (2, 1e2), (1, 1e1)];
 
     /// 2^32 / 3: this times the upper half of the bits is a third of them.
-    pub const THIRD_OF_UPPER_HALF: Bits = 0x5555_5555;
+    const THIRD_OF_UPPER_HALF: Bits = 0x5555_5555;
 
     /// A third of `bits`, to about 32 digits.
     #[inline(always)]

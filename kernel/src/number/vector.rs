@@ -10,49 +10,109 @@ use crate::number::pack::{LANES, Pack, ZERO};
 use crate::number::real::{self, Bits, FRACTION_BITS, Real};
 
 /// The bits of 1.
-pub(crate) const ONE: Bits = (1.0 as Real).to_bits();
+const ONE: Bits = (1.0 as Real).to_bits();
 
 /// Half the distance of the bits of a number and of its double.
-pub(crate) const HALF_OCTAVE: Bits = 1 << (FRACTION_BITS - 1);
+const HALF_OCTAVE: Bits = 1 << (FRACTION_BITS - 1);
 
 /// From here on, neighbouring numbers are one apart, and the low bits count them.
-pub(crate) const INTEGERS: Real = ((1 as Bits) << FRACTION_BITS) as Real;
+const INTEGERS: Real = ((1 as Bits) << FRACTION_BITS) as Real;
 
 /// The exponent of 1 as it stands in the bits, above [`INTEGERS`].
-pub(crate) const BIASED_INTEGERS: Real = INTEGERS + (ONE >> FRACTION_BITS) as Real;
+const BIASED_INTEGERS: Real = INTEGERS + (ONE >> FRACTION_BITS) as Real;
 
 /// What rounds a smaller number to an integer when it is added: the integer stands in the low bits of the sum.
 pub const ROUNDING: Real = 1.5 * INTEGERS;
 
 /// Numbers of neighbouring cells.
+///
+/// A set has the four operations, the square root and a choice. What is made of single numbers here (a shift, and integer
+/// operations on the bits) compilers turn into vectors: with AVX2 a step takes no more instructions than with those written out.
 pub trait Vector: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> {
-    /// Adds the same number to each.
-    fn add_scalar(self, number: Real) -> Self;
+    /// The instruction set.
+    type Set: Simd<Vector = Self>;
 
-    /// Multiplies each by the same number.
-    fn mul_scalar(self, number: Real) -> Self;
+    /// The instruction set of these.
+    fn set(self) -> Self::Set;
 
     /// `then` where this is larger than `other`, `otherwise` elsewhere and where either is not a number.
     fn select_greater(self, other: Self, then: Self, otherwise: Self) -> Self;
 
-    /// The larger number where this and `other` are numbers, `other` elsewhere.
-    fn max(self, other: Self) -> Self;
-
     /// Square root, rounded as IEEE 754 says.
     fn square_root(self) -> Self;
 
+    /// Adds the same number to each.
+    #[inline(always)]
+    fn add_scalar(self, number: Real) -> Self {
+        self + self.set().splat(number)
+    }
+
+    /// Multiplies each by the same number.
+    #[inline(always)]
+    fn mul_scalar(self, number: Real) -> Self {
+        self * self.set().splat(number)
+    }
+
+    /// The larger number where this and `other` are numbers, `other` elsewhere.
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        self.select_greater(other, self, other)
+    }
+
     /// Each moved on by one place, the first from the end of `before`.
-    fn shift(self, before: Self) -> Self;
+    #[inline(always)]
+    fn shift(self, before: Self) -> Self {
+        let (mut these, mut earlier, mut shifted) = (ZERO, ZERO, ZERO);
+        self.set().store(self, &mut these, 0);
+        self.set().store(before, &mut earlier, 0);
+        for l in 0..Self::Set::WIDTH.min(LANES) {
+            shifted[l] = if l > 0 { these[l - 1] } else { earlier[(Self::Set::WIDTH - 1) % LANES] };
+        }
+        self.set().load(&shifted, 0)
+    }
 
     /// [`real::INVERSE_CBRT_MAGIC`] and a third of the bits from these to [`real::CBRT_END`].
-    fn guess_inverse_cbrt(self) -> Self;
+    #[inline(always)]
+    fn guess_inverse_cbrt(self) -> Self {
+        let [guess] = self.set().map([self], |[x]| [guess_inverse_cbrt(x)]);
+        guess
+    }
 
     /// An integer k near the binary logarithm of this over `other`, and 2^k. It is the difference of the bits, which are
     /// that logarithm to a line between powers of two, rounded to whole exponents; 0 for numbers next to each other.
-    fn binary_exponent(self, other: Self) -> [Self; 2];
+    #[inline(always)]
+    fn binary_exponent(self, other: Self) -> [Self; 2] {
+        self.set().map([self, other], |[x, y]| binary_exponent(x, y))
+    }
 
     /// 2^k and 2^-k for this = [`ROUNDING`] + k with an integer k of at most [`real::LARGEST_EXPONENT`].
-    fn powers_of_two(self) -> [Self; 2];
+    #[inline(always)]
+    fn powers_of_two(self) -> [Self; 2] {
+        self.set().map([self], |[x]| powers_of_two(x))
+    }
+}
+
+/// [`Vector::guess_inverse_cbrt`] of a number.
+#[inline(always)]
+fn guess_inverse_cbrt(x: Real) -> Real {
+    let left = real::CBRT_END.wrapping_sub(x.to_bits());
+    Real::from_bits(real::INVERSE_CBRT_MAGIC.wrapping_add(real::third(left)))
+}
+
+/// [`Vector::binary_exponent`] of numbers.
+#[inline(always)]
+fn binary_exponent(x: Real, other: Real) -> [Real; 2] {
+    let bits = x.to_bits().wrapping_sub(other.to_bits()).wrapping_add(ONE + HALF_OCTAVE);
+    let exponent = bits >> FRACTION_BITS;
+    let integer = Real::from_bits(exponent | INTEGERS.to_bits());
+    [integer - BIASED_INTEGERS, Real::from_bits(exponent << FRACTION_BITS)]
+}
+
+/// [`Vector::powers_of_two`] of a number.
+#[inline(always)]
+fn powers_of_two(x: Real) -> [Real; 2] {
+    let exponent = x.to_bits() << FRACTION_BITS;
+    [Real::from_bits(ONE.wrapping_add(exponent)), Real::from_bits(ONE.wrapping_sub(exponent))]
 }
 
 /// The vectors of an instruction set.
@@ -61,7 +121,7 @@ pub trait Vector: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = 
 /// that take them are not for certain: the code of the element loop is made of functions that say so, and of plain loops.
 pub trait Simd: Copy {
     /// A register.
-    type Vector: Vector;
+    type Vector: Vector<Set = Self>;
     /// Numbers in it, a divisor of [`LANES`].
     const WIDTH: usize;
 
@@ -116,14 +176,11 @@ pub trait Simd: Copy {
 }
 
 impl Vector for Real {
-    #[inline(always)]
-    fn add_scalar(self, number: Real) -> Self {
-        self + number
-    }
+    type Set = Scalar;
 
     #[inline(always)]
-    fn mul_scalar(self, number: Real) -> Self {
-        self * number
+    fn set(self) -> Scalar {
+        Scalar
     }
 
     #[inline(always)]
@@ -132,38 +189,8 @@ impl Vector for Real {
     }
 
     #[inline(always)]
-    fn max(self, other: Self) -> Self {
-        math::max(self, other)
-    }
-
-    #[inline(always)]
     fn square_root(self) -> Self {
         math::sqrt(self)
-    }
-
-    #[inline(always)]
-    fn shift(self, before: Self) -> Self {
-        before
-    }
-
-    #[inline(always)]
-    fn guess_inverse_cbrt(self) -> Self {
-        let left = real::CBRT_END.wrapping_sub(self.to_bits());
-        Self::from_bits(real::INVERSE_CBRT_MAGIC.wrapping_add(real::third(left)))
-    }
-
-    #[inline(always)]
-    fn binary_exponent(self, other: Self) -> [Self; 2] {
-        let bits = self.to_bits().wrapping_sub(other.to_bits()).wrapping_add(ONE + HALF_OCTAVE);
-        let exponent = bits >> FRACTION_BITS;
-        let integer = Self::from_bits(exponent | INTEGERS.to_bits());
-        [integer - BIASED_INTEGERS, Self::from_bits(exponent << FRACTION_BITS)]
-    }
-
-    #[inline(always)]
-    fn powers_of_two(self) -> [Self; 2] {
-        let exponent = self.to_bits() << FRACTION_BITS;
-        [Self::from_bits(ONE.wrapping_add(exponent)), Self::from_bits(ONE.wrapping_sub(exponent))]
     }
 }
 

@@ -1,6 +1,6 @@
 //! The commands of [`softanvil_golden::runner`] on targets with a standard library. In front may stand `--threads N`, which
 //! runs the command in N threads at once, which all must succeed, and `--instructions NAME`, which makes the steps with
-//! `baseline`, `avx2` or `avx512` instead of the widest that the processor has.
+//! `baseline`, `neon`, `simd128`, `avx2` or `avx512` instead of the widest that the processor has.
 
 use std::fmt::Arguments;
 use std::process::ExitCode;
@@ -52,6 +52,8 @@ fn option(words: &mut Vec<String>, name: &str) -> Option<String> {
 fn instruction_set(name: &str) -> Option<InstructionSet> {
     let set = match name {
         "baseline" => InstructionSet::Baseline,
+        "neon" => InstructionSet::Neon,
+        "simd128" => InstructionSet::Simd128,
         "avx2" => InstructionSet::Avx2,
         "avx512" => InstructionSet::Avx512,
         _ => return None,
