@@ -6,8 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Args;
 use itertools::Itertools;
-use serde_json::Value;
-use softanvil_kernel::Scenario;
+use softanvil_kernel::{Parameter, Scenario};
 
 use super::drop_options::{DURATION, DropOptions};
 use super::output_files::Overwrite;
@@ -18,8 +17,8 @@ use crate::output::json;
 use crate::output::subject::Subject;
 use crate::plot::picture_format::PictureFormat;
 use crate::run::{Drop, Until};
-use crate::scenario_file::{assign, suggestion};
-use crate::sweep::axis::Axis;
+use crate::scenario_file::suggestion;
+use crate::sweep::axis::{Axis, Value};
 use crate::sweep::case::Case;
 use crate::sweep::convergence::REFINEMENTS;
 use crate::sweep::page::{Page, overview};
@@ -135,24 +134,26 @@ impl Options {
         }
         let read = |text: &&String| {
             let (name, values) = text.split_once('=').unwrap_or((text, ""));
-            let parameter = assign::find(name.trim()).map_err(Failure::Input)?;
-            let axis = Axis::of_texts(parameter, values, scenario);
-            axis.map(|axis| (parameter.name, axis)).map_err(|error| Failure::Input(format!("sweep {text}: {error}")))
+            let values: Vec<Value> = values.split(',').map(|value| Value::Text(value.into())).collect();
+            let names = vec![name.trim().to_string()];
+            let axis = Axis::of_values(None, &names, &values, scenario);
+            axis.map(|axis| (names, axis)).map_err(|error| Failure::Input(format!("sweep {text}: {error}")))
         };
-        let named = texts.iter().map(read).collect::<Result<Vec<_>, _>>()?;
-        if let Some(name) = named.iter().map(|(name, _)| name).duplicates().next() {
+        let (names, axes): (Vec<_>, Vec<_>) =
+            texts.iter().map(read).collect::<Result<Vec<_>, _>>()?.into_iter().unzip();
+        let names = names.concat();
+        if let Some(name) = names.iter().duplicates().next() {
             return Err(Failure::Input(format!("{name} is given twice: expected one list")));
         }
-        let (names, axes): (Vec<&str>, Vec<Axis>) = named.into_iter().unzip();
         let convergence = match self.convergence[..] {
             [] => None,
             _ => Some(format!("--convergence={}", self.convergence.iter().join(","))),
         };
-        let title = names.iter().copied().chain((names.is_empty()).then_some("Convergence with the mesh"));
+        let mut about = names.iter().filter_map(|name| Parameter::find(name)).map(|parameter| parameter.description);
         Ok(Sweep {
             name: if names.is_empty() { "convergence".into() } else { names.join("-") },
-            title: title.collect(),
-            about: axes.iter().map(|axis| axis.about.as_str()).join("; "),
+            title: if names.is_empty() { "Convergence with the mesh".into() } else { names.join(", ") },
+            about: about.join("; "),
             arguments: texts.iter().map(ToString::to_string).chain(convergence).join(" "),
             axes,
             refinements: self.convergence.clone(),
@@ -207,7 +208,7 @@ impl Options {
         if self.json {
             return Ok(match pages {
                 [page] => json::text(&page.json()),
-                _ => json::text(&Value::Array(pages.iter().map(Page::json).collect())),
+                _ => json::text(&serde_json::Value::Array(pages.iter().map(Page::json).collect())),
             });
         }
         let texts = pages.iter().map(|page| if self.markdown { page.markdown(self.pictures) } else { page.text() });

@@ -17,9 +17,10 @@ pub mod run;
 pub mod sheet;
 
 use axis::Axis;
+use serde::Deserialize;
 
 /// What is swept, and what a reader has to know of it.
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 pub struct Sweep {
     /// Name of its files.
     pub name: String,
@@ -38,7 +39,8 @@ pub struct Sweep {
 }
 
 /// Two cases, by the names of their levels, and what the paper says of the change between them.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Contrast {
     /// What it is, for people.
     pub what: String,

@@ -185,7 +185,7 @@ pub fn overview(pages: &[Page]) -> String {
 /// What a reader has to know of the numbers.
 fn notes(results: &Results) -> Vec<String> {
     let sweep = &results.sweep;
-    let own = sweep.axes.last().and_then(|axis| Some((axis, &axis.levels[axis.position(None)?])));
+    let own = sweep.axes.last().and_then(|axis| Some((axis, axis.own()?)));
     let same = if sweep.common() > 0 { ", beside the same other settings" } else { "" };
     let mut notes = vec![match own {
         _ if sweep.refines() => format!("Changes are from the finest mesh{same}."),

@@ -3,7 +3,7 @@
 use itertools::Itertools;
 use softanvil_kernel::Scenario;
 
-use super::axis::{Level, Refused, combined};
+use super::axis::{Axis, Level, Refused, combined};
 use super::case::Case;
 use super::{Sweep, convergence};
 use crate::failure::Failure;
@@ -53,7 +53,7 @@ fn levels(sweep: &Sweep) -> impl Iterator<Item = (usize, &Level)> {
 /// For each case the one from which its changes are given: of its group, the finest mesh, the scenario's own value, or the
 /// first.
 fn references(sweep: &Sweep, planned: &[(Vec<String>, Scenario)]) -> Vec<usize> {
-    let own = sweep.axes.last().and_then(|axis| Some(axis.levels[axis.position(None)?].name.as_str()));
+    let own = sweep.axes.last().and_then(Axis::own).map(|own| own.name.as_str());
     let common = sweep.common();
     let reference = |(settings, _): &(Vec<String>, Scenario)| {
         let group = || (0..planned.len()).filter(|number| planned[*number].0[..common] == settings[..common]);
