@@ -9,7 +9,7 @@ use crate::failure::Failure;
 
 /// Drop-weight impact on a soft anvil, by explicit finite elements that give the same bits everywhere.
 ///
-/// Without a command: the three drops of the study, its table side by side, and a report folder.
+/// Without a command: the three drops of the paper, its table side by side, and a report folder.
 #[derive(Debug, Parser)]
 #[command(name = "softanvil", version, args_conflicts_with_subcommands = true)]
 #[command(after_help = "Exit codes: 0 done, 1 the simulation or a file failed, 2 wrong input.")]

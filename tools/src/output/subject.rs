@@ -31,7 +31,7 @@ pub struct Subject {
 }
 
 /// Rows of cells through the layer below which a warning is due: fewer do not show how a layer bulges that is held on both
-/// sides, and at two the study's peak is off by more than its experiment scatters.
+/// sides, and at two the paper's peak is off by more than its experiment scatters.
 const FEWEST_ROWS: usize = 3;
 /// The same of columns along it.
 const FEWEST_COLUMNS: usize = 3;

@@ -21,7 +21,7 @@ pub struct Case {
     pub energy: f64,
     /// Measured.
     pub experiment: [f64; COUNT],
-    /// Computed by the study's LS-DYNA model.
+    /// Computed by the paper's LS-DYNA model.
     pub ls_dyna: [f64; COUNT],
 }
 

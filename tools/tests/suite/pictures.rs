@@ -115,7 +115,7 @@ fn other_formats_are_refused_before_anything_is_computed() {
             assert!(line.contains("expected a file name that ends in .svg or .png"), "{line}");
         }
     }
-    for command in [&[][..], &["sweep", "impactor.mass=4"], &["fit", "--study"]] {
+    for command in [&[][..], &["sweep", "impactor.mass=4"], &["fit", "--paper"]] {
         let line = fail(folder.path(), &[command, &["--pictures", "jpg", "--out", "out"]].concat(), 2);
         assert!(line.contains("jpg") && line.contains("svg") && line.contains("png"), "{line}");
     }

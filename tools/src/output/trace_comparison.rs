@@ -21,7 +21,7 @@ use crate::text::wrap::filled;
 const CLASSES: [f64; 4] = [1000.0, 600.0, 180.0, 60.0];
 
 /// A measured trace and how near the simulated one comes to it.
-pub struct Comparison {
+pub struct TraceComparison {
     /// The measured force.
     pub measured: Series,
     /// Force from which on the measured impact lasts, N.
@@ -34,7 +34,7 @@ pub struct Comparison {
     pub score: CurveScore,
 }
 
-impl Comparison {
+impl TraceComparison {
     /// Compares `record`, read by `reading`, with `measured`; `scenario_threshold`, N, is the scenario's.
     ///
     /// # Errors
@@ -193,7 +193,7 @@ pub fn json(
     subject: &Subject,
     reading: &Reading,
     record: &Record,
-    comparison: Option<&Comparison>,
+    comparison: Option<&TraceComparison>,
 ) -> Value {
     let touched = run.ending() != Ending::NoContact;
     let by_key = |values: &[f64; COUNT]| -> Map<String, Value> {

@@ -26,9 +26,9 @@ pub struct Listed {
 }
 
 /// A folder that may be written: it does not exist, is empty, or holds what we wrote and nothing else.
-pub struct Place(PathBuf);
+pub struct OwnFolder(PathBuf);
 
-impl Place {
+impl OwnFolder {
     /// Checks `folder`; with `overwrite` files of ours may have been changed since.
     ///
     /// # Errors
