@@ -50,7 +50,8 @@ run "format" cargo fmt --all --check
 # With the profile of the build that follows, which then has its procedural macros.
 run "clippy" cargo clippy -q --release --workspace --all-targets -- -D warnings
 if need python3 python3; then
-    run "imports run one way" python3 tests/imports.py kernel ffi fmu specimen tools tools/identify tools/records
+    run "imports run one way" python3 tests/imports.py kernel ffi fmu specimen tools tools/identify tools/records \
+        tests/verification
 else
     skip "imports run one way" "python3 is missing and cannot be installed"
 fi

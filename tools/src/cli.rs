@@ -2,14 +2,14 @@
 
 use std::ffi::OsString;
 
-use clap::{Parser, Subcommand};
+use clap::{Args, Parser, Subcommand};
 
-use crate::commands::{calibrate, fit, fmu, golden, measure, report, run, scenario, study, validate};
+use crate::commands::{calibrate, fit, fmu, golden, measure, report, run, scenario, sweep, validate};
 use crate::failure::Failure;
 
 /// Drop-weight impact on a soft anvil, by explicit finite elements that give the same bits everywhere.
 ///
-/// Without a command: the three drops of the study, its table side by side, and a report folder.
+/// Without a command: the three drops of the paper, its table side by side, and a report folder.
 #[derive(Debug, Parser)]
 #[command(name = "softanvil", version, args_conflicts_with_subcommands = true)]
 #[command(after_help = "Exit codes: 0 done, 1 the simulation or a file failed, 2 wrong input.")]
@@ -27,11 +27,21 @@ enum Command {
     Measure(Box<measure::Options>),
     Validate(validate::Options),
     Calibrate(calibrate::Options),
-    Study(Box<study::Options>),
+    Sweep(Box<sweep::Options>),
+    /// What `sweep` was called
+    #[command(hide = true)]
+    Study(Renamed),
     Scenario(scenario::Options),
     Fit(Box<fit::Options>),
     Fmu(fmu::Options),
     Golden(golden::Options),
+}
+
+/// Arguments of a command that has another name now, whatever they are.
+#[derive(Debug, Args)]
+struct Renamed {
+    #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+    _arguments: Vec<OsString>,
 }
 
 impl Cli {
@@ -47,7 +57,8 @@ impl Cli {
             Some(Command::Measure(options)) => measure::carry_out(options),
             Some(Command::Validate(options)) => validate::carry_out(options),
             Some(Command::Calibrate(options)) => calibrate::carry_out(options),
-            Some(Command::Study(options)) => study::carry_out(options),
+            Some(Command::Sweep(options)) => sweep::carry_out(options),
+            Some(Command::Study(_)) => Err(Failure::Input(sweep::RENAMED.into())),
             Some(Command::Scenario(options)) => scenario::carry_out(options),
             Some(Command::Fit(options)) => fit::carry_out(options),
             Some(Command::Fmu(options)) => fmu::carry_out(options),

@@ -1,10 +1,9 @@
 //! The golden traces on this machine: run, compared, written.
 
-use std::fmt::Write;
+use std::fmt::{Display, Write};
 use std::path::Path;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Mutex, PoisonError};
 
+use rayon::prelude::*;
 use softanvil_golden::run::Failure as RunFailure;
 use softanvil_golden::{Checker, Header, Memory, Record, Run, SCENES, Scene};
 
@@ -84,29 +83,7 @@ pub fn scenes(names: &[String]) -> Result<Vec<&'static Scene>, Failure> {
 /// # Errors
 /// A scene that cannot be simulated.
 pub fn play(scenes: &[&'static Scene]) -> Result<Vec<Played>, Failure> {
-    let results: Vec<_> = scenes.iter().map(|_| Mutex::new(None)).collect();
-    let next = AtomicUsize::new(0);
-    let work = || {
-        while let Some((scene, result)) = {
-            let index = next.fetch_add(1, Ordering::Relaxed);
-            scenes.get(index).zip(results.get(index))
-        } {
-            *result.lock().unwrap_or_else(PoisonError::into_inner) = Some(Played::new(scene));
-        }
-    };
-    let threads = std::thread::available_parallelism().map_or(1, usize::from).min(scenes.len());
-    std::thread::scope(|scope| {
-        for _ in 0..threads {
-            scope.spawn(work);
-        }
-    });
-    let failed = |scene: &Scene, reason: &str| Failure::Failed(format!("scene {}: {reason}", scene.name));
-    scenes
-        .iter()
-        .zip(results)
-        .map(|(scene, result)| match result.into_inner().unwrap_or_else(PoisonError::into_inner) {
-            Some(played) => played.map_err(|error| failed(scene, &error.to_string())),
-            None => Err(failed(scene, "it was not run")),
-        })
-        .collect()
+    let failed = |scene: &Scene, error: &dyn Display| Failure::Failed(format!("scene {}: {error}", scene.name));
+    let play = |scene: &&'static Scene| Played::new(scene).map_err(|error| failed(scene, &error));
+    scenes.par_iter().map(play).collect()
 }

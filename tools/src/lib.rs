@@ -5,8 +5,8 @@
 //! 1. [`cli`] is the command line; each file of [`commands`] is one subcommand, [`failure`] how one ends badly.
 //! 2. [`report`] writes the report folder; [`plot`] and [`section`] draw, [`output`] prints and stores results, [`text`] has its
 //!    numbers, lines and tables, [`files`] keeps half-written files away, and what others wrote.
-//! 3. [`studies`] change one thing of a drop at a time, beside what the [`paper`] says of it, which `validation` compares with
-//!    runs; [`calibration`] searches, [`identification`] fits a material to test data, [`golden`] compares this machine with the
+//! 3. [`sweep`] changes parameters of a drop; [`paper`] has what the paper printed, which its `validation` compares with runs;
+//!    [`calibration`] searches, [`identification`] fits a material to test data, [`golden`] compares this machine with the
 //!    golden traces.
 //! 4. [`measurement`] is what instruments see of a run, or have seen of an impact.
 //! 5. [`run`] simulates a drop and says whether its numbers are final; [`scenario_file`] and [`presets`] say which drop,
@@ -30,5 +30,5 @@ pub mod report;
 pub mod run;
 pub mod scenario_file;
 pub mod section;
-pub mod studies;
+pub mod sweep;
 pub mod text;

@@ -1,6 +1,7 @@
 //! Deterministic samples of deformations and rotations.
 
-use crate::element::Gradient;
+/// A deformation gradient of the section: F11, F12, F21, F22, with the hoop stretch equal to F11 when axisymmetric.
+pub type Gradient = [[f64; 2]; 2];
 
 /// Numbers from -1 to 1 from a multiplicative congruential generator (Park and Miller 1988).
 pub struct Samples(u64);

@@ -9,10 +9,8 @@ use softanvil_kernel::scenario::{Formulation, StepBy};
 use softanvil_kernel::tensor::deviator::Deviator;
 use softanvil_kernel::{Model, ModelMemory, Scalars, Scenario, Size, StateMemory};
 
+use crate::deformation::Gradient;
 use crate::scenes;
-
-/// A deformation gradient of the section: F11, F12, F21, F22, with the hoop stretch equal to F11 when axisymmetric.
-pub type Gradient = [[f64; 2]; 2];
 
 /// A cell at rest in lane 0 of a block, the first one beside the centre line.
 pub struct Cell {

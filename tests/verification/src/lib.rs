@@ -1,6 +1,6 @@
 //! What the verification problems share: the tolerances, a driver for one element, and scenarios.
 //!
-//! A problem is computed in [`problems`], judged in a file of `tests/`, and reported in the [`table`].
+//! A problem is computed in [`problems`], judged in a file of `tests/`, and reported in the [`table`], to which it adds its [`row`]s.
 
 pub mod band;
 pub mod body;
@@ -11,6 +11,7 @@ pub mod order;
 pub mod plausible;
 pub mod problems;
 pub mod relaxation;
+pub mod row;
 pub mod scenes;
 pub mod statics;
 pub mod table;

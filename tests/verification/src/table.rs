@@ -2,40 +2,11 @@
 
 use std::fmt::Write;
 
-use softanvil_kernel::scenario::Formulation;
-
 use crate::problems::{
     bar_wave, bonded_strip, checkerboard, closed_forms, contact_convergence, cook, coulomb_block, cylinder, harmonic,
     hertz, impactor, lame, maxwell, patch, patch_distorted, slider, swinging_plate, tear, viscoelastic, volumetric,
 };
-
-/// One row: the errors of a quantity over meshes.
-pub struct Row {
-    /// File of the problem.
-    pub problem: &'static str,
-    /// What is compared, and for which case.
-    pub quantity: String,
-    /// What it is compared with.
-    pub reference: String,
-    /// Mesh of each error, coarsest first.
-    pub meshes: Vec<String>,
-    /// Relative errors.
-    pub errors: Vec<f64>,
-    /// Order of convergence, where one is measured.
-    pub order: Option<f64>,
-}
-
-/// One line: the largest error of a quantity that has no mesh.
-pub struct Check {
-    /// File of the problem.
-    pub problem: &'static str,
-    /// What is compared, and for which case.
-    pub quantity: String,
-    /// What it is compared with.
-    pub reference: &'static str,
-    /// Relative error.
-    pub error: f64,
-}
+use crate::row::{Check, Row};
 
 /// Lines of the problems without a mesh to refine.
 pub fn single_checks() -> Vec<Check> {
@@ -62,14 +33,6 @@ pub fn markdown_checks(checks: &[Check]) -> String {
         let _ = writeln!(text, "| {problem} | {quantity} | {reference} | {} |", percent(*error));
     }
     text
-}
-
-/// A formulation in words.
-pub fn name(formulation: Formulation) -> &'static str {
-    match formulation {
-        Formulation::PlaneStrain => "plane strain",
-        Formulation::Axisymmetric => "axisymmetric",
-    }
 }
 
 /// Rows of the problems on their regular meshes, which the tests judge.

@@ -28,12 +28,12 @@ struct File {
     preset: String,
     scenario: Option<PathBuf>,
     #[serde(default)]
-    fixed: toml::Table,
+    fixed: BTreeMap<String, Value>,
     search: SearchOptions,
     #[serde(default)]
     objective: ObjectiveOptions,
     prior: Option<Prior>,
-    parameters: toml::Table,
+    parameters: BTreeMap<String, Value>,
     #[serde(default)]
     impact: Vec<Impact>,
     impacts: Option<PathBuf>,
@@ -189,7 +189,7 @@ impl Problem {
     /// # Errors
     /// The first thing that is refused.
     pub fn parse(text: &str, folder: &Path) -> Result<Self, String> {
-        let file: File = toml::from_str(text).map_err(|error| one_line(text, &error))?;
+        let file: File = scenario_file::from_toml(text)?;
         let preset: &Preset =
             presets::parse(&file.preset).map_err(|legal| format!("preset {}: {legal}", file.preset))?;
         let mut scenario = (preset.scenario)();
@@ -229,11 +229,8 @@ impl Problem {
     }
 }
 
-fn variable(name: &str, range: &toml::Value) -> Result<Variable, String> {
-    let range: Range = range.clone().try_into().map_err(|error| {
-        let error: toml::de::Error = error;
-        format!("{name}: {}", error.message())
-    })?;
+fn variable(name: &str, range: &Value) -> Result<Variable, String> {
+    let range = Range::deserialize(range).map_err(|error| format!("{name}: {error}"))?;
     Variable::new(name, range)
 }
 
@@ -254,25 +251,17 @@ fn changed(mut changes: Changes, variables: &[Variable]) -> Result<Scenario, Str
 }
 
 /// Sets a parameter to what stands under [fixed]: a number, or the label of a choice.
-fn fix(changes: &mut Changes, name: &str, value: &toml::Value) -> Result<(), String> {
+fn fix(changes: &mut Changes, name: &str, value: &Value) -> Result<(), String> {
     let parameter = assign::find(name).map_err(|error| format!("fixed: {error}"))?;
     let written = match value {
-        toml::Value::Float(number) => Written::Number(*number),
-        toml::Value::Integer(number) => Written::Number(*number as f64),
-        toml::Value::String(label) => Written::Label(label),
+        Value::Number(number) => number.as_f64().map_or(Written::Other, Written::Number),
+        Value::String(label) => Written::Label(label),
         _ => Written::Other,
     };
     let number = assign::number(parameter, written)
         .map_err(|legal| format!("fixed: {name} = {value} is refused: expected {legal}"))?;
     check_fits_impacts(parameter)?;
     changes.set(parameter, number).map_err(|error| format!("fixed: {error}"))
-}
-
-/// Line and message of what is no TOML or not our kind of it.
-fn one_line(text: &str, error: &toml::de::Error) -> String {
-    let start = error.span().map_or(0, |span| span.start);
-    let line = 1 + text.bytes().take(start).filter(|byte| *byte == b'\n').count();
-    format!("line {line}: {}", error.message().split_whitespace().collect::<Vec<_>>().join(" "))
 }
 
 #[cfg(test)]

@@ -16,7 +16,7 @@ use crate::{interrupt, progress};
 
 /// Search for the parameters with which simulated impacts come closest to measured ones.
 ///
-/// The problem file names the parameters with their ranges, the impacts (lines of the study's table, your own numbers, or
+/// The problem file names the parameters with their ranges, the impacts (lines of the paper's table, your own numbers, or
 /// force traces) and the score; `calibration/` in the repository holds those of the presets. Interrupt with Ctrl-C: what
 /// was found so far is written, and the same command continues. Every evaluation is a line of evaluations.csv; the log of
 /// another problem is refused.

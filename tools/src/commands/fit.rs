@@ -49,9 +49,9 @@ pub struct Options {
     /// Stress relaxation: time and modulus, stress or force
     #[arg(long, value_name = "FILE")]
     relaxation: Option<PathBuf>,
-    /// No data: the start from the scalars that the study prints, with their contradictions
+    /// No data: the start from the scalars that the paper prints, with their contradictions
     #[arg(long, conflicts_with_all = ["uniaxial", "planar", "equibiaxial", "relaxation", "json"])]
-    study: bool,
+    paper: bool,
     #[command(flatten)]
     table: TableOptions,
     #[command(flatten)]
@@ -113,7 +113,7 @@ struct SpecimenOptions {
     /// Height or gauge length at rest, such as 12.5mm, for columns of displacement
     #[arg(long, value_name = "LENGTH", value_parser = length)]
     height: Option<f64>,
-    /// Several specimens: their median curve as in the study, or every point
+    /// Several specimens: their median curve as in the paper, or every point
     #[arg(long, value_enum, default_value = "median")]
     repeats: RepeatsOption,
     /// Leave out the first load cycle, in which rubber softens (Mullins effect)
@@ -211,7 +211,7 @@ const SCENARIO: &str = "scenario.toml";
 /// Files or options that are refused, a fit that failed, or files that cannot be written.
 pub fn carry_out(options: &Options) -> Result<String, Failure> {
     let layer = options.material.layer.into();
-    if options.study {
+    if options.paper {
         let identified = Identified::of_study(layer)?;
         let mut text = identified.comment.clone() + "\n";
         if options.out.is_some() {
@@ -264,7 +264,7 @@ impl Options {
         let curves = tests.into_iter().filter(|(_, paths)| !paths.is_empty());
         let curves = curves.map(|(mode, paths)| Curves::read(mode, paths, &reading)).collect::<Result<Vec<_>, _>>()?;
         if curves.is_empty() && self.relaxation.is_none() {
-            let legal = "expected --uniaxial, --planar, --equibiaxial or --relaxation with a file, or --study";
+            let legal = "expected --uniaxial, --planar, --equibiaxial or --relaxation with a file, or --paper";
             return Err(Failure::Input(format!("there is nothing to fit: {legal}")));
         }
         let relaxation = relaxation::Options {
@@ -292,7 +292,7 @@ impl Options {
         Identification::new(curves, source.as_ref().map(|source| (source, &relaxation)), &request)
     }
 
-    /// Puts `files` into the folder asked for, and the scenario of a drop on the study's anvil that goes through with the
+    /// Puts `files` into the folder asked for, and the scenario of a drop on the paper's anvil that goes through with the
     /// material; says so, what was left out, and what the drop needs.
     fn write(&self, identified: &Identified, mut files: Files) -> Result<String, Failure> {
         let Some(path) = &self.out else { return Ok(String::new()) };
@@ -307,7 +307,7 @@ impl Options {
                 trial.text(&path.join(SCENARIO).display().to_string())
             }
             Err(error) => format!(
-                "! No drop on the study's anvil goes through with this material, not even a small one: {error}. Look at the \
+                "! No drop on the paper's anvil goes through with this material, not even a small one: {error}. Look at the \
                  law's stability (--stable, --law), or at the units of the data.\n"
             ),
         };

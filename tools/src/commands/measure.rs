@@ -16,8 +16,8 @@ use crate::files::staging;
 use crate::measurement::measured::Measured;
 use crate::measurement::quantity::MAX_DEFORMATION;
 use crate::measurement::reading::{Reading, Record};
-use crate::output::comparison::{self, Comparison};
 use crate::output::subject::{warning_lines, warnings};
+use crate::output::trace_comparison::{self, TraceComparison};
 use crate::output::{json, trace};
 use crate::plot;
 use crate::run;
@@ -67,7 +67,7 @@ pub fn carry_out(options: &Options) -> Result<String, Failure> {
     let comparison = match &measured {
         Some(measured) => {
             let threshold = scenario.measurement.force_threshold;
-            let mut comparison = Comparison::new(&measured.series, &record, &reading, threshold)?;
+            let mut comparison = TraceComparison::new(&measured.series, &record, &reading, threshold)?;
             comparison.values[MAX_DEFORMATION] = measured.deformation;
             Some(comparison)
         }
@@ -76,14 +76,14 @@ pub fn carry_out(options: &Options) -> Result<String, Failure> {
     let files = options.files(&run, &reading, &record, comparison.as_ref())?;
     staging::write_files(&files).map_err(|(path, error)| Failure::writing(&path, error))?;
     if options.json {
-        let mut object = comparison::json(&run, &subject, &reading, &record, comparison.as_ref());
+        let mut object = trace_comparison::json(&run, &subject, &reading, &record, comparison.as_ref());
         if let Some(measured) = &measured {
             object["trace"] = measured.understood.json();
         }
         return Ok(json::text(&object));
     }
     let head = subject.text() + &warning_lines(&warnings(&run.constants)) + &run::remark(&run);
-    let mut text = head + &comparison::channels(&run, &reading, &record);
+    let mut text = head + &trace_comparison::channels(&run, &reading, &record);
     if let Some(comparison) = &comparison {
         let understood = measured.iter().map(|measured| measured.understood.to_string()).collect::<String>();
         let _ = write!(text, "\nMeasured trace:\n{understood}\n{}", comparison.text(&record, run.ending()));
@@ -115,7 +115,7 @@ impl Options {
         run: &Run,
         reading: &Reading,
         record: &Record,
-        comparison: Option<&Comparison>,
+        comparison: Option<&TraceComparison>,
     ) -> Result<Vec<(&Path, Vec<u8>)>, Failure> {
         let mut files = Vec::new();
         if let Some(path) = &self.csv {

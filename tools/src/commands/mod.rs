@@ -12,6 +12,6 @@ pub mod reading_options;
 pub mod report;
 pub mod run;
 pub mod scenario;
-pub mod study;
+pub mod sweep;
 pub mod trace_options;
 pub mod validate;

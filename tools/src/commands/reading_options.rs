@@ -10,7 +10,7 @@ use crate::measurement::series::Sensor;
 #[derive(Debug, Args)]
 #[command(next_help_heading = "How the impact is read")]
 pub struct ReadingOptions {
-    /// Force that is read: on the impactor, as in the study's LS-DYNA figures, or of the load cells under the core
+    /// Force that is read: on the impactor, as in the paper's LS-DYNA figures, or of the load cells under the core
     #[arg(long, value_enum, default_value_t)]
     force: Sensor,
     /// Channel frequency class of the filter on the force in Hz (60, 180, 600, 1000; SAE J211, ISO 6487), both ways

@@ -1,4 +1,4 @@
-//! `softanvil` alone: the drops of the study, its table, and a report folder; `softanvil report`: the same of a drop of one's
+//! `softanvil` alone: the drops of the paper, its table, and a report folder; `softanvil report`: the same of a drop of one's
 //! own.
 
 use std::path::PathBuf;
@@ -12,7 +12,7 @@ use super::drop_options::DropOptions;
 use super::output_files::Overwrite;
 use super::run::{load, simulate_watched};
 use crate::failure::Failure;
-use crate::files::place::Place;
+use crate::files::own_folder::OwnFolder;
 use crate::measurement::reading::Reading;
 use crate::paper::TABLE_1;
 use crate::paper::validation::Validation;
@@ -42,12 +42,12 @@ pub struct OwnOptions {
     report: Options,
 }
 
-/// Runs the drops of the study and writes the report; returns the table and where the report is.
+/// Runs the drops of the paper and writes the report; returns the table and where the report is.
 ///
 /// # Errors
 /// A folder that is not ours to replace, a simulation that failed, or a file that cannot be written.
 pub fn carry_out(options: &Options) -> Result<String, Failure> {
-    let place = Place::new(&options.out, &report::KIND, options.overwrite.overwrite)?;
+    let place = OwnFolder::new(&options.out, &report::KIND, options.overwrite.overwrite)?;
     let mut films: [Film; TABLE_1.len()] = Default::default();
     let watch = |number: usize, simulation: &mut Simulation| Ok(films[number].take(simulation)?);
     let validation = Validation::watched(&PRESETS[0], Reading::PLAIN, watch)?;
@@ -60,14 +60,14 @@ pub fn carry_out(options: &Options) -> Result<String, Failure> {
 /// As [`carry_out`], and a scenario that is refused.
 pub fn carry_out_own(options: &OwnOptions) -> Result<String, Failure> {
     let subject = options.drop.subject()?;
-    let place = Place::new(&options.report.out, &report::KIND, options.report.overwrite.overwrite)?;
+    let place = OwnFolder::new(&options.report.out, &report::KIND, options.report.overwrite.overwrite)?;
     let mut film = Film::default();
     let run = simulate_watched(&subject, |simulation| Ok(film.take(simulation)?))?;
     options.report.write(&Content::of_run(&subject, load(&run), &run, &film), place)
 }
 
 impl Options {
-    fn write(&self, content: &Content, place: Place) -> Result<String, Failure> {
+    fn write(&self, content: &Content, place: OwnFolder) -> Result<String, Failure> {
         let names = report::write(content, self.pictures, place)?;
         let files = names.iter().map(|name| format!("  {name}\n")).collect::<String>();
         Ok(format!("{}\nReport in {}:\n{files}", content.table(), self.out.display()))

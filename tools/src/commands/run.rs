@@ -10,7 +10,7 @@ use softanvil_kernel::{SAMPLING_INTERVAL, Simulation};
 use super::drop_options::DropOptions;
 use super::output_files::{self, Overwrite};
 use crate::failure::Failure;
-use crate::files::place::Place;
+use crate::files::own_folder::OwnFolder;
 use crate::files::staging;
 use crate::output::subject::{Subject, warning_lines, warnings};
 use crate::output::{json, table, trace};
@@ -74,7 +74,7 @@ pub fn carry_out(options: &Options) -> Result<String, Failure> {
 impl Options {
     fn series(&self) -> Result<Option<Series>, Failure> {
         let Some(folder) = &self.vtu else { return Ok(None) };
-        Series::new(Place::new(folder, &paraview::KIND, self.overwrite.overwrite)?, self.vtu_interval).map(Some)
+        Series::new(OwnFolder::new(folder, &paraview::KIND, self.overwrite.overwrite)?, self.vtu_interval).map(Some)
     }
 
     fn files(&self, run: &Run) -> Result<Vec<(&Path, Vec<u8>)>, Failure> {

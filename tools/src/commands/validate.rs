@@ -1,4 +1,4 @@
-//! `softanvil validate`: the study's table, side by side.
+//! `softanvil validate`: the paper's table, side by side.
 
 use clap::Args;
 use softanvil_kernel::preset::Preset;
@@ -9,7 +9,7 @@ use crate::output::{json, table};
 use crate::paper::validation::Validation;
 use crate::presets;
 
-/// Simulate the drops of the study and print its table side by side with ours.
+/// Simulate the drops of the paper and print its table side by side with ours.
 #[derive(Debug, Args)]
 pub struct Options {
     /// Preset to validate

@@ -1,4 +1,4 @@
-//! The four numbers of a drop test that the study's table compares.
+//! The four numbers of a drop test that the paper's table compares.
 
 use softanvil_kernel::Output;
 
@@ -31,7 +31,7 @@ impl Quantity {
 /// How many quantities there are.
 pub const COUNT: usize = 4;
 
-/// The four numbers, in the order of the study's table.
+/// The four numbers, in the order of the paper's table.
 pub static QUANTITIES: [Quantity; COUNT] = [
     Quantity {
         key: "peak_force",

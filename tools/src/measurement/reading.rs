@@ -13,7 +13,7 @@ use crate::measurement::quantity::{self, COUNT};
 use crate::measurement::series::{Sensor, Series, SeriesError};
 use crate::run::Run;
 
-/// Samples of force in a frame of the camera: 20 kHz over the 10 kHz of the study's.
+/// Samples of force in a frame of the camera: 20 kHz over the 10 kHz of the paper's.
 const SAMPLES_PER_FRAME: usize = 2;
 
 /// From which force on the impact lasts.

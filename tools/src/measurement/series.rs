@@ -8,7 +8,7 @@ use crate::run::Run;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Deserialize, serde::Serialize, clap::ValueEnum)]
 #[serde(rename_all = "lowercase")]
 pub enum Sensor {
-    /// Force on the impactor, as the study's LS-DYNA figures are.
+    /// Force on the impactor, as the paper's LS-DYNA figures are.
     #[default]
     Contact,
     /// Force of the layer on the core, as the load cells of its experiment see it: larger by the inertia of the layer.

@@ -7,7 +7,7 @@ use softanvil_kernel::preset::Fitted;
 use crate::measurement::quantity::{COUNT, QUANTITIES};
 use crate::output::subject::{self, Subject};
 use crate::paper;
-use crate::paper::validation::{Comparison, Validation};
+use crate::paper::validation::{TableComparison, Validation};
 use crate::run::{Ending, Run};
 
 /// Group of the outputs that are results of the whole test; their keys go without it.
@@ -54,7 +54,7 @@ pub fn of_ending(run: &Run) -> Map<String, Value> {
     object
 }
 
-/// The study's table side by side with ours.
+/// The paper's table side by side with ours.
 pub fn of_validation(validation: &Validation) -> Value {
     json!({
         "preset": validation.preset.name,
@@ -76,7 +76,7 @@ fn fitted(fitted: &Fitted) -> Value {
     json!({ "parameters": fitted.parameters, "numbers": fitted.numbers })
 }
 
-fn of_case(case: &Comparison) -> Value {
+fn of_case(case: &TableComparison) -> Value {
     let mut object = Map::new();
     object.insert("energy".into(), case.paper.energy.into());
     object.extend(by_key(&case.record.values));

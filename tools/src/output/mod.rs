@@ -1,8 +1,8 @@
 //! Results as tables, sentences, CSV and JSON.
 
-pub mod comparison;
 pub mod json;
 pub mod material_summary;
 pub mod subject;
 pub mod table;
 pub mod trace;
+pub mod trace_comparison;

@@ -31,7 +31,7 @@ pub struct Subject {
 }
 
 /// Rows of cells through the layer below which a warning is due: fewer do not show how a layer bulges that is held on both
-/// sides, and at two the study's peak is off by more than its experiment scatters.
+/// sides, and at two the paper's peak is off by more than its experiment scatters.
 const FEWEST_ROWS: usize = 3;
 /// The same of columns along it.
 const FEWEST_COLUMNS: usize = 3;
@@ -156,8 +156,8 @@ fn coarse(grid: &Grid, size: f64) -> Option<String> {
     (rows < FEWEST_ROWS || columns < FEWEST_COLUMNS).then(|| {
         format!(
             "the mesh is too coarse for numbers to mean much: {} of cells through the layer and {} along it, \
-             with mesh.element_size = {} mm; at least {FEWEST_ROWS} and {FEWEST_COLUMNS} are advised, and `softanvil study \
-             mesh` tells the error",
+             with mesh.element_size = {} mm; at least {FEWEST_ROWS} and {FEWEST_COLUMNS} are advised, and `softanvil sweep \
+             --convergence` tells the error",
             cells(rows, "row"),
             cells(columns, "column"),
             short(size)

@@ -9,13 +9,13 @@ use crate::measurement::quantity::{COUNT, QUANTITIES, Quantity};
 use crate::measurement::reading::Threshold;
 use crate::measurement::series::{Sensor, Series};
 use crate::paper;
-use crate::paper::validation::{Comparison, Validation};
+use crate::paper::validation::{TableComparison, Validation};
 use crate::run::Run;
 use crate::text::number::four_digits;
 use crate::text::table::{align_right, new_plain_table, new_table, text};
 use crate::text::wrap::filled;
 
-/// The study's table: experiment, LS-DYNA and Softanvil side by side, 80 characters wide.
+/// The paper's table: experiment, LS-DYNA and Softanvil side by side, 80 characters wide.
 pub fn of_validation(validation: &Validation) -> String {
     let mut table = new_table(&["energy", "quantity", "experiment", "LS-DYNA", "error", "Softanvil", "error"]);
     for case in &validation.cases {
@@ -49,7 +49,7 @@ pub fn notes(validation: &Validation) -> String {
         paper::SOURCE
     );
     notes = filled(&notes);
-    if let Some(Comparison { run, .. }) = validation.cases.first() {
+    if let Some(TableComparison { run, .. }) = validation.cases.first() {
         let scenario = Threshold::Force(run.constants.scenario.measurement.force_threshold);
         let threshold = validation.reading.threshold.unwrap_or(scenario);
         notes += &format!(
@@ -76,7 +76,7 @@ fn core_peaks(validation: &Validation) -> String {
 }
 
 /// One row with a line per quantity.
-fn case_row(case: &Comparison) -> [String; 7] {
+fn case_row(case: &TableComparison) -> [String; 7] {
     let lines = |line: &dyn Fn(usize, &Quantity) -> String| {
         QUANTITIES.iter().enumerate().map(|(i, quantity)| line(i, quantity)).collect::<Vec<_>>().join("\n")
     };

@@ -4,7 +4,7 @@ use softanvil_kernel::{OUTPUTS, Output};
 
 use crate::failure::Failure;
 use crate::measurement::reading::Record;
-use crate::output::comparison::Comparison;
+use crate::output::trace_comparison::TraceComparison;
 use crate::run::Run;
 
 /// The outputs of a trace. Results of the whole test are no part of it, nor is the force of a single step.
@@ -26,7 +26,7 @@ pub fn csv(run: &Run) -> Result<Vec<u8>, TraceError> {
 ///
 /// # Errors
 /// What the CSV library refuses.
-pub fn of_forces(record: &Record, comparison: Option<&Comparison>) -> Result<Vec<u8>, TraceError> {
+pub fn of_forces(record: &Record, comparison: Option<&TraceComparison>) -> Result<Vec<u8>, TraceError> {
     let mut csv = csv::Writer::from_writer(Vec::new());
     csv.write_field("time [s]")?;
     csv.write_field("force [N]")?;

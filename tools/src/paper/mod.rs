@@ -1,4 +1,4 @@
-//! What the study printed: Table 1, of its experiment and its LS-DYNA model, and the sensitivities of that model.
+//! What the paper printed: Table 1, of its experiment and its LS-DYNA model.
 //!
 //! "Finite element model to simulate impact on a soft tissue simulant", Sports Engineering (2023),
 //! doi 10.1007/s12283-023-00407-7. Only values are taken from it; its percentages have misprints, so that errors are
@@ -21,7 +21,7 @@ pub struct Case {
     pub energy: f64,
     /// Measured.
     pub experiment: [f64; COUNT],
-    /// Computed by the study's LS-DYNA model.
+    /// Computed by the paper's LS-DYNA model.
     pub ls_dyna: [f64; COUNT],
 }
 
@@ -34,38 +34,6 @@ pub static TABLE_1: [Case; 3] = [
     Case { energy: 9.8, experiment: [4071.0, 3.5e-3, 8.1e-3, 13.0], ls_dyna: [4040.0, 3.8e-3, 6.8e-3, 11.0] },
     Case { energy: 4.9, experiment: [2399.0, 2.9e-3, 10.5e-3, 11.0], ls_dyna: [2460.0, 3.1e-3, 9.0e-3, 9.0] },
 ];
-
-/// A parameter that the study changed within a range, and how little came of it.
-#[derive(Debug)]
-pub struct Sensitivity {
-    /// The range.
-    pub range: [f64; 2],
-    /// Its results changed by less than this part, %.
-    pub below_percent: f64,
-}
-
-/// Coulomb friction, and the force trace in parts of the peak.
-pub static FRICTION: Sensitivity = Sensitivity { range: [0.2, 0.6], below_percent: 0.3 };
-/// The same in N.
-pub const FRICTION_FORCE: f64 = 15.0;
-/// Poisson's ratio, and all four numbers.
-pub static POISSON: Sensitivity = Sensitivity { range: [0.48, 0.49], below_percent: 0.05 };
-
-/// Diameter of the steel anvil of the test standard, m, to which the paper likens its own.
-pub const STANDARD_DIAMETER: f64 = 115e-3;
-
-/// Element size that its mesh convergence gave, m.
-pub const ELEMENT_SIZE: f64 = 3e-3;
-
-/// Young's modulus, Pa, from which its damping modulus was computed by mu = E / (2 (1 + nu)).
-pub const DAMPING_YOUNGS_MODULUS: f64 = 140e6;
-/// A damping modulus with which the peak at [`TUNED_ENERGY`] was too low by more than [`LOW_DAMPING_PERCENT`], Pa.
-pub const LOW_DAMPING_MODULUS: f64 = 0.06e6;
-/// See [`LOW_DAMPING_MODULUS`], %.
-pub const LOW_DAMPING_PERCENT: f64 = 30.0;
-
-/// Impact energy at which the model was tuned, J.
-pub const TUNED_ENERGY: f64 = 14.7;
 
 /// What of the table went into its model.
 pub const FITTED: Fitted = Fitted { parameters: 1, numbers: 1 };
@@ -81,24 +49,6 @@ pub fn is_its_model(scenario: &Scenario) -> bool {
         && ours.motion == its.motion
         && [ours.mass, ours.face_diameter, ours.offset] == [its.mass, its.face_diameter, its.offset]
 }
-
-/// A law that was tried beside the chosen Mooney-Rivlin 5, with the same Prony series and damping.
-#[derive(Debug)]
-pub struct Alternative {
-    /// Name of the law in `softanvil_identify`.
-    pub law: &'static str,
-    /// Error of the peak force at [`TUNED_ENERGY`] against the experiment, %.
-    pub peak_error_percent: f64,
-}
-
-/// The laws that under-predicted.
-pub static ALTERNATIVES: [Alternative; 2] = [
-    Alternative { law: "ogden_3", peak_error_percent: -27.0 },
-    Alternative { law: "yeoh_3", peak_error_percent: -35.0 },
-];
-
-/// Residuals of its fits, whose unit is not printed: the chosen Mooney-Rivlin 5, then the [`ALTERNATIVES`].
-pub const RESIDUALS: [(&str, f64); 3] = [("mooney_rivlin_5", 8.0), ("ogden_3", 22.0), ("yeoh_3", 24.0)];
 
 #[cfg(test)]
 mod tests {

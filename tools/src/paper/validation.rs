@@ -1,4 +1,4 @@
-//! Simulated drops against the study's table: errors recomputed from values.
+//! Simulated drops against the paper's table: errors recomputed from values.
 
 use softanvil_kernel::Simulation;
 use softanvil_kernel::preset::Preset;
@@ -11,9 +11,9 @@ use crate::paper::{Case, TABLE_1};
 use crate::progress;
 use crate::run::{Drop, Run, Until};
 
-/// One energy: the values of the study and a run of ours.
-pub struct Comparison {
-    /// The study's values.
+/// One energy: the values of the paper and a run of ours.
+pub struct TableComparison {
+    /// The paper's values.
     pub paper: &'static Case,
     /// Our run.
     pub run: Run,
@@ -21,7 +21,7 @@ pub struct Comparison {
     pub record: Record,
 }
 
-/// All energies of the study, with one preset.
+/// All energies of the paper, with one preset.
 ///
 /// ```
 /// use softanvil_tools::measurement::reading::Reading;
@@ -39,11 +39,11 @@ pub struct Validation {
     /// How the runs were read.
     pub reading: Reading,
     /// One comparison per energy.
-    pub cases: Vec<Comparison>,
+    pub cases: Vec<TableComparison>,
 }
 
-impl Comparison {
-    /// Errors of the study's LS-DYNA model against its experiment, %.
+impl TableComparison {
+    /// Errors of the paper's LS-DYNA model against its experiment, %.
     pub fn ls_dyna_errors(&self) -> [f64; COUNT] {
         errors_percent(&self.paper.ls_dyna, &self.paper.experiment)
     }
@@ -55,7 +55,7 @@ impl Comparison {
 }
 
 impl Validation {
-    /// Runs `preset` at every energy of the study and reads the runs by `reading`.
+    /// Runs `preset` at every energy of the paper and reads the runs by `reading`.
     ///
     /// # Errors
     /// A preset that is refused or fails, or a reading that the sampling does not carry.
@@ -82,19 +82,19 @@ impl Validation {
                 watch(number, simulation)
             })?;
             let record = reading.take(&run).map_err(|error| Failure::Input(error.to_string()))?;
-            cases.push(Comparison { paper, record, run });
+            cases.push(TableComparison { paper, record, run });
         }
         Ok(Self { preset, reading, cases })
     }
 
     /// Mean of our absolute errors, all energies and quantities, %.
     pub fn mean_error(&self) -> f64 {
-        mean_absolute(self.cases.iter().flat_map(Comparison::softanvil_errors))
+        mean_absolute(self.cases.iter().flat_map(TableComparison::softanvil_errors))
     }
 
     /// Mean of LS-DYNA's absolute errors, all energies and quantities, %.
     pub fn ls_dyna_mean_error(&self) -> f64 {
-        mean_absolute(self.cases.iter().flat_map(Comparison::ls_dyna_errors))
+        mean_absolute(self.cases.iter().flat_map(TableComparison::ls_dyna_errors))
     }
 
     /// Mean of our absolute errors of the peak force, %.

@@ -1,22 +1,17 @@
 //! Where the energy of a drop is over time: its terms stacked, under the line of what was brought in.
 
-use plotters::chart::{ChartBuilder, ChartContext};
-use plotters::coord::Shift;
-use plotters::drawing::{DrawingArea, IntoDrawingArea};
-use plotters::element::{PathElement, Polygon, Rectangle, Text};
-use plotters::prelude::{Cartesian2d, SVGBackend};
+use plotters::chart::SeriesLabelPosition;
+use plotters::element::{PathElement, Polygon, Rectangle};
 use plotters::series::LineSeries;
-use plotters::style::{Color, IntoFont, RGBColor, TRANSPARENT, TextStyle};
+use plotters::style::{Color, RGBColor};
 use softanvil_kernel::Output;
 
 use super::axis::Axis;
+use super::chart::{self, Area, Chart, legend_line};
 use super::error::PlotError;
 use super::shown::Shown;
 use super::style::*;
 use crate::run::Run;
-
-type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
-type Chart<'a> = ChartContext<'a, SVGBackend<'a>, Cartesian2d<Axis, Axis>>;
 
 /// A term of the balance.
 #[derive(Debug)]
@@ -92,53 +87,18 @@ pub fn of_output(run: &Run, name: &str) -> Vec<f64> {
 /// # Errors
 /// What the drawing library refuses.
 pub fn draw(shown: &[Shown]) -> Result<String, PlotError> {
-    let size = (PANEL_SIZE.0 * shown.len() as u32, PANEL_SIZE.1);
-    let mut svg = String::new();
-    {
-        let area = SVGBackend::with_string(&mut svg, size).into_drawing_area();
-        area.fill(&BACKGROUND)?;
-        for (part, shown) in area.split_evenly((1, shown.len())).iter().zip(shown) {
-            panel(part, &Balance::of(shown))?;
-        }
-        area.present()?;
-    }
-    Ok(in_pixels(&svg, size))
+    chart::row_of_panels(shown, |area, shown| panel(area, &Balance::of(shown)))
 }
 
 fn panel(area: &Area, balance: &Balance) -> Result<(), PlotError> {
     let title = format!("{}: energy (unexplained: at most {:.1e} J)", balance.title, balance.residual);
-    let (strip, axes) = area.split_vertically(TITLE_AREA);
-    let title_at = ((MARGIN + Y_LABEL_AREA) as i32, MARGIN as i32);
-    strip.draw(&Text::new(title, title_at, text(TITLE_SIZE)))?;
-    let largest = |values: &[f64]| values.iter().copied().fold(0.0, f64::max);
-    let mut chart = ChartBuilder::on(&axes)
-        .margin(MARGIN)
-        .margin_top(0)
-        .x_label_area_size(X_LABEL_AREA)
-        .y_label_area_size(Y_LABEL_AREA)
-        .build_cartesian_2d(Axis::new(largest(&balance.time)), Axis::new(largest(&balance.external)))?;
+    let largest = |values: &[f64]| Axis::from_zero(values.iter().copied().fold(0.0, f64::max));
+    let mut chart = chart::axes(area, &title, [largest(&balance.time), largest(&balance.external)], MARGIN)?;
     draw_terms(&mut chart, balance)?;
-    chart
-        .configure_mesh()
-        .light_line_style(TRANSPARENT)
-        .bold_line_style(INK.mix(0.12).stroke_width(THIN))
-        .axis_style(INK.stroke_width(THIN))
-        .set_all_tick_mark_size(TICK)
-        .label_style(text(TICK_LABEL_SIZE))
-        .axis_desc_style(text(LABEL_SIZE))
-        .x_desc("time since contact (ms)")
-        .y_desc("energy (J)")
-        .draw()?;
+    // Above the terms, which it has to let through.
+    chart::grid(&mut chart, INK.mix(0.12).stroke_width(THIN), ["time since contact (ms)", "energy (J)"])?;
     draw_sum(&mut chart, balance)?;
-    chart
-        .configure_series_labels()
-        .position(plotters::chart::SeriesLabelPosition::LowerRight)
-        .margin(MARGIN)
-        .legend_area_size(LEGEND_LINE + MARGIN / 2)
-        .background_style(BACKGROUND.mix(0.85))
-        .label_font(text(LABEL_SIZE))
-        .draw()?;
-    Ok(())
+    chart::legend(&mut chart, SeriesLabelPosition::LowerRight)
 }
 
 /// The stacked terms that ever show, the upper ones first, so that the legend has their order.
@@ -169,10 +129,6 @@ fn draw_sum(chart: &mut Chart, balance: &Balance) -> Result<(), PlotError> {
     chart
         .draw_series(LineSeries::new(points, style))?
         .label("brought in")
-        .legend(move |(x, y)| PathElement::new([(x, y), (x + LEGEND_LINE as i32, y)], style));
+        .legend(move |at| PathElement::new(legend_line(at), style));
     Ok(())
-}
-
-fn text(size: u32) -> TextStyle<'static> {
-    TextStyle::from((FONT, size).into_font()).color(&INK)
 }

@@ -1,24 +1,18 @@
 //! Pictures of test data with everything that was fitted to them, one for each kind of test.
 
-use plotters::chart::{ChartBuilder, ChartContext};
-use plotters::coord::Shift;
 use plotters::coord::ranged1d::Ranged;
-use plotters::drawing::{DrawingArea, IntoDrawingArea};
 use plotters::element::{Circle, DashedPathElement, PathElement, Text};
-use plotters::prelude::{Cartesian2d, SVGBackend};
-use plotters::style::{Color, IntoFont, RGBColor, ShapeStyle, TRANSPARENT, TextStyle};
+use plotters::style::{Color, RGBColor, ShapeStyle};
 use softanvil_identify::law::stress;
 use softanvil_identify::relaxation::read::Load;
 use softanvil_kernel::material::ElasticLaw;
 
+use super::axis::Axis;
+use super::chart::{self, Area, Chart, legend_line, text};
 use super::error::PlotError;
-use super::span::Span;
 use super::style::*;
 use crate::identification::files::Curves;
 use crate::identification::{Identification, Relaxed};
-
-type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
-type Chart<'a> = ChartContext<'a, SVGBackend<'a>, Cartesian2d<Span, Span>>;
 
 /// Radius of a measured point, which are many.
 const POINT: u32 = 3 * UNITS;
@@ -36,8 +30,8 @@ const KILO_LIMIT: f64 = 2000.0;
 /// What a picture shows.
 struct Picture {
     title: String,
-    x: (Span, String),
-    y: (Span, String),
+    x: (Axis, String),
+    y: (Axis, String),
     measured: Vec<(f64, f64)>,
     fitted: Vec<Line>,
 }
@@ -95,7 +89,7 @@ fn of_curves(identification: &Identification, curves: &Curves) -> Picture {
     }
     let measured: Vec<_> = points.iter().copied().map(shown).collect();
     let (bottom, top) = measured.iter().fold((0.0_f64, 0.0_f64), |(b, t), point| (b.min(point.1), t.max(point.1)));
-    let (x, y) = (Span::linear(100.0 * (low - 1.0), 100.0 * (high - 1.0)), Span::linear(bottom, top));
+    let (x, y) = (Axis::linear(100.0 * (low - 1.0), 100.0 * (high - 1.0)), Axis::linear(bottom, top));
     let mode = curves.data.mode.name();
     Picture {
         title: format!("{}{}: test and fitted laws", mode[..1].to_uppercase(), &mode[1..]),
@@ -143,8 +137,8 @@ fn of_relaxation(relaxed: &Relaxed) -> Picture {
         data.times.iter().zip(&data.loads).filter(|(t, _)| **t > 0.0).map(|(t, load)| (*t, scale * load)).collect();
     Picture {
         title: "Relaxation: test and Prony series".into(),
-        x: (Span::logarithmic(first, last), "time (s)".into()),
-        y: (Span::linear(0.0, scale * largest), format!("{quantity} ({unit})")),
+        x: (Axis::logarithmic(first, last), "time (s)".into()),
+        y: (Axis::linear(0.0, scale * largest), format!("{quantity} ({unit})")),
         measured,
         fitted: relaxed.choice.series.iter().enumerate().map(line).collect(),
     }
@@ -160,39 +154,13 @@ const OTHERS: [RGBColor; 5] = [
 ];
 
 fn draw(picture: &Picture) -> Result<String, PlotError> {
-    let mut svg = String::new();
-    let size = (PANEL_SIZE.0 + LEGEND_WIDTH, PANEL_SIZE.1);
-    {
-        let area = SVGBackend::with_string(&mut svg, size).into_drawing_area();
-        area.fill(&BACKGROUND)?;
-        draw_on(&area, picture)?;
-        area.present()?;
-    }
-    Ok(in_pixels(&svg, size))
+    chart::svg((PANEL_SIZE.0 + LEGEND_WIDTH, PANEL_SIZE.1), |area| draw_on(area, picture))
 }
 
 fn draw_on(area: &Area, picture: &Picture) -> Result<(), PlotError> {
     let (area, legend) = area.split_horizontally(PANEL_SIZE.0);
-    let (strip, axes) = area.split_vertically(TITLE_AREA);
-    let title_at = ((MARGIN + Y_LABEL_AREA) as i32, MARGIN as i32);
-    strip.draw(&Text::new(picture.title.as_str(), title_at, text(TITLE_SIZE)))?;
-    let mut chart = ChartBuilder::on(&axes)
-        .margin(MARGIN)
-        .margin_top(0)
-        .x_label_area_size(X_LABEL_AREA)
-        .y_label_area_size(Y_LABEL_AREA)
-        .build_cartesian_2d(picture.x.0.clone(), picture.y.0.clone())?;
-    chart
-        .configure_mesh()
-        .light_line_style(TRANSPARENT)
-        .bold_line_style(GRID.stroke_width(THIN))
-        .axis_style(INK.stroke_width(THIN))
-        .set_all_tick_mark_size(TICK)
-        .label_style(text(TICK_LABEL_SIZE))
-        .axis_desc_style(text(LABEL_SIZE))
-        .x_desc(picture.x.1.as_str())
-        .y_desc(picture.y.1.as_str())
-        .draw()?;
+    let mut chart = chart::axes(&area, &picture.title, [picture.x.0.clone(), picture.y.0.clone()], MARGIN)?;
+    chart::grid(&mut chart, chart::grid_style(), [&picture.x.1, &picture.y.1])?;
     // The chosen curve above the others, the points above all.
     picture.fitted.iter().filter(|line| !line.chosen).try_for_each(|line| draw_line(&mut chart, line))?;
     picture.fitted.iter().filter(|line| line.chosen).try_for_each(|line| draw_line(&mut chart, line))?;
@@ -212,7 +180,7 @@ fn draw_legend(area: &Area, picture: &Picture) -> Result<(), PlotError> {
     label("test", [x, y])?;
     for (index, line) in picture.fitted.iter().enumerate() {
         let [x, y] = entry(index + 1);
-        let ends = vec![(x, y), (x + LEGEND_LINE as i32, y)];
+        let ends = legend_line((x, y));
         let style = line.style();
         match line.dashed {
             true => area.draw(&DashedPathElement::new(ends, DASH.0, DASH.1, style))?,
@@ -221,10 +189,6 @@ fn draw_legend(area: &Area, picture: &Picture) -> Result<(), PlotError> {
         label(&line.label, [x, y])?;
     }
     Ok(())
-}
-
-fn text(size: u32) -> TextStyle<'static> {
-    TextStyle::from((FONT, size).into_font()).color(&INK)
 }
 
 /// The measured points; of those that would cover each other, the first.

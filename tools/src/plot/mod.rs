@@ -1,31 +1,29 @@
 //! Pictures of runs, as SVG whose text is text: force over time, and force over deformation.
 
 mod axis;
+mod chart;
 pub mod curve;
 mod energy;
 mod error;
 mod identification;
+mod lines;
 mod panel;
 pub mod picture_format;
 mod shown;
-mod span;
-mod study;
 pub mod style;
 
 use plotters::chart::SeriesLabelPosition;
-use plotters::drawing::IntoDrawingArea;
-use plotters::prelude::SVGBackend;
 
 pub use energy::{BROUGHT_IN, TERMS, Term, draw as energy, of_output};
 pub use error::PlotError;
 pub use identification::pictures as identification;
+pub use lines::{Line, draw as lines};
 pub use shown::Shown;
-pub use study::{Line as StudyLine, draw as study};
 
 use crate::measurement::series::CONTACT_FORCE;
 use curve::Curve;
 use panel::Panel;
-use style::{BACKGROUND, LEGEND_UPPER_LEFT, PANEL_SIZE, in_pixels};
+use style::LEGEND_UPPER_LEFT;
 
 /// Contact force over time since contact.
 ///
@@ -92,15 +90,5 @@ fn deformation_panel<'a>(title: &'a str, shown: &[Shown]) -> Panel<'a> {
 
 /// One picture of panels from left to right.
 fn draw(panels: &[Panel]) -> Result<String, PlotError> {
-    let size = (PANEL_SIZE.0 * panels.len() as u32, PANEL_SIZE.1);
-    let mut svg = String::new();
-    {
-        let area = SVGBackend::with_string(&mut svg, size).into_drawing_area();
-        area.fill(&BACKGROUND)?;
-        for (part, panel) in area.split_evenly((1, panels.len())).iter().zip(panels) {
-            panel::draw(part, panel)?;
-        }
-        area.present()?;
-    }
-    Ok(in_pixels(&svg, size))
+    chart::row_of_panels(panels, panel::draw)
 }

@@ -1,20 +1,15 @@
 //! One set of axes with its curves, measured values and legend.
 
-use plotters::chart::{ChartBuilder, ChartContext, SeriesLabelPosition};
-use plotters::coord::Shift;
-use plotters::drawing::DrawingArea;
-use plotters::element::{Circle, DashedPathElement, PathElement, Text};
-use plotters::prelude::{Cartesian2d, SVGBackend};
+use plotters::chart::SeriesLabelPosition;
+use plotters::element::{Circle, DashedPathElement, PathElement};
 use plotters::series::LineSeries;
-use plotters::style::{Color, IntoFont, RGBColor, ShapeStyle, TRANSPARENT, TextStyle};
+use plotters::style::{Color, RGBColor, ShapeStyle};
 
 use super::axis::Axis;
+use super::chart::{self, Area, Chart, legend_line};
 use super::curve::{Curve, Measured};
 use super::error::PlotError;
 use super::style::*;
-
-type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
-type Chart<'a> = ChartContext<'a, SVGBackend<'a>, Cartesian2d<Axis, Axis>>;
 
 /// What a panel shows.
 pub struct Panel<'a> {
@@ -35,25 +30,13 @@ pub struct Panel<'a> {
 /// Draws `panel` on all of `area`.
 pub fn draw(area: &Area, panel: &Panel) -> Result<(), PlotError> {
     let (x_end, y_end) = extent(&panel.curves);
-    let (strip, axes) = area.split_vertically(TITLE_AREA);
-    let title_at = ((MARGIN + Y_LABEL_AREA) as i32, MARGIN as i32);
-    strip.draw(&Text::new(panel.title, title_at, text(TITLE_SIZE)))?;
-    let mut chart = ChartBuilder::on(&axes)
-        .margin(MARGIN)
-        .margin_top(0)
-        .x_label_area_size(X_LABEL_AREA)
-        .y_label_area_size(Y_LABEL_AREA)
-        .build_cartesian_2d(Axis::new(x_end), Axis::new(y_end))?;
-    draw_axes(&mut chart, panel)?;
+    let mut chart = chart::axes(area, panel.title, [Axis::from_zero(x_end), Axis::from_zero(y_end)], MARGIN)?;
+    chart::grid(&mut chart, chart::grid_style(), [panel.x_description, panel.y_description])?;
     for (index, curve) in panel.curves.iter().enumerate() {
         draw_curve(&mut chart, curve, colour(index))?;
     }
     draw_measured(&mut chart, panel)?;
-    draw_legend(&mut chart, panel.legend_at.clone())
-}
-
-fn text(size: u32) -> TextStyle<'static> {
-    TextStyle::from((FONT, size).into_font()).color(&INK)
+    chart::legend(&mut chart, panel.legend_at.clone())
 }
 
 fn line(colour: RGBColor, width: u32) -> ShapeStyle {
@@ -68,21 +51,6 @@ fn extent(curves: &[Curve]) -> (f64, f64) {
         .flat_map(|curve| curve.points.iter().copied())
         .chain(corners)
         .fold((0.0, 0.0), |largest: (f64, f64), point| (largest.0.max(point.0), largest.1.max(point.1)))
-}
-
-fn draw_axes(chart: &mut Chart, panel: &Panel) -> Result<(), PlotError> {
-    chart
-        .configure_mesh()
-        .light_line_style(TRANSPARENT)
-        .bold_line_style(line(GRID, THIN))
-        .axis_style(line(INK, THIN))
-        .set_all_tick_mark_size(TICK)
-        .label_style(text(TICK_LABEL_SIZE))
-        .axis_desc_style(text(LABEL_SIZE))
-        .x_desc(panel.x_description)
-        .y_desc(panel.y_description)
-        .draw()?;
-    Ok(())
 }
 
 fn draw_curve(chart: &mut Chart, curve: &Curve, colour: RGBColor) -> Result<(), PlotError> {
@@ -121,21 +89,5 @@ fn draw_measured(chart: &mut Chart, panel: &Panel) -> Result<(), PlotError> {
         }
         labelled = true;
     }
-    Ok(())
-}
-
-fn legend_line((x, y): (i32, i32)) -> [(i32, i32); 2] {
-    [(x, y), (x + LEGEND_LINE as i32, y)]
-}
-
-fn draw_legend(chart: &mut Chart, position: SeriesLabelPosition) -> Result<(), PlotError> {
-    chart
-        .configure_series_labels()
-        .position(position)
-        .margin(MARGIN)
-        .legend_area_size(LEGEND_LINE + MARGIN / 2)
-        .background_style(BACKGROUND.mix(0.85))
-        .label_font(text(LABEL_SIZE))
-        .draw()?;
     Ok(())
 }

@@ -1,4 +1,4 @@
-//! The report folder: traces, pictures, table and numbers of the study's drops, or of one of the user's own.
+//! The report folder: traces, pictures, table and numbers of the paper's drops, or of one of the user's own.
 
 mod page;
 
@@ -10,7 +10,7 @@ use softanvil_kernel::Scenario;
 
 use crate::failure::Failure;
 use crate::files::folder::digest;
-use crate::files::place::{Kind, Listed, Place};
+use crate::files::own_folder::{Kind, Listed, OwnFolder};
 use crate::files::staging;
 use crate::output::subject::{Subject, warning_lines, warnings};
 use crate::output::{json, table, trace};
@@ -65,21 +65,21 @@ pub struct Reported<'a> {
     pub run: &'a Run,
     /// Its section.
     pub film: &'a Film,
-    /// What was measured, if it is one of the study's drops.
+    /// What was measured, if it is one of the paper's drops.
     pub paper: Option<&'static paper::Case>,
 }
 
 /// What the drops of a report are.
 #[derive(Clone, Copy)]
 pub enum About<'a> {
-    /// Those of the study, beside its table.
+    /// Those of the paper, beside its table.
     Validation(&'a Validation),
     /// One of the user's own.
     Own(&'a Subject),
 }
 
 impl<'a> Content<'a> {
-    /// The drops of the study with their sections.
+    /// The drops of the paper with their sections.
     pub fn of_validation(validation: &'a Validation, films: &'a [Film]) -> Self {
         let drops = validation.cases.iter().zip(films).map(|(case, film)| Reported {
             label: format!("{} J", case.paper.energy),
@@ -105,7 +105,7 @@ impl<'a> Content<'a> {
         }
     }
 
-    /// What stands above a table: which drop, what speaks against it, how it ended. Nothing of the study's drops, whose
+    /// What stands above a table: which drop, what speaks against it, how it ended. Nothing of the paper's drops, whose
     /// table says so.
     fn head(&self) -> String {
         match self.about {
@@ -137,7 +137,7 @@ impl<'a> Content<'a> {
 ///
 /// # Errors
 /// A file that cannot be written.
-pub fn write(content: &Content, pictures: PictureFormat, place: Place) -> Result<Vec<String>, Failure> {
+pub fn write(content: &Content, pictures: PictureFormat, place: OwnFolder) -> Result<Vec<String>, Failure> {
     let files = files(content, pictures)?;
     let failed = |error: std::io::Error| Failure::writing(place.path(), error);
     let staged = staging::stage_folder(place.path()).map_err(failed)?;

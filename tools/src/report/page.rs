@@ -9,7 +9,7 @@ use crate::failure::Failure;
 use crate::measurement::quantity::QUANTITIES;
 use crate::output::table;
 use crate::paper;
-use crate::paper::validation::Comparison;
+use crate::paper::validation::TableComparison;
 use crate::scenario_file;
 
 const PAGE: &str = include_str!("../../assets/report/page.html");
@@ -79,7 +79,7 @@ fn largest_residual(content: &Content) -> f64 {
 }
 
 /// The rows of the table for one energy.
-fn rows(case: &Comparison) -> Vec<Value> {
+fn rows(case: &TableComparison) -> Vec<Value> {
     let (ls_dyna_errors, errors) = (case.ls_dyna_errors(), case.softanvil_errors());
     let row = |(i, quantity): (usize, &crate::measurement::quantity::Quantity)| {
         let text = |value: f64, decimals: usize| format!("{:.*}", decimals, value * quantity.display_scale);

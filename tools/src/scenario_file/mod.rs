@@ -7,6 +7,7 @@ mod read;
 mod suggestion;
 mod write;
 
+pub(crate) use read::from_toml;
 pub use read::{ScenarioFileError, parse, read, read_material};
 pub(crate) use suggestion::suggestion;
 pub use write::{material_to_toml, to_toml};

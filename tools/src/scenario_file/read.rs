@@ -3,6 +3,7 @@
 use std::ops::Range;
 use std::path::Path;
 
+use serde::de::DeserializeOwned;
 use softanvil_kernel::{Changes, PARAMETERS, Parameter, ParameterError, Scenario, ScenarioError};
 use toml_edit::{Document, Item, TableLike, TomlError, Value};
 
@@ -109,43 +110,43 @@ pub fn parse(text: &str, base: &Scenario) -> Result<Scenario, ScenarioFileError>
     let document = Document::parse(text).map_err(|error| syntax(text, &error))?;
     let mut changes = Changes::of(base);
     for (group, item) in document.iter() {
-        let place = Place { text, line: line_of(text, key_span(document.as_table(), group)) };
+        let position = Position { text, line: line_of(text, key_span(document.as_table(), group)) };
         if !PARAMETERS.iter().any(|parameter| split(parameter.name).0 == group) {
-            return Err(place.unknown(group));
+            return Err(position.unknown(group));
         }
         let Some(section) = item.as_table_like() else {
-            return Err(place.wrong_type(group, item, format!("a section [{group}] of keys")));
+            return Err(position.wrong_type(group, item, format!("a section [{group}] of keys")));
         };
-        read_section(&place, group, section, &mut changes)?;
+        read_section(&position, group, section, &mut changes)?;
     }
     Ok(changes.apply()?)
 }
 
 fn read_section(
-    place: &Place,
+    position: &Position,
     group: &str,
     section: &dyn TableLike,
     changes: &mut Changes,
 ) -> Result<(), ScenarioFileError> {
     for (field, item) in section.iter() {
         let name = format!("{group}.{field}");
-        let place = Place { line: line_of(place.text, key_span(section, field)), ..*place };
+        let position = Position { line: line_of(position.text, key_span(section, field)), ..*position };
         let Some(parameter) = Parameter::find(&name) else {
-            return Err(place.unknown(&name));
+            return Err(position.unknown(&name));
         };
-        let value = place.value(parameter, item)?;
-        changes.set(parameter, value).map_err(|error| ScenarioFileError::Value { line: place.line, error })?;
+        let value = position.value(parameter, item)?;
+        changes.set(parameter, value).map_err(|error| ScenarioFileError::Value { line: position.line, error })?;
     }
     Ok(())
 }
 
 /// Where in the text something stands.
-struct Place<'a> {
+struct Position<'a> {
     text: &'a str,
     line: usize,
 }
 
-impl Place<'_> {
+impl Position<'_> {
     /// The number that `item` gives to `parameter`; for a choice, its index.
     fn value(&self, parameter: &Parameter, item: &Item) -> Result<f64, ScenarioFileError> {
         let written = match item {
@@ -168,6 +169,17 @@ impl Place<'_> {
         };
         ScenarioFileError::Type { line: self.line, name: name.into(), found, legal }
     }
+}
+
+/// What `text`, a file of another kind, says.
+///
+/// # Errors
+/// Line and message of what is no TOML or not that kind of it.
+pub(crate) fn from_toml<T: DeserializeOwned>(text: &str) -> Result<T, String> {
+    toml_edit::de::from_str(text).map_err(|error| {
+        let message = error.message().split_whitespace().collect::<Vec<_>>().join(" ");
+        format!("line {}: {message}", line_of(text, error.span()))
+    })
 }
 
 fn syntax(text: &str, error: &TomlError) -> ScenarioFileError {

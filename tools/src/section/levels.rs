@@ -2,6 +2,8 @@
 
 use colorous::{Color, Gradient, VIRIDIS};
 
+use crate::text::number::{decimals, round_numbers};
+
 /// About how many bands there are.
 const BANDS: f64 = 10.0;
 /// From dark for low to bright for high values, evenly to any eye.
@@ -30,8 +32,7 @@ impl Levels {
         let interval = round_near((high - low) / BANDS);
         let (first, last) = ((low / interval + 1e-6).floor(), (high / interval - 1e-6).ceil());
         let count = (last - first).max(1.0) as usize;
-        let shown = interval * scale;
-        let decimals = (0..9).find(|d| is_whole(shown * 10f64.powi(*d))).unwrap_or_default() as usize;
+        let decimals = decimals(interval * scale);
         let bounds = (0..=count).map(|band| (first + band as f64) * interval).collect();
         Self { bounds, scale, unit, decimals }
     }
@@ -64,19 +65,10 @@ impl Levels {
     }
 }
 
-/// The one of 1, 2 and 5 times a power of ten that is nearest to `value` by ratio.
+/// The round number that is nearest to `value` by ratio.
 fn round_near(value: f64) -> f64 {
-    let power = 10f64.powf(value.log10().floor());
     let distance = |round: &f64| (round / value).ln().abs();
-    [1.0, 2.0, 5.0, 10.0]
-        .map(|digit| digit * power)
-        .into_iter()
-        .min_by(|a, b| distance(a).total_cmp(&distance(b)))
-        .unwrap_or(power)
-}
-
-fn is_whole(value: f64) -> bool {
-    (value - value.round()).abs() < 1e-6 * value.abs()
+    round_numbers(value).into_iter().min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or(value)
 }
 
 #[cfg(test)]

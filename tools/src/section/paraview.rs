@@ -12,7 +12,7 @@ use tempfile::TempDir;
 use super::vtu::{Array, Cell, Grid};
 use super::{Frame, Mesh};
 use crate::failure::Failure;
-use crate::files::place::{Kind, Listed, Place};
+use crate::files::own_folder::{Kind, Listed, OwnFolder};
 use crate::files::staging;
 
 /// The file that lists the others, and by which a series is known.
@@ -23,7 +23,7 @@ pub const KIND: Kind = Kind { option: "--vtu", what: "a series for ParaView", li
 
 /// A series that is being written.
 pub struct Series {
-    place: Place,
+    place: OwnFolder,
     staged: TempDir,
     /// Samples from one frame to the next.
     stride: usize,
@@ -37,7 +37,7 @@ impl Series {
     ///
     /// # Errors
     /// A folder that cannot be written.
-    pub fn new(place: Place, stride: usize) -> Result<Self, Failure> {
+    pub fn new(place: OwnFolder, stride: usize) -> Result<Self, Failure> {
         let staged = staging::stage_folder(place.path()).map_err(|error| Failure::writing(place.path(), error))?;
         Ok(Self { place, staged, stride, samples: 0, mesh: None, times: Vec::new() })
     }

@@ -16,6 +16,18 @@ pub fn short(value: f64) -> String {
     if rounded == 0.0 { "0".into() } else { format!("{rounded}") }
 }
 
+/// The round numbers about `value`, which is positive: 1, 2, 5 and 10 times the power of ten below it.
+pub fn round_numbers(value: f64) -> [f64; 4] {
+    let power = 10f64.powf(value.log10().floor());
+    [1.0, 2.0, 5.0, 10.0].map(|digit| digit * power)
+}
+
+/// Digits after the point that tell multiples of a round `interval` apart.
+pub fn decimals(interval: f64) -> usize {
+    let is_whole = |value: f64| (value - value.round()).abs() < 1e-6 * value.abs();
+    (0..9).find(|decimals| is_whole(interval * 10f64.powi(*decimals))).unwrap_or_default() as usize
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,28 +1,19 @@
 //! Lines of text, no longer than a screen is wide.
 
+use textwrap::{WordSeparator, WordSplitter, WrapAlgorithm};
+
 /// Characters of a line where no terminal says how many it has.
 pub(super) const WIDTH: u16 = 80;
 
 /// `text` with line breaks at blanks, so that no line is longer than `WIDTH` where that is possible.
 pub fn filled(text: &str) -> String {
-    let mut filled = String::new();
-    for line in text.lines() {
-        let mut length = 0;
-        for word in line.split(' ') {
-            let width = word.chars().count();
-            if length > 0 && length + 1 + width > usize::from(WIDTH) {
-                filled.push('\n');
-                length = 0;
-            } else if length > 0 {
-                filled.push(' ');
-                length += 1;
-            }
-            filled += word;
-            length += width;
-        }
-        filled.push('\n');
-    }
-    filled
+    // Blanks as they are, in order, and no word cut.
+    let options = textwrap::Options::new(usize::from(WIDTH))
+        .break_words(false)
+        .word_separator(WordSeparator::AsciiSpace)
+        .word_splitter(WordSplitter::NoHyphenation)
+        .wrap_algorithm(WrapAlgorithm::FirstFit);
+    text.lines().map(|line| textwrap::fill(line, &options) + "\n").collect()
 }
 
 #[cfg(test)]

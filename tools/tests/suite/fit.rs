@@ -66,7 +66,7 @@ fn wrong_input_is_refused_in_one_line() {
 #[test]
 fn the_study_gives_a_start_with_its_contradictions() {
     let folder = folder();
-    assert!(succeed(folder.path(), &["fit", "--study"]).contains("contradict"));
+    assert!(succeed(folder.path(), &["fit", "--paper"]).contains("contradict"));
 }
 
 #[test]

@@ -12,5 +12,5 @@ mod recovery;
 mod report;
 mod run;
 mod series;
-mod study;
+mod sweep;
 mod wrong_input;

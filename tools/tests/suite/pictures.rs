@@ -94,9 +94,9 @@ fn folders_have_their_pictures_as_png_when_asked() {
     assert_eq!(both_formats(folder.path(), &[]), 7);
 
     let folder = tempfile::tempdir().unwrap();
-    assert_eq!(both_formats(folder.path(), &["study", "thickness", "--values", "20,25"]), 1);
-    let page = fs::read_to_string(folder.path().join("points/thickness.md")).unwrap();
-    assert!(page.contains("(thickness.png)") && !page.contains(".svg"), "{page}");
+    assert_eq!(both_formats(folder.path(), &["sweep", "geometry.silicone_thickness=0.02,0.025"]), 1);
+    let page = fs::read_to_string(folder.path().join("points/geometry.silicone_thickness.md")).unwrap();
+    assert!(page.contains("(geometry.silicone_thickness.png)") && !page.contains(".svg"), "{page}");
 
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("curve.csv"), "stretch,stress [Pa]\n1,0\n0.9,-20000\n0.8,-46000\n0.7,-82000\n")
@@ -115,7 +115,7 @@ fn other_formats_are_refused_before_anything_is_computed() {
             assert!(line.contains("expected a file name that ends in .svg or .png"), "{line}");
         }
     }
-    for command in [&[][..], &["study", "thickness"], &["fit", "--study"]] {
+    for command in [&[][..], &["sweep", "impactor.mass=4"], &["fit", "--paper"]] {
         let line = fail(folder.path(), &[command, &["--pictures", "jpg", "--out", "out"]].concat(), 2);
         assert!(line.contains("jpg") && line.contains("svg") && line.contains("png"), "{line}");
     }

@@ -242,8 +242,8 @@ fn tables_fit_a_pipe() {
         &["run", "--duration", "0.004", "--set", "mesh.element_size=0.05"],
         &["measure", "--energy", "4.9"],
         &["validate"],
-        &["study", "silicone.poissons_ratio", "--values", "0.45"],
-        &["study", "mesh", "--values", "3,4"],
+        &["sweep", "silicone.poissons_ratio=0.45"],
+        &["sweep", "--convergence=0.6,0.8"],
         &["fit", "--uniaxial", "curve.csv", "--law", "mooney_rivlin_2"],
     ] {
         let text = succeed(folder.path(), arguments);
@@ -252,8 +252,8 @@ fn tables_fit_a_pipe() {
             assert!(line.chars().count() <= 80 && line.is_ascii(), "{arguments:?}: {line}");
         }
     }
-    let study = succeed(folder.path(), &["study", "geometry.silicone_thickness", "--values", "0.01"]);
-    assert!(study.contains("geometry.silicone_thickness") && study.contains("restitution"), "{study}");
+    let sweep = succeed(folder.path(), &["sweep", "geometry.silicone_thickness=0.01"]);
+    assert!(sweep.contains("geometry.silicone_thickness") && sweep.contains("restitution"), "{sweep}");
 }
 
 #[test]

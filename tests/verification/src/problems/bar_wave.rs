@@ -6,8 +6,8 @@ use softanvil_kernel::scenario::Interface;
 use softanvil_kernel::{Model, Scenario, Simulation, State, StepInput, step};
 
 use crate::order::over_cells;
+use crate::row::Row;
 use crate::scenes::{grid, neo_hookean};
-use crate::table::Row;
 
 const LENGTH: f64 = 0.1;
 const SHEAR_MODULUS: f64 = 1e6;

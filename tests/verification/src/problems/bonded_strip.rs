@@ -7,9 +7,9 @@ use crate::body::{Body, Pressure};
 use crate::memo::Memo;
 use crate::order::extrapolate;
 use crate::relaxation::press_slowly;
+use crate::row::{Row, name};
 use crate::scenes::{block, grid, neo_hookean};
 use crate::statics::{Equilibrium, Supports, linear, solve};
-use crate::table::{Row, name};
 
 /// Shape factors, loaded area over free area.
 pub const SHAPE_FACTORS: [f64; 4] = [0.5, 1.0, 2.0, 5.0];

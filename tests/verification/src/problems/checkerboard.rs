@@ -7,9 +7,9 @@ use crate::body::{Body, Pressure};
 use crate::memo::Memo;
 use crate::order::over_cells;
 use crate::problems::bonded_strip::{Compression, SHEAR_MODULUS, compression};
+use crate::row::Row;
 use crate::scenes::{grid, neo_hookean};
 use crate::statics::dense_stiffness;
-use crate::table::Row;
 
 /// Poisson's ratios of the strip.
 pub const POISSONS_RATIOS: [f64; 3] = [0.48, 0.499, 0.4999];

@@ -4,8 +4,8 @@ use softanvil_kernel::material::{Elastic, Material};
 use softanvil_kernel::scenario::Formulation;
 
 use crate::element::Cell;
+use crate::row::Check;
 use crate::scenes::laws;
-use crate::table::Check;
 
 /// Stretches of the loaded direction.
 pub const STRETCHES: [f64; 9] = [0.3, 0.4, 0.6, 0.8, 0.95, 1.05, 1.5, 2.0, 3.0];

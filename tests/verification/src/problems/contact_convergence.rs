@@ -8,9 +8,9 @@ use crate::body::{Body, Pressure};
 use crate::memo::Memo;
 use crate::order::against_last;
 use crate::relaxation::press_slowly;
+use crate::row::{Row, name};
 use crate::scenes::elastic;
 use crate::statics::{Equilibrium, Face, Supports, press};
-use crate::table::{Row, name};
 
 /// Deflection, m.
 pub const DEFLECTION: f64 = 5e-3;

@@ -3,9 +3,9 @@
 use crate::body::{Body, Pressure};
 use crate::memo::Memo;
 use crate::order::over_cells;
+use crate::row::Row;
 use crate::scenes::{grid, neo_hookean};
 use crate::statics::{Supports, linear, solve};
-use crate::table::Row;
 
 /// Linear reference: vertical displacement of (48, 52) with lambda = 7500, G = 0.375 and total load 1.
 pub const LINEAR_REFERENCE: f64 = 16.4326;

@@ -4,8 +4,8 @@ use softanvil_kernel::scenario::{Interface, Section};
 use softanvil_kernel::{Model, Simulation, State, StepInput, step};
 
 use crate::relaxation::{accelerate, damp};
+use crate::row::Row;
 use crate::scenes::{block, neo_hookean};
-use crate::table::Row;
 
 const GRAVITY: f64 = 20.0;
 const SPEED: f64 = 0.2;

@@ -7,9 +7,9 @@ use softanvil_specimen::{Compression, Ends, Point, STUDY_RATES, compress};
 
 use crate::body::{Body, Pressure};
 use crate::order::over_cells;
+use crate::row::Row;
 use crate::scenes::elastic;
 use crate::statics::{Supports, solve};
-use crate::table::Row;
 
 /// Time of the hold, s, as in the study.
 pub const HOLD: f64 = 5.0;

@@ -4,8 +4,8 @@ use softanvil_kernel::material::Material;
 use softanvil_kernel::scenario::Formulation;
 
 use crate::element::Cell;
+use crate::row::Check;
 use crate::scenes::elastic;
-use crate::table::Check;
 
 const TAU: [f64; 2] = [0.4e-3, 20e-3];
 const STEPS: u32 = 400;

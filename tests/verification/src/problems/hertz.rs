@@ -4,9 +4,9 @@ use softanvil_kernel::contact::surface;
 use softanvil_kernel::{StepInput, step};
 
 use crate::body::{Body, Pressure};
+use crate::row::Row;
 use crate::scenes::{grid, neo_hookean};
 use crate::statics::{Face, Supports, press};
-use crate::table::Row;
 
 const SHEAR_MODULUS: f64 = 1e6;
 const POISSONS_RATIO: f64 = 0.3;

@@ -3,8 +3,8 @@
 use softanvil_kernel::scenario::{DropBy, Motion};
 use softanvil_kernel::{Simulation, StepInput};
 
+use crate::row::Check;
 use crate::scenes::{block, elastic};
-use crate::table::Check;
 
 /// A quantity of the impact and its closed form.
 pub struct Measured {

@@ -7,9 +7,9 @@ use softanvil_kernel::scenario::Formulation;
 use crate::body::{Body, Field, Pressure};
 use crate::memo::Memo;
 use crate::order::over_cells;
+use crate::row::{Row, name};
 use crate::scenes::{grid, neo_hookean};
 use crate::statics::{Supports, linear};
-use crate::table::{Row, name};
 
 const INNER: f64 = 10e-3;
 const OUTER: f64 = 20e-3;

@@ -5,8 +5,8 @@ use softanvil_kernel::scenario::Formulation;
 
 use crate::element::Cell;
 use crate::problems::viscoelastic::after_ramp;
+use crate::row::Check;
 use crate::scenes::elastic;
-use crate::table::Check;
 use crate::tolerance::relative_error;
 
 /// Time step of the element, s.

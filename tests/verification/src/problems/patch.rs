@@ -3,9 +3,9 @@
 use softanvil_kernel::scenario::{Formulation, Motion, Shape};
 use softanvil_kernel::{Scenario, Simulation, StepInput, preset, step};
 
-use crate::element::Gradient;
+use crate::deformation::Gradient;
+use crate::row::Check;
 use crate::scenes::elastic;
-use crate::table::Check;
 
 /// Largest force on an interior node relative to the largest on a boundary node, after the deformation `gradient`.
 ///

@@ -3,9 +3,9 @@
 use softanvil_kernel::scenario::Formulation;
 
 use crate::body::{Body, Field, Pressure};
+use crate::row::{Row, name};
 use crate::scenes::{elastic, grid};
 use crate::statics::{Supports, solve};
-use crate::table::{Row, name};
 
 /// Cells per side.
 const CELLS: usize = 6;

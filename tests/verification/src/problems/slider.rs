@@ -4,8 +4,8 @@ use softanvil_kernel::material::Material;
 use softanvil_kernel::scenario::Formulation;
 
 use crate::element::Cell;
+use crate::row::Check;
 use crate::scenes::elastic;
-use crate::table::Check;
 
 /// Shear modulus of the spring, Pa.
 pub const STIFFNESS: f64 = 60e6;

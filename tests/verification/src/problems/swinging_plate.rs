@@ -7,8 +7,8 @@ use softanvil_kernel::{Simulation, StepInput};
 
 use crate::memo::Memo;
 use crate::order::over_cells;
+use crate::row::Row;
 use crate::scenes::{grid, neo_hookean};
-use crate::table::Row;
 
 /// Side of the square, m.
 const SIDE: f64 = 0.1;

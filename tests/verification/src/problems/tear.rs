@@ -3,9 +3,10 @@
 use softanvil_kernel::material::Material;
 use softanvil_kernel::scenario::Formulation;
 
-use crate::element::{Cell, Gradient};
+use crate::deformation::Gradient;
+use crate::element::Cell;
+use crate::row::Check;
 use crate::scenes::elastic;
-use crate::table::Check;
 
 /// Stretch at which tearing begins.
 pub const LIMIT: f64 = 1.3;

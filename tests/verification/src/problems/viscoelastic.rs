@@ -4,8 +4,8 @@ use softanvil_kernel::material::Material;
 use softanvil_kernel::scenario::Formulation;
 
 use crate::element::Cell;
+use crate::row::Check;
 use crate::scenes::elastic;
-use crate::table::Check;
 
 /// Time step of the element, s.
 pub const DT: f64 = 2e-6;

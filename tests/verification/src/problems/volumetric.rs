@@ -5,8 +5,8 @@ use softanvil_kernel::number::vector::Scalar;
 use softanvil_kernel::scenario::Formulation;
 
 use crate::element::Cell;
+use crate::row::Check;
 use crate::scenes::elastic;
-use crate::table::Check;
 
 /// Bulk modulus, Pa.
 pub const BULK: f64 = 1e6;

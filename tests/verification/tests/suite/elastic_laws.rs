@@ -9,8 +9,8 @@ use softanvil_kernel::number::vector::Scalar;
 use softanvil_kernel::preset;
 use softanvil_kernel::scenario::Formulation;
 use softanvil_kernel::tensor::stretch::IsochoricStretch;
-use softanvil_verification::deformation::{Samples, product, rotation};
-use softanvil_verification::element::{Cell, Gradient};
+use softanvil_verification::deformation::{Gradient, Samples, product, rotation};
+use softanvil_verification::element::Cell;
 use softanvil_verification::scenes::{laws, run};
 use softanvil_verification::tolerance::{
     CLOSED_FORM, ENERGY_GRADIENT, ENERGY_RESIDUAL, SHEAR_TANGENT, SMALL_SHEAR, relative_error,

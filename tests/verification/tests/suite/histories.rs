@@ -8,8 +8,9 @@ use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use softanvil_kernel::material::{Coefficients, ElasticLaw, Material, N_COEFFICIENT, Ogden, VolumetricLaw};
 use softanvil_kernel::scenario::Formulation;
+use softanvil_verification::deformation::Gradient;
 use softanvil_verification::deformation::{product, rotation};
-use softanvil_verification::element::{Cell, Gradient};
+use softanvil_verification::element::Cell;
 use softanvil_verification::scenes::elastic;
 use softanvil_verification::tolerance::{HISTORY_ENERGY, NO_GAIN};
 

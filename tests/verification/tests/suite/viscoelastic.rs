@@ -4,7 +4,8 @@
 //! sigma = 2 edot (G_inf t + sum G_k tau_k (1 - e^(-t/tau_k))), e.g. Simo and Hughes, Computational Inelasticity (1998).
 
 use softanvil_kernel::scenario::Formulation;
-use softanvil_verification::element::{Cell, Gradient};
+use softanvil_verification::deformation::Gradient;
+use softanvil_verification::element::Cell;
 use softanvil_verification::problems::viscoelastic::{DT, material, ramp_error, step_error};
 use softanvil_verification::scenes::elastic;
 use softanvil_verification::tolerance::{CLOSED_FORM, PRONY_RAMP};
