@@ -52,7 +52,9 @@ impl Name {
 
     /// Layer and field of a `name` of the form `layers[1].field`.
     pub(crate) fn split_layer(name: &str) -> Option<(usize, &str)> {
-        let (layer, field) = name.strip_prefix(LAYERS)?.strip_prefix('[')?.split_once("].")?;
+        // By single characters: the search for a text has a path to a panic.
+        let (layer, rest) = name.strip_prefix(LAYERS)?.strip_prefix('[')?.split_once(']')?;
+        let field = rest.strip_prefix('.')?;
         let digits = !layer.is_empty() && layer.bytes().all(|byte| byte.is_ascii_digit());
         if digits { Some((layer.parse().ok()?, field)) } else { None }
     }
