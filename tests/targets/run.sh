@@ -11,6 +11,7 @@ root=$PWD out=$PWD/target/targets only=${1:-}
 table=$out/table.txt rows=$out/rows
 . tests/need.sh
 . tests/processor.sh
+vectors=
 rm -rf "$rows" && mkdir -p "$rows"
 { rustc --version && echo; } >"$table"
 printf '%-44s %-6s  %-16s  %-16s  %s\n' target scenes 'until 2.5 ms' 'whole scenes' 'snapshot there and back' >>"$table"
@@ -100,14 +101,15 @@ have_target() {
     timeout 120 rustup target add "$2" >/dev/null 2>&1 || { skip "$1" "rustup has no $2"; false; }
 }
 
-# foreign NAME TARGET CHECK EXTENSION COMMAND...: a row of another target, by a command that runs its programs.
+# foreign NAME TARGET CHECK EXTENSION COMMAND...: a row of another target, by a command that runs its programs. With a name
+# of an instruction set in $vectors the program has every set of the target, and is made to choose that one.
 foreign() {
     wanted "$1" && have_target "$1" "$2" && beside make_foreign "$@"
 }
 make_foreign() {
-    local name=$1 target=$2 check=$3 extension=$4; shift 4
-    build "$target" --release --target "$target" || { fail "$name" "does not build"; return; }
-    row "$name" "$check" "$@" "$out/$target/$target/release/$runner$extension"
+    local name=$1 target=$2 check=$3 extension=$4 folder=$2${RUSTFLAGS:+-$vectors}; shift 4
+    build "$folder" --release --target "$target" ${vectors:+--features $features} || { fail "$name" "does not build"; return; }
+    row "$name" "$check" "$@" "$out/$folder/$target/release/$runner$extension" ${vectors:+--instructions $vectors}
 }
 
 # board NAME TARGET FLAGS CHECK: a row of a Cortex-M7 without an operating system.
@@ -190,7 +192,8 @@ else
     fi
     export CARGO_TARGET_AARCH64_UNKNOWN_LINUX_MUSL_RUSTFLAGS='-C linker=rust-lld -C linker-flavor=ld.lld'
     if need qemu-aarch64 qemu-user; then
-        foreign "aarch64 (qemu-user)" aarch64-unknown-linux-musl 'check --short' '' qemu-aarch64
+        vectors=neon foreign "aarch64, NEON (qemu-user)" aarch64-unknown-linux-musl 'check --short' '' qemu-aarch64
+        vectors=baseline foreign "aarch64, scalar (qemu-user)" aarch64-unknown-linux-musl 'check --short' '' qemu-aarch64
     else
         skip "aarch64" "qemu-user is missing and cannot be installed"
     fi
@@ -218,6 +221,8 @@ else
     fi
     if need node nodejs; then
         foreign "wasm32 (Node)" wasm32-wasip1 check .wasm node --no-warnings "$root/tests/targets/wasi.mjs"
+        RUSTFLAGS='-C target-feature=+simd128' vectors=simd128 \
+            foreign "wasm32, simd128 (Node)" wasm32-wasip1 check .wasm node --no-warnings "$root/tests/targets/wasi.mjs"
     else
         skip "wasm32" "node is missing and cannot be installed"
     fi
