@@ -62,6 +62,7 @@ run "build, library" cargo build -q --profile library -p softanvil-ffi -p softan
 # the same name would take each other's place.
 run "build, checked" cargo build -q --profile checked --workspace --lib --bins --examples --tests
 run "kernel alone, no_std" kernel_alone
+run "packages of the crates" tests/package.sh
 run "main job" main_job
 run "processors that lack something" tests/targets/processors.sh
 

@@ -116,15 +116,15 @@ const ICON: &[u8] = include_bytes!("../assets/icon.png");
 /// Pictures of the documentation.
 const PICTURES: [(&str, &[u8]); 3] = [
     ("icon.svg", include_bytes!("../assets/icon.svg")),
-    ("force-time.svg", include_bytes!("../../docs/force-time.svg")),
-    ("coupling.svg", include_bytes!("../../docs/coupling.svg")),
+    ("force-time.svg", include_bytes!("../assets/force-time.svg")),
+    ("coupling.svg", include_bytes!("../assets/coupling.svg")),
 ];
 
 /// Licence texts: of this project, and of what is linked into the library.
 const LICENSES: [(&str, &[u8]); 4] = [
     ("license.txt", include_bytes!("../assets/licenses/license.txt")),
-    ("MIT.txt", include_bytes!("../../LICENSE-MIT")),
-    ("Apache-2.0.txt", include_bytes!("../../LICENSE-APACHE")),
+    ("MIT.txt", include_bytes!("../assets/licenses/MIT.txt")),
+    ("Apache-2.0.txt", include_bytes!("../assets/licenses/Apache-2.0.txt")),
     ("libm.txt", include_bytes!("../assets/licenses/libm.txt")),
 ];
 

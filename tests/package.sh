@@ -1,0 +1,29 @@
+#!/usr/bin/env bash
+# Packs every crate that is meant for others as a registry takes it, and compiles the packages beside each other, without
+# anything of this folder: package.sh, no network. What a package lacks shows here. With the profile `release`, as clippy,
+# whose compiled dependencies it takes.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+crates=(kernel kernel-f32 ffi fmu specimen workbooks records identify golden)
+target=$PWD/target
+work=$target/package/workspace
+rm -rf "$work" "$target"/package/*.crate
+mkdir -p "$work"
+
+packages=(-p softanvil)
+for crate in "${crates[@]}"; do packages+=(-p "softanvil-$crate"); done
+cargo package -q --offline --allow-dirty --no-verify "${packages[@]}"
+
+# A workspace of the packages, with the profiles and the versions of this one; names of crates lead to each other.
+{
+    printf '[workspace]\nresolver = "3"\nmembers = ["*"]\n\n[patch.crates-io]\n'
+    for name in softanvil "${crates[@]/#/softanvil-}"; do
+        mkdir "$work/$name"
+        # Dated now: the packages have a date of old, by which nothing would ever be compiled again.
+        tar -xzmf "$target/package/$name"-[0-9]*.crate -C "$work/$name" --strip-components=1
+        printf '%s = { path = "%s" }\n' "$name" "$name"
+    done
+    awk '/^\[profile/ { kept = 1 } kept' Cargo.toml
+} >"$work/Cargo.toml"
+cp Cargo.lock "$work"
+cd "$work" && cargo check -q --offline --release --workspace --target-dir "$target"
