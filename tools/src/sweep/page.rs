@@ -2,8 +2,10 @@
 
 use std::fmt::Write;
 
+use itertools::Itertools;
 use serde_json::{Map, Value, json};
 
+use super::Sweep;
 use super::case::Case;
 use super::columns::{self, COLUMNS};
 use super::convergence::METHOD;
@@ -184,18 +186,11 @@ pub fn overview(pages: &[Page]) -> String {
 
 /// What a reader has to know of the numbers.
 fn notes(results: &Results) -> Vec<String> {
-    let sweep = &results.sweep;
-    let own = sweep.axes.last().and_then(|axis| Some((axis, axis.own()?)));
-    let same = if sweep.common() > 0 { ", beside the same other settings" } else { "" };
-    let mut notes = vec![match own {
-        _ if sweep.refines() => format!("Changes are from the finest mesh{same}."),
-        Some((axis, own)) => format!("Changes are from {} = {}, the scenario's own value{same}.", axis.name, own.name),
-        None => format!("Changes are from the first line{same}."),
-    }];
-    let mut hashes: Vec<String> = results.done().map(|(_, outcome)| outcome.run.trace_hash()).collect();
-    let count = hashes.len();
-    hashes.dedup();
-    if let ([axis], true, 1) = (&sweep.axes[..], count > 1, hashes.len()) {
+    let mut notes = vec![reference(&results.sweep)];
+    if let [axis] = &results.sweep.axes[..]
+        && results.done().count() > 1
+        && results.done().map(|(_, outcome)| (outcome.run.trace_hash(), outcome.values.map(f64::to_bits))).all_equal()
+    {
         let name = axis.name.split(" [").next().unwrap_or_default();
         notes.push(format!("{name} changes nothing in this scenario, to the last bit."));
     }
@@ -211,6 +206,16 @@ fn notes(results: &Results) -> Vec<String> {
         notes.push(format!("Interrupted: {} of {} simulations are missing.", results.missing(), results.cases.len()));
     }
     notes
+}
+
+/// From what the changes in brackets are.
+fn reference(sweep: &Sweep) -> String {
+    let same = if sweep.common() > 0 { ", beside the same other settings" } else { "" };
+    match sweep.axes.last().and_then(|axis| Some((axis, axis.own()?))) {
+        _ if sweep.refines() => format!("Changes are from the finest mesh{same}."),
+        Some((axis, own)) => format!("Changes are from {} = {}, the scenario's own value{same}.", axis.name, own.name),
+        None => format!("Changes are from the first line{same}."),
+    }
 }
 
 /// The settings of a case with their names.
