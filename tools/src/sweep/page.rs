@@ -5,13 +5,13 @@ use std::fmt::Write;
 use itertools::Itertools;
 use serde_json::{Map, Value, json};
 
-use super::Sweep;
 use super::case::Case;
 use super::columns::{self, COLUMNS};
 use super::convergence::METHOD;
 use super::picture;
 use super::results::{Results, percent_or_none};
 use super::sheet::Sheet;
+use super::{Contrast, Sweep};
 use crate::measurement::quantity::QUANTITIES;
 use crate::output::json::of_ending;
 use crate::output::subject::{Subject, warning_lines, warnings_of};
@@ -105,39 +105,40 @@ impl Page {
     /// For other programs, in SI.
     pub fn json(&self) -> Value {
         let results = &self.results;
-        let with_paper = self.is_of_the_paper();
-        let contrasts = results.sweep.contrasts.iter().map(|contrast| {
-            let changes = QUANTITIES.iter().zip(results.changes(contrast));
-            let changes: Map<String, Value> = changes.map(|(quantity, c)| (quantity.key.into(), c.into())).collect();
-            let paper = contrast.paper.as_ref().filter(|_| with_paper);
-            json!({ "what": contrast.what, "from": contrast.from, "to": contrast.to, "paper": paper,
-                    "change_percent": changes })
-        });
-        let cases = results.cases.iter().zip(&results.outcomes).filter_map(|(case, outcome)| {
-            let mut object: Map<String, Value> = Map::new();
-            let headings = results.sweep.headings().into_iter().map(String::from);
-            object.extend(headings.zip(case.settings.iter().map(|text| text.as_str().into())));
-            match outcome.as_ref()? {
-                Ok(outcome) => {
-                    object.extend(COLUMNS.iter().map(|column| (column.key.into(), (column.read)(outcome).into())));
-                    object.extend(of_ending(&outcome.run));
-                    object.insert("trace_hash".into(), outcome.run.trace_hash().into());
-                }
-                Err(reason) => {
-                    object.insert("failure".into(), reason.as_str().into());
-                }
-            }
-            Some(Value::Object(object))
-        });
         json!({
             "sweep": results.sweep.name,
             "drop": self.subject.json(),
             "warnings": warnings_of(&results.scenario).unwrap_or_default(),
             "missing": results.missing(),
-            "contrasts": contrasts.collect::<Vec<_>>(),
+            "contrasts": results.sweep.contrasts.iter().map(|contrast| self.contrast_json(contrast)).collect::<Vec<_>>(),
             "notes": self.notes,
-            "cases": cases.collect::<Vec<_>>(),
+            "cases": (0..results.cases.len()).filter_map(|number| self.case_json(number)).collect::<Vec<_>>(),
         })
+    }
+
+    fn contrast_json(&self, contrast: &Contrast) -> Value {
+        let changes = QUANTITIES.iter().zip(self.results.changes(contrast));
+        let changes: Map<String, Value> = changes.map(|(quantity, c)| (quantity.key.into(), c.into())).collect();
+        let paper = contrast.paper.as_ref().filter(|_| self.is_of_the_paper());
+        json!({ "what": contrast.what, "from": contrast.from, "to": contrast.to, "paper": paper, "change_percent": changes })
+    }
+
+    /// The case with this number; nothing if it was not simulated.
+    fn case_json(&self, number: usize) -> Option<Value> {
+        let headings = self.results.sweep.headings().into_iter().map(String::from);
+        let settings = self.results.cases[number].settings.iter().map(|text| text.as_str().into());
+        let mut object: Map<String, Value> = headings.zip(settings).collect();
+        match self.results.outcomes[number].as_ref()? {
+            Ok(outcome) => {
+                object.extend(COLUMNS.iter().map(|column| (column.key.into(), (column.read)(outcome).into())));
+                object.extend(of_ending(&outcome.run));
+                object.insert("trace_hash".into(), outcome.run.trace_hash().into());
+            }
+            Err(reason) => {
+                object.insert("failure".into(), reason.as_str().into());
+            }
+        }
+        Some(Value::Object(object))
     }
 
     /// The picture, as SVG.
