@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """How whole commands scale with the cores: commands.py CLI OUT.csv.
 
-A calibration and a study with one thread and with one per core take turns; of each the fastest counts. The efficiency is the
+A calibration and a sweep with one thread and with one per core take turns; of each the fastest counts. The efficiency is the
 time of one thread over that of all of them times their number, start, files and the last unfinished batch included.
 """
 import csv
@@ -17,7 +17,7 @@ ROUNDS = 3
 COMMANDS = {
     # Whole generations of the search, of three drops a member.
     "calibrate": ["calibrate", str(ROOT / "calibration/all.toml"), "--evaluations", "160"],
-    "study": ["study", "friction"],
+    "sweep": ["sweep", str(ROOT / "sweeps/friction-mechanisms.toml")],
 }
 
 

@@ -80,7 +80,8 @@ pub fn carry_out(options: &Options) -> Result<String, Failure> {
     // Refused here, before anything is written.
     Drop::new(&subject.scenario)?;
     let sweeps = options.sweeps(&subject.scenario)?;
-    if sweeps.iter().flat_map(|sweep| &sweep.axes).any(|axis| axis.name.starts_with(DURATION)) {
+    let mut levels = sweeps.iter().flat_map(|sweep| &sweep.axes).flat_map(|axis| &axis.levels);
+    if levels.any(|level| level.settings.keys().eq([DURATION])) {
         // What is asked for is how long to simulate.
         subject.until = Until::Duration;
     }

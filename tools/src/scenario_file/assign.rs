@@ -1,5 +1,5 @@
 //! One value for one parameter, wherever it is written: in a scenario file, under `[fixed]` of a problem file, with --set, or
-//! in the list of a study. All of them are read by [`number`] and given to the kernel's [`Changes`], which see to it that each
+//! in the list of a sweep. All of them are read by [`number`] and given to the kernel's [`Changes`], which see to it that each
 //! of them acts.
 
 use softanvil_kernel::parameter::Kind;

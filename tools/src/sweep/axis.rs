@@ -60,8 +60,12 @@ impl Axis {
         numbers.dedup_by(|a, b| is_same(*a, *b));
         let level = |value: f64| {
             let name = text(parameter, value);
+            let set = match parameter.kind {
+                Kind::Choice { .. } => Value::Text(name.clone()),
+                Kind::Real { .. } => Value::Number(value),
+            };
             let changed = parameters.iter().filter(|_| !is_same(value, own));
-            Level { settings: changed.map(|changed| (changed.clone(), Value::Text(name.clone()))).collect(), name }
+            Level { name, settings: changed.map(|changed| (changed.clone(), set.clone())).collect() }
         };
         let name = name.unwrap_or(parameter.name);
         let name = match parameter.kind {

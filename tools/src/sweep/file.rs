@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use itertools::Itertools;
 use serde::Deserialize;
 use softanvil_kernel::Scenario;
 
@@ -61,6 +62,11 @@ fn parse(text: &str, scenario: &Scenario) -> Result<Sweep, String> {
     check_refinements(&convergence)?;
     if axes.is_empty() && convergence.is_empty() {
         return Err("nothing is changed: expected [[axis]] or convergence".into());
+    }
+    let names = axes.iter().map(|axis| &axis.name);
+    let twice = names.duplicates().chain(axes.iter().flat_map(|axis| axis.levels.iter().map(|l| &l.name).duplicates()));
+    if let Some(name) = twice.into_iter().next() {
+        return Err(format!("axis: {name} stands twice"));
     }
     if !contrast.is_empty() && !convergence.is_empty() {
         return Err("contrast has no effect beside convergence".into());
@@ -127,6 +133,8 @@ mod tests {
             ("face.", "fase.", "fase.friction_coefficient is unknown (did you mean face.friction_coefficient?)"),
             ("[0, 0.2]", "[0, \"x\"]", "face.friction_coefficient = x is refused: expected a number"),
             ("values = [0, 0.2]", "", "axis: expected parameters with values, or levels"),
+            ("\"as it is\"", "\"bonded\"", "axis: bonded stands twice"),
+            ("\"core\"", "\"face.friction_coefficient\"", "axis: face.friction_coefficient stands twice"),
             ("\"0\"]\nto", "\"0.1\"]\nto", "contrast: [\"as it is\", \"0.1\"] is refused"),
             ("title = \"Core\"", "title = \"Core\"\nconvergence = [0]", "convergence: 0 is refused"),
             ("title = \"Core\"", "title = \"Core\"\nconvergence = [2]", "contrast has no effect beside convergence"),

@@ -1,6 +1,6 @@
 //! What a drop depends on: any parameters swept over values, alone or in all combinations, and the convergence with the mesh.
 //!
-//! A [`Sweep`] says what is changed, by the command line or by a [`file`]; [`plan`] makes [`case`]s of it for a scenario, [`run`]
+//! A [`Sweep`] says what is changed, by the command line or by a [`mod@file`]; [`plan`] makes [`case`]s of it for a scenario, [`run`]
 //! simulates them on all cores, and [`page`] shows the [`results`]. [`convergence`] judges meshes by [`richardson`].
 
 pub mod axis;

@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use itertools::Itertools;
 use serde_json::{Map, Value, json};
 
 use super::case::Case;
@@ -10,6 +11,7 @@ use super::convergence::METHOD;
 use super::picture;
 use super::results::{Results, percent_or_none};
 use super::sheet::Sheet;
+use super::{Contrast, Sweep};
 use crate::measurement::quantity::QUANTITIES;
 use crate::output::json::of_ending;
 use crate::output::subject::{Subject, warning_lines, warnings_of};
@@ -103,39 +105,40 @@ impl Page {
     /// For other programs, in SI.
     pub fn json(&self) -> Value {
         let results = &self.results;
-        let with_paper = self.is_of_the_paper();
-        let contrasts = results.sweep.contrasts.iter().map(|contrast| {
-            let changes = QUANTITIES.iter().zip(results.changes(contrast));
-            let changes: Map<String, Value> = changes.map(|(quantity, c)| (quantity.key.into(), c.into())).collect();
-            let paper = contrast.paper.as_ref().filter(|_| with_paper);
-            json!({ "what": contrast.what, "from": contrast.from, "to": contrast.to, "paper": paper,
-                    "change_percent": changes })
-        });
-        let cases = results.cases.iter().zip(&results.outcomes).filter_map(|(case, outcome)| {
-            let mut object: Map<String, Value> = Map::new();
-            let headings = results.sweep.headings().into_iter().map(String::from);
-            object.extend(headings.zip(case.settings.iter().map(|text| text.as_str().into())));
-            match outcome.as_ref()? {
-                Ok(outcome) => {
-                    object.extend(COLUMNS.iter().map(|column| (column.key.into(), (column.read)(outcome).into())));
-                    object.extend(of_ending(&outcome.run));
-                    object.insert("trace_hash".into(), outcome.run.trace_hash().into());
-                }
-                Err(reason) => {
-                    object.insert("failure".into(), reason.as_str().into());
-                }
-            }
-            Some(Value::Object(object))
-        });
         json!({
             "sweep": results.sweep.name,
             "drop": self.subject.json(),
             "warnings": warnings_of(&results.scenario).unwrap_or_default(),
             "missing": results.missing(),
-            "contrasts": contrasts.collect::<Vec<_>>(),
+            "contrasts": results.sweep.contrasts.iter().map(|contrast| self.contrast_json(contrast)).collect::<Vec<_>>(),
             "notes": self.notes,
-            "cases": cases.collect::<Vec<_>>(),
+            "cases": (0..results.cases.len()).filter_map(|number| self.case_json(number)).collect::<Vec<_>>(),
         })
+    }
+
+    fn contrast_json(&self, contrast: &Contrast) -> Value {
+        let changes = QUANTITIES.iter().zip(self.results.changes(contrast));
+        let changes: Map<String, Value> = changes.map(|(quantity, c)| (quantity.key.into(), c.into())).collect();
+        let paper = contrast.paper.as_ref().filter(|_| self.is_of_the_paper());
+        json!({ "what": contrast.what, "from": contrast.from, "to": contrast.to, "paper": paper, "change_percent": changes })
+    }
+
+    /// The case with this number; nothing if it was not simulated.
+    fn case_json(&self, number: usize) -> Option<Value> {
+        let headings = self.results.sweep.headings().into_iter().map(String::from);
+        let settings = self.results.cases[number].settings.iter().map(|text| text.as_str().into());
+        let mut object: Map<String, Value> = headings.zip(settings).collect();
+        match self.results.outcomes[number].as_ref()? {
+            Ok(outcome) => {
+                object.extend(COLUMNS.iter().map(|column| (column.key.into(), (column.read)(outcome).into())));
+                object.extend(of_ending(&outcome.run));
+                object.insert("trace_hash".into(), outcome.run.trace_hash().into());
+            }
+            Err(reason) => {
+                object.insert("failure".into(), reason.as_str().into());
+            }
+        }
+        Some(Value::Object(object))
     }
 
     /// The picture, as SVG.
@@ -184,18 +187,11 @@ pub fn overview(pages: &[Page]) -> String {
 
 /// What a reader has to know of the numbers.
 fn notes(results: &Results) -> Vec<String> {
-    let sweep = &results.sweep;
-    let own = sweep.axes.last().and_then(|axis| Some((axis, axis.own()?)));
-    let same = if sweep.common() > 0 { ", beside the same other settings" } else { "" };
-    let mut notes = vec![match own {
-        _ if sweep.refines() => format!("Changes are from the finest mesh{same}."),
-        Some((axis, own)) => format!("Changes are from {} = {}, the scenario's own value{same}.", axis.name, own.name),
-        None => format!("Changes are from the first line{same}."),
-    }];
-    let mut hashes: Vec<String> = results.done().map(|(_, outcome)| outcome.run.trace_hash()).collect();
-    let count = hashes.len();
-    hashes.dedup();
-    if let ([axis], true, 1) = (&sweep.axes[..], count > 1, hashes.len()) {
+    let mut notes = vec![reference(&results.sweep)];
+    if let [axis] = &results.sweep.axes[..]
+        && results.done().count() > 1
+        && results.done().map(|(_, outcome)| (outcome.run.trace_hash(), outcome.values.map(f64::to_bits))).all_equal()
+    {
         let name = axis.name.split(" [").next().unwrap_or_default();
         notes.push(format!("{name} changes nothing in this scenario, to the last bit."));
     }
@@ -211,6 +207,16 @@ fn notes(results: &Results) -> Vec<String> {
         notes.push(format!("Interrupted: {} of {} simulations are missing.", results.missing(), results.cases.len()));
     }
     notes
+}
+
+/// From what the changes in brackets are.
+fn reference(sweep: &Sweep) -> String {
+    let same = if sweep.common() > 0 { ", beside the same other settings" } else { "" };
+    match sweep.axes.last().and_then(|axis| Some((axis, axis.own()?))) {
+        _ if sweep.refines() => format!("Changes are from the finest mesh{same}."),
+        Some((axis, own)) => format!("Changes are from {} = {}, the scenario's own value{same}.", axis.name, own.name),
+        None => format!("Changes are from the first line{same}."),
+    }
 }
 
 /// The settings of a case with their names.

@@ -289,6 +289,13 @@ fn any_parameter_is_swept_over_values_in_its_unit() {
     assert_eq!(labels, ["bonded", "frictional"]);
     let length = succeed(folder, &["sweep", "geometry.length=10"]);
     assert!(length.contains("geometry.length changes nothing in this scenario"), "{length}");
+    // The same trace, of which another threshold takes another duration.
+    let threshold = json(folder, &["sweep", "measurement.force_threshold=30", "--json"]);
+    assert!(!threshold["notes"].to_string().contains("changes nothing"), "{threshold}");
+    // A value of more digits than a table shows.
+    let digits = json(folder, &["sweep", "silicone.c10=123456.7890123456", "--json"]);
+    let run = json(folder, &["run", "--set", "silicone.c10=123456.7890123456", "--json"]);
+    assert_eq!(digits["cases"][0]["trace_hash"], run["trace_hash"]);
     let skin = fail(folder, &["sweep", "skin.c10=1e5"], 2);
     assert!(skin.contains("skin.c10 = 100000 Pa has no effect: geometry.layers is one"), "{skin}");
     for (argument, message) in [
