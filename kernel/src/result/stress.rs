@@ -5,6 +5,7 @@ use crate::model::Model;
 use crate::number::math;
 use crate::number::pack::LANES;
 use crate::number::real::Real;
+use crate::number::vector::Scalar;
 use crate::state::StateView;
 use crate::tensor::stretch::largest_in_plane;
 
@@ -36,7 +37,7 @@ impl Stress {
             deviator = deviator + part.lane(l)?;
         }
         let deviator = deviator.section();
-        let whole = if laws.tear.active() { laws.tear.factor(*history.largest_stretch.get(l)?) } else { 1.0 };
+        let whole = if laws.tear.active() { laws.tear.factor(Scalar, *history.largest_stretch.get(l)?) } else { 1.0 };
         let jacobian = jacobian(&history.stretch_prev, l)?;
         let mean = laws.volumetric.stress(mean_jacobian(model, state, block, l)?);
         Some(Self { deviator: deviator.map(|kirchhoff| whole * kirchhoff / jacobian), mean })
