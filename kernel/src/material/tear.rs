@@ -12,7 +12,7 @@
 
 use crate::material::Material;
 use crate::number::real::Real;
-use crate::number::vector::Simd;
+use crate::number::vector::{Simd, Vector};
 use crate::tensor::kinematics::Kinematics;
 use crate::tensor::stretch::largest_in_plane;
 
@@ -40,27 +40,22 @@ impl Tear {
     }
 
     /// phi at the largest stretch so far.
-    pub fn factor(&self, largest: Real) -> Real {
-        let x = (largest - self.limit) / self.width;
-        if x <= 0.0 {
-            1.0
-        } else if x >= 1.0 {
-            self.residual
-        } else {
-            1.0 - (1.0 - self.residual) * (x * x * (3.0 - 2.0 * x))
-        }
+    #[inline(always)]
+    pub fn factor<S: Simd>(&self, simd: S, largest: S::Vector) -> S::Vector {
+        let (zero, one) = (simd.splat(0.0), simd.splat(1.0));
+        let x = (largest - simd.splat(self.limit)) / simd.splat(self.width);
+        let fallen = (x * x * (simd.splat(3.0) - x.mul_scalar(2.0))).mul_scalar(1.0 - self.residual);
+        let torn = one.select_greater(x, one - fallen, simd.splat(self.residual));
+        x.select_greater(zero, torn, one)
     }
 
     /// Takes the stretch of neighbouring triangles into the `largest` so far; returns it, and phi before and after.
     #[inline(always)]
-    pub fn update<S: Simd>(&self, simd: S, kinematics: &Kinematics<S::Vector>, largest: S::Vector) -> [S::Vector; 3] {
+    pub fn update<S: Simd>(&self, simd: S, kinematics: &Kinematics<S::Vector>, before: S::Vector) -> [S::Vector; 3] {
         let Kinematics { mean, difference, shear, hoop, .. } = *kinematics;
-        simd.map([mean, difference, shear, hoop, largest], |[mean, difference, shear, hoop, before]| {
-            let mut largest = before;
-            for stretch in [largest_in_plane(mean, difference, shear), hoop] {
-                largest = if stretch > largest { stretch } else { largest };
-            }
-            [largest, self.factor(before), self.factor(largest)]
-        })
+        let section = largest_in_plane(mean, difference, shear);
+        let largest = section.select_greater(before, section, before);
+        let largest = hoop.select_greater(largest, hoop, largest);
+        [largest, self.factor(simd, before), self.factor(simd, largest)]
     }
 }

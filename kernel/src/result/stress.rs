@@ -9,6 +9,7 @@ use crate::model::Model;
 use crate::number::math;
 use crate::number::pack::LANES;
 use crate::number::real::Real;
+use crate::number::vector::Scalar;
 use crate::state::StateView;
 use crate::tensor::deviator::Deviator;
 use crate::tensor::stretch::largest_in_plane;
@@ -34,7 +35,7 @@ impl Stress {
         }
         let [xx, yy, xy] = kirchhoff.section();
         let largest = *triangle.history.largest_stretch.get(triangle.lane)?;
-        let whole = if laws.tear.active() { laws.tear.factor(largest) } else { 1.0 };
+        let whole = if laws.tear.active() { laws.tear.factor(Scalar, largest) } else { 1.0 };
         let deviator = Matrix2::new(xx, xy, xy, yy) * (whole / jacobian(triangle.stretch()?));
         Some(Self { deviator, mean: laws.volumetric.stress(triangle.mean_jacobian()?) })
     }
