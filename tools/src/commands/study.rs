@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Args;
 use serde_json::Value;
-use softanvil_kernel::Scenario;
+use softanvil_kernel::{Scenario, preset};
 
 use super::drop_options::{DURATION, DropOptions};
 use super::output_files::Overwrite;
@@ -17,7 +17,7 @@ use crate::output::json;
 use crate::output::subject::Subject;
 use crate::plot::picture_format::PictureFormat;
 use crate::run::{Drop, Until};
-use crate::scenario_file::suggestion;
+use crate::scenario_file::names;
 use crate::studies::case::Case;
 use crate::studies::page::{Page, overview};
 use crate::studies::sweep::{Journal, sweep};
@@ -68,11 +68,13 @@ const OVERVIEW: &str = "README.md";
 
 /// A name that is one of a study, for clap.
 fn known(name: &str) -> Result<String, String> {
-    let names = || STUDIES.iter().map(|study| study.name).chain([ALL]).collect::<Vec<_>>().join(", ");
-    match name == ALL || Study::find(name).is_some() {
-        true => Ok(name.into()),
-        false => Err(format!("expected {}, or a parameter such as silicone.c10{}", names(), suggestion(name))),
+    let is_study = name == ALL || STUDIES.iter().any(|study| study.name == name);
+    if is_study || names::may_be(name) {
+        return Ok(name.into());
     }
+    let studies = STUDIES.iter().map(|study| study.name).chain([ALL]).collect::<Vec<_>>().join(", ");
+    let like = names::suggestion(&preset::study(), name);
+    Err(format!("expected {studies}, or a parameter such as silicone.c10{like}"))
 }
 
 /// Simulates and evaluates; returns the tables.
@@ -80,14 +82,15 @@ fn known(name: &str) -> Result<String, String> {
 /// # Errors
 /// A scenario or value that is refused, or a file that cannot be written.
 pub fn carry_out(options: &Options) -> Result<String, Failure> {
-    let studies: Vec<&'static Study> = match Study::find(&options.study) {
+    let mut subject = options.drop.subject()?;
+    let studies: Vec<&'static Study> = match Study::find(&options.study, &subject.scenario) {
         Some(study) => vec![study],
-        None => STUDIES.to_vec(),
+        None if options.study == ALL => STUDIES.to_vec(),
+        None => return Err(Failure::Input(names::unknown(&subject.scenario, &options.study))),
     };
     if studies.len() > 1 && !options.values.is_empty() {
         return Err(Failure::Input("--values is refused with all: expected one study".into()));
     }
-    let mut subject = options.drop.subject()?;
     if options.study == DURATION {
         // What is asked for is how long to simulate.
         subject.until = Until::Duration;

@@ -209,7 +209,7 @@ impl Drop {
     }
 
     fn completed(self, samples: Vec<Scalars>) -> Run {
-        Run { constants: *self.simulation.constants(), until: self.until, samples }
+        Run { constants: self.simulation.constants().clone(), until: self.until, samples }
     }
 }
 

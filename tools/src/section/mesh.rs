@@ -26,14 +26,14 @@ impl Mesh {
     /// # Errors
     /// Never in practice, as [`Simulation::with`].
     pub fn of(simulation: &mut Simulation) -> Result<Self, ModelError> {
-        let constants = *simulation.constants();
-        let grid = &constants.grid;
+        let constants = simulation.constants().clone();
+        let grid = constants.grid;
         let shape = [grid.n_v + 1, grid.n_u + 1];
         let node = |row: usize, column: usize| row * shape[1] + column;
         let places = (0..shape[0]).flat_map(|row| (0..shape[1]).map(move |column| row * grid.stride() + column));
         let cells = (0..grid.n_v).flat_map(|v| (0..grid.n_u).map(move |u| (u, v)));
         let triangles = cells.flat_map(|(u, v)| {
-            triangles(grid, u, v)
+            triangles(&grid, u, v)
                 .map(|corners| corners.map(|corner| node(v + CORNERS[corner][1], u + CORNERS[corner][0])))
         });
         let reference = simulation.with(|model, _| {

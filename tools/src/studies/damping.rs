@@ -38,7 +38,7 @@ fn limits(scenario: &Scenario) -> Vec<(String, f64)> {
     let own = scenario.layers[0].material.slider_yield_stress;
     let stresses = with_own(vec![LIMIT_STRESSES.0, LIMIT_STRESSES.1], own).into_iter().filter(|stress| *stress > 0.0);
     let unlimited =
-        Parameter::find("silicone.slider_yield_stress").map(|parameter| (NO_LIMIT.into(), parameter.range().1));
+        Parameter::find("layers[0].slider_yield_stress").map(|parameter| (NO_LIMIT.into(), parameter.range().1));
     stresses.map(|stress| (short(1e-3 * stress), stress)).chain(unlimited).collect()
 }
 
@@ -49,9 +49,9 @@ fn plan(scenario: &Scenario, values: &[String]) -> Result<Vec<Case>, Failure> {
     let mut cases = Vec::new();
     for (name, stress) in limits(scenario) {
         for modulus in &moduli {
-            let mut scenario = *scenario;
-            set(&mut scenario, "silicone.slider_stiffness", 1e6 * modulus)?;
-            set(&mut scenario, "silicone.slider_yield_stress", stress)?;
+            let mut scenario = scenario.clone();
+            set(&mut scenario, "layers[0].slider_stiffness", 1e6 * modulus)?;
+            set(&mut scenario, "layers[0].slider_yield_stress", stress)?;
             cases.push(Case { settings: vec![name.clone(), short(*modulus)], scenario: Ok(scenario) });
         }
     }

@@ -39,14 +39,14 @@ fn plan(scenario: &Scenario, values: &[String]) -> Result<Vec<Case>, Failure> {
     for outer in with_own(numbers("diameter", values)?, own) {
         let more = 0.5e-3 * (outer - own);
         if short(outer) == short(own) {
-            cases.push(Case { settings: vec![short(own), "as it is".into()], scenario: Ok(*scenario) });
+            cases.push(Case { settings: vec![short(own), "as it is".into()], scenario: Ok(scenario.clone()) });
             continue;
         }
         for (part, name, value) in [
             (CORE, "geometry.core_radius", geometry.core_radius + more),
-            (LAYER, "geometry.silicone_thickness", geometry.silicone_thickness + more),
+            (LAYER, "layers[0].thickness", scenario.layers[0].thickness + more),
         ] {
-            let mut scenario = *scenario;
+            let mut scenario = scenario.clone();
             set(&mut scenario, name, value)?;
             cases.push(Case { settings: vec![short(outer), part.into()], scenario: Ok(scenario) });
         }

@@ -46,11 +46,11 @@ fn plan(scenario: &Scenario, values: &[String]) -> Result<Vec<Case>, Failure> {
     let mut cases = Vec::new();
     for friction in with_own(numbers("friction", values)?, scenario.face.friction_coefficient) {
         let settings = SWEPT.map(String::from).into_iter().chain([short(friction)]);
-        cases.push(Case { settings: settings.collect(), scenario: Ok(rubbing(*scenario, friction)?) });
+        cases.push(Case { settings: settings.collect(), scenario: Ok(rubbing(scenario.clone(), friction)?) });
     }
     for combination in combinations(scenario) {
         let [loading, core, damping, ratio] = &combination;
-        let mut varied = *scenario;
+        let mut varied = scenario.clone();
         varied.core.interface = if core == CORES[0] { Interface::Bonded } else { Interface::Frictional };
         if *ratio != own_ratio(scenario) {
             set_ratio(&mut varied, FRICTION_RATIO)?;
@@ -59,8 +59,8 @@ fn plan(scenario: &Scenario, values: &[String]) -> Result<Vec<Case>, Failure> {
             varied = undamped(varied);
         }
         if damping == DAMPINGS[2] {
-            set(&mut varied, "silicone.slider_stiffness", DAMPING_MODULUS)?;
-            set(&mut varied, "silicone.slider_yield_stress", LIMIT_STRESSES.1)?;
+            set(&mut varied, "layers[0].slider_stiffness", DAMPING_MODULUS)?;
+            set(&mut varied, "layers[0].slider_yield_stress", LIMIT_STRESSES.1)?;
         }
         if loading == LOADINGS[0] {
             varied = press(varied);
@@ -70,7 +70,7 @@ fn plan(scenario: &Scenario, values: &[String]) -> Result<Vec<Case>, Failure> {
         }
         for friction in COEFFICIENTS {
             let settings = combination.iter().cloned().chain([short(friction)]).collect();
-            cases.push(Case { settings, scenario: Ok(rubbing(varied, friction)?) });
+            cases.push(Case { settings, scenario: Ok(rubbing(varied.clone(), friction)?) });
         }
     }
     Ok(cases)

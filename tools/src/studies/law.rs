@@ -62,7 +62,7 @@ fn plan(scenario: &Scenario, values: &[String]) -> Result<Vec<Case>, Failure> {
     let laws = laws.collect::<Result<Vec<_>, _>>()?;
     let fits: Vec<(&'static Law, (f64, bool))> =
         FITS.iter().flat_map(|fit| laws.iter().map(|law| (*law, *fit))).collect();
-    let own = Case { settings: [OWN, "", "", ""].map(String::from).to_vec(), scenario: Ok(*scenario) };
+    let own = Case { settings: [OWN, "", "", ""].map(String::from).to_vec(), scenario: Ok(scenario.clone()) };
     let fitted: Vec<Case> = fits.into_par_iter().map(|(law, fit)| fitted(scenario, law, fit)).collect();
     Ok([own].into_iter().chain(fitted).collect())
 }
@@ -92,7 +92,7 @@ fn fitted(scenario: &Scenario, law: &'static Law, (strain, demanded): (f64, bool
     };
     let scenario = match fit {
         Some(fit) => {
-            let mut scenario = *scenario;
+            let mut scenario = scenario.clone();
             scenario.layers[0].material = with_law(&scenario.layers[0].material, law.material(&fit.values));
             scenario.validate().map(|()| scenario).map_err(|error| error.to_string())
         }

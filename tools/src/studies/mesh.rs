@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use softanvil_kernel::mesh::Grid;
-use softanvil_kernel::scenario::{Layers, Shape};
+use softanvil_kernel::scenario::Shape;
 use softanvil_kernel::{SAMPLING_INTERVAL, Scenario};
 
 use super::case::{CHANNEL_CLASS, Case, Outcome};
@@ -48,7 +48,7 @@ fn plan(scenario: &Scenario, values: &[String]) -> Result<Vec<Case>, Failure> {
     rows.sort_unstable();
     rows.dedup();
     let case = |rows: usize| {
-        let mut scenario = *scenario;
+        let mut scenario = scenario.clone();
         let size = match rows == own.n_v {
             true => scenario.mesh.element_size,
             false => even_size(&scenario, &own, rows).unwrap_or_else(|| scenario.thickness() / rows as f64),
@@ -76,22 +76,17 @@ fn even_size(scenario: &Scenario, own: &Grid, rows: usize) -> Option<f64> {
     let factor = (rows / own.n_v) as f64;
     let geometry = &scenario.geometry;
     let width = match geometry.shape {
-        Shape::Round => 0.5 * std::f64::consts::PI * (geometry.core_radius + 0.5 * geometry.layer_thickness()),
+        Shape::Round => 0.5 * std::f64::consts::PI * (geometry.core_radius + 0.5 * scenario.thickness()),
         Shape::Block => 0.5 * geometry.block_width,
     };
-    let layers = match geometry.layers {
-        Layers::One => vec![(geometry.layer_thickness(), own.n_v)],
-        Layers::Two => {
-            vec![(geometry.silicone_thickness, own.n_v_silicone), (geometry.skin_thickness, own.n_v - own.n_v_silicone)]
-        }
-    };
+    let layers = scenario.layers.iter().enumerate().map(|(place, layer)| (layer.thickness, own.rows_of(place).len()));
     // Sizes that the grid rounds to a count of cells.
     let sizes = |(length, count): (f64, usize)| {
         let count = factor * count as f64;
         length / (count + 0.5)..length / (count - 0.5)
     };
     let columns = sizes((width, own.n_u - own.centre));
-    let common = layers.into_iter().map(sizes).fold(columns, |a: Range<f64>, b| a.start.max(b.start)..a.end.min(b.end));
+    let common = layers.map(sizes).fold(columns, |a: Range<f64>, b| a.start.max(b.start)..a.end.min(b.end));
     (common.start < common.end).then_some(0.5 * (common.start + common.end))
 }
 
@@ -250,14 +245,14 @@ mod tests {
         let mut scenario = preset::study();
         let own = Grid::new(&scenario).unwrap();
         for factor in [2, 3, 4] {
-            let mut fine = scenario;
+            let mut fine = scenario.clone();
             fine.mesh.element_size = even_size(&scenario, &own, factor * own.n_v).unwrap();
             let grid = Grid::new(&fine).unwrap();
             assert_eq!((grid.n_v, grid.n_u), (factor * own.n_v, factor * own.n_u));
         }
         assert_eq!(even_size(&scenario, &own, own.n_v + 1), None);
         // A skin of one row that is thinner than an element does not refine with the silicone.
-        scenario.geometry.layers = Layers::Two;
+        scenario.add_layer(softanvil_kernel::preset::chamois()).unwrap();
         let own = Grid::new(&scenario).unwrap();
         assert_eq!(even_size(&scenario, &own, 2 * own.n_v), None);
     }

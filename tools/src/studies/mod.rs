@@ -21,7 +21,7 @@ pub mod thickness;
 pub mod values;
 pub mod variants;
 
-use softanvil_kernel::Parameter;
+use softanvil_kernel::{Parameter, Scenario};
 
 pub use results::Study;
 
@@ -37,9 +37,9 @@ pub static STUDIES: [&Study; 7] = [
 ];
 
 impl Study {
-    /// The study called `name`, or that of the parameter called so.
-    pub fn find(name: &str) -> Option<&'static Study> {
+    /// The study called `name`, or that of the parameter of `scenario` called so.
+    pub fn find(name: &str, scenario: &Scenario) -> Option<&'static Study> {
         let named = STUDIES.into_iter().find(|study| study.name == name);
-        named.or_else(|| Parameter::find(name).map(parameter::study))
+        named.or_else(|| Parameter::find_in(scenario, name).map(|parameter| parameter::study(name, parameter)))
     }
 }

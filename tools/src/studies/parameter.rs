@@ -1,6 +1,6 @@
 //! Any parameter of the scenario.
 
-use softanvil_kernel::parameter::Kind;
+use softanvil_kernel::parameter::{Kind, Values};
 use softanvil_kernel::{Changes, Parameter, Scenario};
 
 use super::case::{Case, Outcome};
@@ -11,58 +11,59 @@ use crate::measurement::errors::error_percent;
 use crate::measurement::quantity::QUANTITIES;
 use crate::measurement::series::{Sensor, Series};
 use crate::plot::StudyLine;
-use crate::scenario_file::assign;
+use crate::scenario_file::{assign, names};
 
-/// A study of `parameter`.
-pub fn study(parameter: &'static Parameter) -> &'static Study {
+/// A study of `parameter`, which the user calls `name`.
+pub fn study(name: &str, parameter: Parameter) -> &'static Study {
     let unit = parameter.unit();
     // One study, which lives as long as the program: tables and pages hold on to it.
-    let settings: &'static [&'static str] = match parameter.kind {
-        Kind::Choice { .. } => std::slice::from_ref(&parameter.name),
-        Kind::Real { .. } => Box::leak(Box::new([&*format!("{} [{unit}]", parameter.name).leak()])),
+    let name: &'static str = name.to_string().leak();
+    let setting: &'static str = match parameter.kind() {
+        Kind::Choice { .. } => name,
+        Kind::Quantity | Kind::Count => format!("{name} [{unit}]").leak(),
     };
     Box::leak(Box::new(Study {
-        name: parameter.name,
-        title: parameter.name,
-        about: parameter.description,
-        values: format!("{} ({unit})", parameter.name).leak(),
+        name,
+        title: name,
+        about: parameter.description(),
+        values: format!("{name} ({unit})").leak(),
         default_values: &[],
-        settings,
-        plan: |study, scenario, values| plan(parameter_of(study)?, scenario, values),
+        settings: Box::leak(Box::new([setting])),
+        plan: |study, scenario, values| plan(parameter_of(study, scenario)?, scenario, values),
         evaluate,
     }))
 }
 
-fn parameter_of(study: &Study) -> Result<&'static Parameter, Failure> {
-    assign::find(study.name).map_err(Failure::Failed)
+fn parameter_of(study: &Study, scenario: &Scenario) -> Result<Parameter, Failure> {
+    names::find(&Values::of(scenario), study.name).map_err(Failure::Failed)
 }
 
-fn plan(parameter: &'static Parameter, scenario: &Scenario, values: &[String]) -> Result<Vec<Case>, Failure> {
-    let mut cases = vec![(parameter.get(scenario), *scenario)];
+fn plan(parameter: Parameter, scenario: &Scenario, values: &[String]) -> Result<Vec<Case>, Failure> {
+    let mut cases = vec![(parameter.get(scenario), scenario.clone())];
     for text in values {
         let mut changes = Changes::of(scenario);
         let scenario = assign::set_bare(&mut changes, parameter, text)
             .and_then(|()| changes.apply().map_err(|error| error.to_string()))
-            .map_err(|error| Failure::Input(format!("study {}: {error}", parameter.name)))?;
+            .map_err(|error| Failure::Input(format!("study {}: {error}", parameter.name())))?;
         cases.push((parameter.get(&scenario), scenario));
     }
     cases.sort_by(|a, b| a.0.total_cmp(&b.0));
     cases.dedup_by(|a, b| a.0 == b.0);
-    let case = |(value, scenario)| Case { settings: vec![text(parameter, value)], scenario: Ok(scenario) };
+    let case = |(value, scenario)| Case { settings: vec![text(&parameter, value)], scenario: Ok(scenario) };
     Ok(cases.into_iter().map(case).collect())
 }
 
 /// A value as it is written in a scenario file.
 fn text(parameter: &Parameter, value: f64) -> String {
-    match parameter.kind {
-        Kind::Choice { labels, .. } => labels.get(value as usize).copied().unwrap_or_default().into(),
-        Kind::Real { .. } => value.to_string(),
+    match parameter.kind() {
+        Kind::Choice { labels } => labels.get(value as usize).copied().unwrap_or_default().into(),
+        Kind::Quantity | Kind::Count => value.to_string(),
     }
 }
 
 fn evaluate(results: &Results) -> Evaluation {
-    let parameter = parameter_of(results.study).ok();
-    let own = parameter.map(|parameter| text(parameter, parameter.get(&results.scenario))).unwrap_or_default();
+    let parameter = parameter_of(results.study, &results.scenario).ok();
+    let own = parameter.map(|parameter| text(&parameter, parameter.get(&results.scenario))).unwrap_or_default();
     let reference = results.find(&[&own]);
     let mut notes = vec![format!("Changes are from {} = {own}, the scenario's own value.", results.study.name)];
     let mut hashes: Vec<String> = results.done().map(|(_, outcome)| outcome.run.trace_hash()).collect();
@@ -75,8 +76,8 @@ fn evaluate(results: &Results) -> Evaluation {
         sheets: vec![results.sheet("Impacts", &[0], |_| true, reference)],
         findings: Vec::new(),
         notes,
-        picture: match parameter.map(|parameter| &parameter.kind) {
-            Some(Kind::Real { .. }) => lines(results, reference),
+        picture: match parameter.map(|parameter| parameter.kind()) {
+            Some(Kind::Quantity | Kind::Count) => lines(results, reference),
             _ => forces(results),
         },
     }

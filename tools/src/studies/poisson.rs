@@ -79,7 +79,7 @@ fn with_ratio(mut scenario: Scenario, ratio: f64) -> Result<Scenario, Failure> {
 /// The bulk modulus that belongs to the paper's 140 MPa.
 fn with_stiff_bulk(mut scenario: Scenario, ratio: f64) -> Result<Scenario, Failure> {
     scenario.layers[0].material.volumetric_by = VolumetricBy::BulkModulus;
-    set(&mut scenario, "silicone.bulk_modulus", DAMPING_YOUNGS_MODULUS / (3.0 * (1.0 - 2.0 * ratio)))?;
+    set(&mut scenario, "layers[0].bulk_modulus", DAMPING_YOUNGS_MODULUS / (3.0 * (1.0 - 2.0 * ratio)))?;
     Ok(scenario)
 }
 
@@ -95,7 +95,7 @@ fn plan(scenario: &Scenario, values: &[String]) -> Result<Vec<Case>, Failure> {
         // The paper's range is what these are for, and their steps are short.
         let ratios = if is_stiff(variant) { &POISSON.range[..] } else { &values };
         for ratio in ratios {
-            let scenario = (variant.make)(*scenario, *ratio)?;
+            let scenario = (variant.make)(scenario.clone(), *ratio)?;
             cases.push(Case { settings: vec![variant.name.into(), short(*ratio)], scenario: Ok(scenario) });
         }
     }

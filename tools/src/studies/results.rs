@@ -78,7 +78,7 @@ impl Results {
     /// What errors of the scenario's own silicone against the experiment are worth, in a sentence; none of a silicone that is
     /// not the preset's.
     pub fn fitted(&self) -> Option<String> {
-        let own = (self.preset.scenario)().silicone;
+        let own = (self.preset.scenario)().layers[0].material;
         let text = format!("Of the silicone as it is, {}.", self.preset.fitted);
         (self.scenario.layers[0].material == own).then_some(text)
     }

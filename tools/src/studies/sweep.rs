@@ -80,7 +80,7 @@ pub fn sweep(
         return Err(failure);
     }
     let outcomes = outcomes.into_iter().map(|outcome| outcome.into_inner().unwrap_or(None)).collect();
-    Ok(Results { study, scenario: subject.scenario, preset: subject.preset, cases, outcomes })
+    Ok(Results { study, scenario: subject.scenario.clone(), preset: subject.preset, cases, outcomes })
 }
 
 fn elements(scenario: &Scenario) -> u64 {

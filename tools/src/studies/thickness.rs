@@ -28,8 +28,8 @@ pub static STUDY: Study = Study {
 fn plan(scenario: &Scenario, values: &[String]) -> Result<Vec<Case>, Failure> {
     let own = 1e3 * scenario.layers[0].thickness;
     let case = |thickness: f64| {
-        let mut scenario = *scenario;
-        set(&mut scenario, "geometry.silicone_thickness", 1e-3 * thickness)?;
+        let mut scenario = scenario.clone();
+        set(&mut scenario, "layers[0].thickness", 1e-3 * thickness)?;
         Ok(Case { settings: vec![short(thickness)], scenario: Ok(scenario) })
     };
     with_own(numbers("thickness", values)?, own).into_iter().map(case).collect()

@@ -1,9 +1,10 @@
 //! The values of a study as the command line gives them.
 
 use softanvil_kernel::Scenario;
+use softanvil_kernel::parameter::Values;
 
 use crate::failure::Failure;
-use crate::scenario_file::assign;
+use crate::scenario_file::names;
 
 /// `values` as numbers.
 ///
@@ -31,7 +32,7 @@ pub fn with_own(mut values: Vec<f64>, own: f64) -> Vec<f64> {
 /// # Errors
 /// A value that is refused, with its unit and legal range.
 pub(crate) fn set(scenario: &mut Scenario, name: &str, value: f64) -> Result<(), Failure> {
-    let parameter = assign::find(name).map_err(Failure::Failed)?;
+    let parameter = names::find(&Values::of(scenario), name).map_err(Failure::Failed)?;
     parameter.set(scenario, value).map_err(|error| Failure::Input(error.to_string()))
 }
 

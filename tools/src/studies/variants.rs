@@ -18,11 +18,12 @@ const HOLD: f64 = 0.01;
 
 /// `scenario` pressed to [`DEPTH`] and held.
 pub fn press(mut scenario: Scenario) -> Scenario {
+    let depth = DEPTH * scenario.thickness();
     let impactor = &mut scenario.impactor;
     impactor.motion = Motion::Prescribed;
     impactor.gap = 0.0;
     impactor.prescribed_speed = SPEED;
-    impactor.prescribed_depth = DEPTH * scenario.thickness();
+    impactor.prescribed_depth = depth;
     impactor.prescribed_rise = RISE.min(0.5 * impactor.prescribed_depth / SPEED);
     scenario.time.duration = impactor.prescribed_depth / SPEED + impactor.prescribed_rise + HOLD;
     scenario
@@ -30,7 +31,7 @@ pub fn press(mut scenario: Scenario) -> Scenario {
 
 /// `scenario` without Prony series, Maxwell terms and damping spring: its long-term law alone.
 pub fn undamped(mut scenario: Scenario) -> Scenario {
-    for material in [&mut scenario.layers[0].material, &mut scenario.skin] {
+    for material in scenario.layers.iter_mut().map(|layer| &mut layer.material) {
         let scale = material.long_term_scale();
         for coefficient in [
             &mut material.c10,
@@ -56,7 +57,7 @@ pub fn undamped(mut scenario: Scenario) -> Scenario {
 /// A ratio that is refused.
 pub fn set_ratio(scenario: &mut Scenario, ratio: f64) -> Result<(), Failure> {
     scenario.layers[0].material.volumetric_by = VolumetricBy::PoissonsRatio;
-    set(scenario, "silicone.poissons_ratio", ratio)
+    set(scenario, "layers[0].poissons_ratio", ratio)
 }
 
 /// Poisson's ratio of the scenario's silicone, also where its bulk modulus is given.
