@@ -73,8 +73,8 @@ fn known(name: &str) -> Result<String, String> {
         return Ok(name.into());
     }
     let studies = STUDIES.iter().map(|study| study.name).chain([ALL]).collect::<Vec<_>>().join(", ");
-    let like = names::suggestion(&preset::study(), name);
-    Err(format!("expected {studies}, or a parameter such as silicone.c10{like}"))
+    let reason = names::unknown(&preset::study(), name);
+    Err(format!("expected {studies}, or a parameter such as silicone.c10: {reason}"))
 }
 
 /// Simulates and evaluates; returns the tables.

@@ -189,8 +189,8 @@ fn refused_values_say_what_is_legal_and_nothing_is_written() {
     let folder = tempfile::tempdir().unwrap();
     for (arguments, message) in [
         (&["study", "thickness", "--values", "x"][..], "x is refused: expected a list of numbers"),
-        (&["study", "thickness", "--values", "-1"], "geometry.silicone_thickness = -0.001 m is refused"),
-        (&["study", "poisson", "--values", "0.5"], "silicone.poissons_ratio = 0.5"),
+        (&["study", "thickness", "--values", "-1"], "layers[0].thickness = -0.001 m is refused"),
+        (&["study", "poisson", "--values", "0.5"], "layers[0].poissons_ratio = 0.5"),
         (&["study", "friction", "--values", "-0.1"], "face.friction_coefficient = -0.1"),
         (&["study", "diameter", "--values", "140"], "impactor.face_diameter"),
         (&["study", "mesh", "--values", "2.5"], "2.5 is refused: expected a list of whole numbers of rows"),
@@ -234,11 +234,14 @@ fn any_parameter_is_studied_over_values_in_its_unit() {
     let length = succeed(folder, &["study", "geometry.length", "--values", "10"]);
     assert!(length.contains("geometry.length changes nothing in this scenario"), "{length}");
     let skin = fail(folder, &["study", "skin.c10", "--values", "1e5"], 2);
-    assert!(skin.contains("skin.c10 = 100000 Pa has no effect: geometry.layers is one"), "{skin}");
+    assert!(skin.contains("skin.c10 is refused: no layer is called skin: expected layers[1].c10"), "{skin}");
+    let skin = fail(folder, &["study", "layers[1].c10", "--values", "1e5"], 2);
+    assert!(skin.contains("layers[1].c10 = 100000 Pa has no effect: layers.count is 1"), "{skin}");
     for (arguments, message) in [
         (&["study", "silicone.c10"][..], "without --values is refused: expected a list of values of silicone.c10 (Pa)"),
-        (&["study", "silicone.c10", "--values", "-1e20"], "silicone.c10 = -1e20 Pa is refused"),
-        (&["study", "geometry.layers", "--values", "2"], "expected \"one\" or \"two\""),
+        (&["study", "silicone.c10", "--values", "-1e20"], "layers[0].c10 = -1e20 Pa is refused"),
+        (&["study", "geometry.layers", "--values", "2"], "geometry.layers is refused: expected layers.count = 2"),
+        (&["study", "core.interface", "--values", "2"], "expected \"bonded\" or \"frictional\" or \"sliding\""),
         (&["study", "silicone.c1", "--values", "1"], "did you mean silicone.c11?"),
     ] {
         let line = fail(folder, arguments, 2);
