@@ -104,6 +104,9 @@ pub(crate) fn laws_of_layers(scenario: &Scenario, dt: Real) -> [MaterialModel; M
     core::array::from_fn(|place| {
         let layer = scenario.layers.get(place).or(scenario.layers.last());
         // A scenario without a layer is refused.
-        layer.map_or_else(|| MaterialModel::new(&elastic_silicone(), dt), |layer| MaterialModel::new(&layer.material, dt))
+        layer.map_or_else(
+            || MaterialModel::new(&elastic_silicone(), dt),
+            |layer| MaterialModel::new(&layer.material, dt),
+        )
     })
 }

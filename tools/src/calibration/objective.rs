@@ -57,7 +57,7 @@ pub fn evaluate(problem: &Problem, values: &[f64]) -> Evaluation {
 /// # Errors
 /// A value that the kernel refuses.
 pub fn scenario(problem: &Problem, values: &[f64]) -> Result<Scenario, String> {
-    let mut scenario = problem.scenario;
+    let mut scenario = problem.scenario.clone();
     variable::apply(&problem.variables, values, &mut scenario)?;
     Ok(scenario)
 }
@@ -86,7 +86,7 @@ fn attempt(problem: &Problem, values: &[f64]) -> Result<Evaluation, (f64, String
 fn prepare(problem: &Problem, scenario: &Scenario) -> Result<Vec<Drop>, (f64, String)> {
     let mut drops = Vec::new();
     for target in &problem.targets {
-        let mut scenario = *scenario;
+        let mut scenario = scenario.clone();
         scenario.impactor = scenario.impactor.with_energy(target.energy);
         let drop = Drop::until(&scenario, problem.until).map_err(|error| (REFUSED, error.to_string()))?;
         let (steps, most) = (drop.steps_per_sample(), problem.objective.steps_per_sample);

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value, json};
 use softanvil_kernel::preset::Preset;
-use softanvil_kernel::{Changes, PARAMETERS, Parameter, Scenario};
+use softanvil_kernel::{Changes, Parameter, Scenario};
 
 use super::prior::Prior;
 use super::target::{Impact, Target, read_impacts};
@@ -18,6 +18,7 @@ use crate::measurement::series;
 use crate::measurement::series::Sensor;
 use crate::run::Until;
 use crate::scenario_file::assign::{self, Written};
+use crate::scenario_file::names;
 use crate::{presets, scenario_file};
 
 /// The file, as it is written.
@@ -148,7 +149,7 @@ pub struct Problem {
 impl Problem {
     /// Everything that the scores and the order of the evaluations depend on, but for how many are made.
     pub fn inputs(&self) -> Value {
-        let parameter = |parameter: &Parameter| (parameter.name.to_string(), parameter.get(&self.scenario).into());
+        let parameter = |parameter: Parameter| (parameter.name().to_string(), parameter.get(&self.scenario).into());
         let variable = |variable: &Variable| {
             let start = variable.start(&self.scenario);
             let Range { min, max, scale, .. } = variable.range;
@@ -156,7 +157,7 @@ impl Problem {
         };
         json!({
             "version": env!("CARGO_PKG_VERSION"),
-            "scenario": PARAMETERS.iter().map(parameter).collect::<Map<_, _>>(),
+            "scenario": Parameter::of(&self.scenario).map(parameter).collect::<Map<_, _>>(),
             "extended": self.until == Until::Over,
             "parameters": self.variables.iter().map(variable).collect::<Map<_, _>>(),
             "impacts": self.targets.iter().map(Target::inputs).collect::<Vec<_>>(),
@@ -200,8 +201,9 @@ impl Problem {
         for (name, value) in &file.fixed {
             fix(&mut changes, name, value)?;
         }
-        let variables =
-            file.parameters.iter().map(|(name, range)| variable(name, range)).collect::<Result<Vec<_>, _>>()?;
+        let layers = changes.values().scenario();
+        let variables = file.parameters.iter().map(|(name, range)| variable(&layers, name, range));
+        let variables = variables.collect::<Result<Vec<_>, _>>()?;
         let scenario = changed(changes, &variables)?;
         if variables.is_empty() {
             return Err("[parameters] is empty: there is nothing to search for".into());
@@ -229,9 +231,9 @@ impl Problem {
     }
 }
 
-fn variable(name: &str, range: &Value) -> Result<Variable, String> {
+fn variable(scenario: &Scenario, name: &str, range: &Value) -> Result<Variable, String> {
     let range = Range::deserialize(range).map_err(|error| format!("{name}: {error}"))?;
-    Variable::new(name, range)
+    Variable::new(scenario, name, range)
 }
 
 /// The scenario of `changes` and of what is searched for, all of which acts.
@@ -241,7 +243,8 @@ fn changed(mut changes: Changes, variables: &[Variable]) -> Result<Scenario, Str
     }
     let scenario = changes.resolve().map_err(|error| error.to_string())?;
     // A term that may begin at 0 acts in the middle of its range.
-    let (mut middle, values) = (scenario, variables.iter().map(|variable| variable.value(0.5)).collect::<Vec<_>>());
+    let (mut middle, values) =
+        (scenario.clone(), variables.iter().map(|variable| variable.value(0.5)).collect::<Vec<_>>());
     apply(variables, &values, &mut middle)?;
     if let Some(no_effect) = changes.without_effect(&middle).next() {
         return Err(no_effect.to_string());
@@ -252,15 +255,15 @@ fn changed(mut changes: Changes, variables: &[Variable]) -> Result<Scenario, Str
 
 /// Sets a parameter to what stands under [fixed]: a number, or the label of a choice.
 fn fix(changes: &mut Changes, name: &str, value: &Value) -> Result<(), String> {
-    let parameter = assign::find(name).map_err(|error| format!("fixed: {error}"))?;
+    let parameter = names::find(changes.values(), name).map_err(|error| format!("fixed: {error}"))?;
     let written = match value {
         Value::Number(number) => number.as_f64().map_or(Written::Other, Written::Number),
         Value::String(label) => Written::Label(label),
         _ => Written::Other,
     };
-    let number = assign::number(parameter, written)
+    let number = assign::number(&parameter, written)
         .map_err(|legal| format!("fixed: {name} = {value} is refused: expected {legal}"))?;
-    check_fits_impacts(parameter)?;
+    check_fits_impacts(&parameter)?;
     changes.set(parameter, number).map_err(|error| format!("fixed: {error}"))
 }
 

@@ -1,9 +1,11 @@
-//! What a search varies: a row of the kernel's table of parameters, or the overstress of a Prony term.
+//! What a search varies: a parameter of the kernel, or the overstress of a Prony term.
 
 use serde::{Deserialize, Serialize};
 use softanvil_kernel::material::{MAX_PRONY_TERMS, Material};
 use softanvil_kernel::parameter::Kind;
 use softanvil_kernel::{Changes, Parameter, Scenario};
+
+use crate::scenario_file::names;
 
 /// How a range is searched.
 #[derive(Clone, Copy, Debug, Default, Deserialize, Serialize, PartialEq, Eq)]
@@ -34,15 +36,20 @@ pub struct Range {
 /// What a variable changes.
 #[derive(Clone, Copy)]
 enum Place {
-    Row(&'static Parameter),
-    /// g_k / g_inf of term k of the silicone: the long-term law and the other terms keep their stress when it changes,
-    /// which g_k alone does not give.
-    Overstress(usize),
+    Row(Parameter),
+    /// g_k / g_inf of a term of a layer: the long-term law and the other terms keep their stress when it changes, which g_k
+    /// alone does not give.
+    Overstress {
+        /// The layer, counted from the core.
+        layer: usize,
+        /// The term, from 0.
+        term: usize,
+    },
 }
 
 /// A parameter with the range in which it is searched.
 pub struct Variable {
-    /// Name: that of a parameter, or `silicone.overstress_k`.
+    /// Name: that of a parameter, or `overstress_k` of a layer.
     pub name: String,
     /// SI unit.
     pub unit: &'static str,
@@ -51,19 +58,19 @@ pub struct Variable {
     place: Place,
 }
 
-/// Names of the overstress of a Prony term begin so.
-const OVERSTRESS: &str = "silicone.overstress_";
+/// The field of the overstress of a Prony term begins so.
+const OVERSTRESS: &str = "overstress_";
 
 impl Variable {
-    /// The variable called `name`, searched in `range`.
+    /// The variable called `name` in `scenario`, searched in `range`.
     ///
     /// # Errors
     /// An unknown name, or a range that is empty or not legal for the parameter.
-    pub fn new(name: &str, range: Range) -> Result<Self, String> {
-        let place = place(name)?;
+    pub fn new(scenario: &Scenario, name: &str, range: Range) -> Result<Self, String> {
+        let place = place(scenario, name)?;
         let (unit, legal) = match place {
             Place::Row(parameter) => (parameter.unit(), parameter.range()),
-            Place::Overstress(_) => ("1", (0.0, 1e4)),
+            Place::Overstress { .. } => ("1", (0.0, 1e4)),
         };
         let refuse =
             |legal: String| Err(format!("{name} from {} to {} {unit} is refused: {legal}", range.min, range.max));
@@ -88,7 +95,7 @@ impl Variable {
     pub fn get(&self, scenario: &Scenario) -> f64 {
         match self.place {
             Place::Row(parameter) => parameter.get(scenario),
-            Place::Overstress(term) => overstress(&scenario.layers[0].material)[term],
+            Place::Overstress { layer, term } => overstress(&scenario.layers[layer].material)[term],
         }
     }
 
@@ -99,10 +106,10 @@ impl Variable {
     pub fn give(&self, changes: &mut Changes) -> Result<(), String> {
         match self.place {
             Place::Row(parameter) => {
-                let start = self.start(changes.scenario());
+                let start = self.start(&changes.values().scenario());
                 changes.set(parameter, start).map_err(|error| error.to_string())
             }
-            Place::Overstress(_) => Ok(()),
+            Place::Overstress { .. } => Ok(()),
         }
     }
 
@@ -151,20 +158,19 @@ impl Variable {
 /// # Errors
 /// A value that the kernel refuses.
 pub fn apply(variables: &[Variable], values: &[f64], scenario: &mut Scenario) -> Result<(), String> {
-    let mut ratios = overstress(&scenario.layers[0].material);
-    let mut relative = false;
+    let before: Vec<_> = scenario.layers.iter().map(|layer| overstress(&layer.material)).collect();
+    let mut ratios = before.clone();
     for (variable, value) in variables.iter().zip(values) {
         match variable.place {
             Place::Row(parameter) => parameter.set(scenario, *value).map_err(|error| error.to_string())?,
-            Place::Overstress(term) => {
-                ratios[term] = *value;
-                relative = true;
-            }
+            Place::Overstress { layer, term } => ratios[layer][term] = *value,
         }
     }
-    if relative {
-        let instantaneous = 1.0 + ratios.iter().sum::<f64>();
-        scenario.layers[0].material.prony_g = ratios.map(|ratio| ratio / instantaneous);
+    for (layer, (ratios, before)) in scenario.layers.iter_mut().zip(ratios.into_iter().zip(before)) {
+        if ratios != before {
+            let instantaneous = 1.0 + ratios.iter().sum::<f64>();
+            layer.material.prony_g = ratios.map(|ratio| ratio / instantaneous);
+        }
     }
     Ok(())
 }
@@ -175,19 +181,27 @@ fn overstress(material: &Material) -> [f64; MAX_PRONY_TERMS] {
     material.prony_g.map(|g| g / g_inf)
 }
 
-fn place(name: &str) -> Result<Place, String> {
-    if let Some(term) = name.strip_prefix(OVERSTRESS) {
-        return match term.parse::<usize>() {
-            Ok(term @ 1..=MAX_PRONY_TERMS) => Ok(Place::Overstress(term - 1)),
-            _ => Err(format!("{name} is unknown: expected {OVERSTRESS}1 to {OVERSTRESS}{MAX_PRONY_TERMS}")),
+fn place(scenario: &Scenario, name: &str) -> Result<Place, String> {
+    let overstress = name.rsplit_once('.').and_then(|(group, field)| Some((group, field.strip_prefix(OVERSTRESS)?)));
+    if let Some((group, term)) = overstress {
+        // The layer is that of any of its parameters.
+        let layer = Parameter::find_in(scenario, &format!("{group}.prony_g_1")).and_then(|found| found.layer());
+        let layer = layer.filter(|layer| *layer < scenario.layers.len());
+        return match (layer, term.parse::<usize>()) {
+            (Some(layer), Ok(term @ 1..=MAX_PRONY_TERMS)) => Ok(Place::Overstress { layer, term: term - 1 }),
+            (Some(_), _) => {
+                let first = format!("{group}.{OVERSTRESS}");
+                Err(format!("{name} is unknown: expected {first}1 to {first}{MAX_PRONY_TERMS}"))
+            }
+            (None, _) => Err(names::unknown(scenario, name)),
         };
     }
-    match Parameter::find(name) {
-        Some(Parameter { kind: Kind::Choice { .. }, .. }) => {
-            Err(format!("{name} is a choice and cannot be searched: give it under [fixed]"))
+    match Parameter::find_in(scenario, name) {
+        Some(parameter) if parameter.kind() != Kind::Quantity => {
+            Err(format!("{name} is no quantity and cannot be searched: give it under [fixed]"))
         }
-        Some(parameter) => check_fits_impacts(parameter).map(|()| Place::Row(parameter)),
-        None => Err(format!("{name} is unknown{}", crate::scenario_file::suggestion(name))),
+        Some(parameter) => check_fits_impacts(&parameter).map(|()| Place::Row(parameter)),
+        None => Err(names::unknown(scenario, name)),
     }
 }
 
@@ -196,10 +210,9 @@ fn place(name: &str) -> Result<Place, String> {
 /// # Errors
 /// Height, energy and speed of the drop, and the choice between them.
 pub fn check_fits_impacts(parameter: &Parameter) -> Result<(), String> {
-    match parameter.name {
-        name if name.starts_with("impactor.drop_") => Err(format!("{name} has no effect: every impact has its energy")),
-        _ => Ok(()),
-    }
+    let name = parameter.name();
+    let states_drop = name.group() == "impactor" && name.field().starts_with("drop_");
+    if states_drop { Err(format!("{name} has no effect: every impact has its energy")) } else { Ok(()) }
 }
 
 #[cfg(test)]
@@ -213,7 +226,7 @@ mod tests {
 
     #[test]
     fn the_overstress_of_a_term_leaves_that_of_the_others() {
-        let variables = [Variable::new("silicone.overstress_1", range(1.0, 60.0)).unwrap()];
+        let variables = [Variable::new(&preset::study(), "silicone.overstress_1", range(1.0, 60.0)).unwrap()];
         let mut scenario = preset::study();
         let before = overstress(&scenario.layers[0].material)[1];
         apply(&variables, &[7.0], &mut scenario).unwrap();
@@ -222,10 +235,22 @@ mod tests {
         assert_eq!(variables[0].get(&scenario), after[0]);
     }
 
+    /// Each layer has its terms; those of a layer that no variable is of stay as they are, to the last bit.
+    #[test]
+    fn the_overstress_is_that_of_its_layer() {
+        let mut scenario = preset::study();
+        scenario.add_layer(preset::chamois()).unwrap();
+        let before = scenario.clone();
+        let of_skin = Variable::new(&scenario, "skin.overstress_2", range(1.0, 60.0)).unwrap();
+        apply(&[of_skin], &[3.0], &mut scenario).unwrap();
+        assert_eq!(scenario.layers[0], before.layers[0]);
+        assert_eq!(overstress(&scenario.layers[1].material), [0.0, 3.0, 0.0, 0.0, 0.0]);
+    }
+
     #[test]
     fn a_range_is_walked_from_end_to_end() {
         for scale in [Scale::Linear, Scale::Log] {
-            let variable = Variable::new("silicone.c10", Range { scale, ..range(1e3, 1e6) }).unwrap();
+            let variable = Variable::new(&preset::study(), "silicone.c10", Range { scale, ..range(1e3, 1e6) }).unwrap();
             assert_eq!((variable.value(0.0), variable.value(1.0)), (1e3, 1e6));
             assert!((variable.part(variable.value(0.3)) - 0.3).abs() < 1e-12);
         }
@@ -233,7 +258,8 @@ mod tests {
 
     #[test]
     fn a_value_on_a_bound_is_told_from_one_inside() {
-        let variable = Variable::new("silicone.c10", Range { scale: Scale::Log, ..range(1e3, 1e6) }).unwrap();
+        let variable =
+            Variable::new(&preset::study(), "silicone.c10", Range { scale: Scale::Log, ..range(1e3, 1e6) }).unwrap();
         assert_eq!([1e3, 1.001e3, 1e6].map(|value| variable.bound(value).is_some()), [true; 3]);
         assert_eq!((variable.bound(1e3), variable.bound(1e6)), (Some("lower bound"), Some("upper bound")));
         assert_eq!([1.1e3, 1e5, 9e5].map(|value| variable.bound(value)), [None; 3]);
@@ -241,12 +267,14 @@ mod tests {
 
     #[test]
     fn a_refused_range_says_what_is_legal() {
-        let refused = |name: &str, range: Range| Variable::new(name, range).err().unwrap();
+        let refused = |name: &str, range: Range| Variable::new(&preset::study(), name, range).err().unwrap();
         assert!(refused("silicone.c1", range(0.0, 1.0)).contains("did you mean"));
         assert!(refused("silicone.law", range(0.0, 1.0)).contains("[fixed]"));
         assert!(refused("silicone.c10", range(2.0, 1.0)).contains("min below max"));
         assert!(refused("silicone.c10", Range { scale: Scale::Log, ..range(0.0, 1.0) }).contains("above 0"));
         assert!(refused("silicone.density", range(0.0, 1.0)).contains("expected 10 to 20000 kg/m3"));
-        assert!(refused("silicone.overstress_9", range(0.0, 1.0)).contains("overstress_5"));
+        assert!(refused("layers[0].rows", range(0.0, 1.0)).contains("[fixed]"));
+        assert!(refused("silicone.overstress_9", range(0.0, 1.0)).contains("silicone.overstress_5"));
+        assert!(refused("skin.overstress_1", range(0.0, 1.0)).contains("no layer is called skin"));
     }
 }

@@ -11,7 +11,7 @@ use crate::failure::Failure;
 use crate::output::subject::Subject;
 use crate::presets;
 use crate::run::Until;
-use crate::scenario_file::{self, assign};
+use crate::scenario_file::{self, assign, names};
 
 /// Which drop to simulate.
 #[derive(Debug, Args)]
@@ -25,7 +25,7 @@ pub struct DropOptions {
     /// Material file (TOML, as `softanvil fit --out` writes it); its values stand over those of the scenario
     #[arg(long, value_name = "FILE")]
     material: Option<PathBuf>,
-    /// Parameter to set over those, by its name in the scenario file: silicone.c10=2e5, geometry.layers=two; repeat for more
+    /// Parameter to set over those, by its name in the scenario file: silicone.c10=2e5 or layers[0].c10=2e5; repeat for more
     #[arg(long, value_name = "KEY=VALUE")]
     set: Vec<String>,
     #[command(flatten)]
@@ -60,7 +60,7 @@ impl DropOptions {
         let preset = (self.preset.scenario)();
         let mut scenario = match &self.scenario {
             Some(path) => scenario_file::read(path, &preset)?,
-            None => preset,
+            None => preset.clone(),
         };
         if let Some(path) = &self.material {
             scenario = scenario_file::read_material(path, &scenario)?;
@@ -70,7 +70,7 @@ impl DropOptions {
         for text in &self.set {
             let parameter = assign::set_text(&mut changes, text)
                 .map_err(|error| Failure::Input(format!("--set {text}: {error}")))?;
-            own_duration |= parameter.name == DURATION;
+            own_duration |= parameter.name() == DURATION;
         }
         self.start.apply(&mut changes)?;
         if let Some(duration) = self.duration {
@@ -95,7 +95,7 @@ impl StartOptions {
     fn apply(&self, changes: &mut Changes) -> Result<(), Failure> {
         for (option, value) in [("energy", self.energy), ("height", self.height), ("speed", self.speed)] {
             if let Some(value) = value {
-                if changes.scenario().impactor.motion == Motion::Prescribed {
+                if changes.values().scenario().impactor.motion == Motion::Prescribed {
                     let text = "is refused: impactor.motion = prescribed does not fall; expected drop";
                     return Err(Failure::Input(format!("--{option} {text}")));
                 }
@@ -107,6 +107,6 @@ impl StartOptions {
 }
 
 fn set(changes: &mut Changes, name: &str, value: f64) -> Result<(), Failure> {
-    let parameter = assign::find(name).map_err(Failure::Input)?;
+    let parameter = names::find(changes.values(), name).map_err(Failure::Input)?;
     changes.set(parameter, value).map_err(|error| Failure::Input(error.to_string()))
 }

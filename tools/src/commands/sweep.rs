@@ -17,7 +17,7 @@ use crate::output::json;
 use crate::output::subject::Subject;
 use crate::plot::picture_format::PictureFormat;
 use crate::run::{Drop, Until};
-use crate::scenario_file::suggestion;
+use crate::scenario_file::names;
 use crate::sweep::axis::{Axis, Value};
 use crate::sweep::case::Case;
 use crate::sweep::convergence::REFINEMENTS;
@@ -117,7 +117,7 @@ impl Options {
         }
         if let Some(other) = files.iter().find(|file| !file.ends_with(".toml")) {
             let legal = "expected PARAMETER=LIST, such as silicone.c10=1e5,2e5, or a file that ends in .toml";
-            return Err(Failure::Input(format!("{other} is refused: {legal}{}", suggestion(other))));
+            return Err(Failure::Input(format!("{other} is refused: {legal}{}", names::suggestion(scenario, other))));
         }
         let sweeps = files.into_iter().map(|path| file::read(Path::new(path), scenario, &self.convergence));
         let sweeps = sweeps.collect::<Result<Vec<_>, _>>()?;
@@ -150,7 +150,8 @@ impl Options {
             [] => None,
             _ => Some(format!("--convergence={}", self.convergence.iter().join(","))),
         };
-        let mut about = names.iter().filter_map(|name| Parameter::find(name)).map(|parameter| parameter.description);
+        let mut about =
+            names.iter().filter_map(|name| Parameter::find_in(scenario, name)).map(|parameter| parameter.description());
         Ok(Sweep {
             name: if names.is_empty() { "convergence".into() } else { names.join("-") },
             title: if names.is_empty() { "Convergence with the mesh".into() } else { names.join(", ") },

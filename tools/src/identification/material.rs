@@ -5,7 +5,6 @@ use softanvil_identify::export::{Layer, ReadBackError, abaqus, c_source, ls_dyna
 use softanvil_identify::law::Mode;
 use softanvil_identify::law::volume::Volume;
 use softanvil_kernel::material::{Material, Moduli, VolumetricBy};
-use softanvil_kernel::scenario::Layers;
 use softanvil_kernel::{Scenario, preset};
 
 use super::Identification;
@@ -139,15 +138,8 @@ impl Identified {
 
     /// The study's scenario with this material.
     pub fn scenario(&self) -> Scenario {
-        let mut scenario = preset::study();
-        match self.layer {
-            Layer::Silicone => scenario.layers[0].material = self.material,
-            Layer::Skin => {
-                scenario.skin = self.material;
-                scenario.geometry.layers = Layers::Two;
-                scenario.layers[0].thickness -= scenario.geometry.skin_thickness;
-            }
-        }
+        let mut scenario = anvil(self.layer);
+        scenario.layers[self.layer.place()].material = self.material;
         scenario
     }
 
@@ -158,7 +150,7 @@ impl Identified {
     pub fn files(&self) -> Result<Files, Failure> {
         let (material, layer) = (&self.material, self.layer);
         let mut files = Files { written: Vec::new(), refused: Vec::new() };
-        let toml = scenario_file::material_to_toml(&self.scenario(), layer.group(), &self.comment);
+        let toml = scenario_file::material_to_toml(&self.scenario(), layer.place(), &self.comment);
         let read = self.read_toml(&toml);
         files.add(self, "material.toml", toml, read);
         let text = ssv::text("material", material, layer).map_err(|error| Failure::Failed(error.to_string()))?;
@@ -183,11 +175,22 @@ impl Identified {
     /// # Errors
     /// A file that is refused.
     pub fn read_toml(&self, text: &str) -> Result<Card, ReadBackError> {
-        let (mut base, study) = (self.scenario(), preset::study());
-        (base.layers[0].material, base.skin) = (study.layers[0].material, study.skin);
-        let scenario = scenario_file::parse(text, &base).map_err(|error| ReadBackError::new(error.to_string()))?;
-        Ok(Card::of(if self.layer == Layer::Skin { &scenario.skin } else { &scenario.layers[0].material }))
+        let scenario =
+            scenario_file::parse(text, &anvil(self.layer)).map_err(|error| ReadBackError::new(error.to_string()))?;
+        Ok(Card::of(&scenario.layers[self.layer.place()].material))
     }
+}
+
+/// The study's anvil, with a skin on a silicone that is as much thinner where the layer is the skin.
+fn anvil(layer: Layer) -> Scenario {
+    let mut scenario = preset::study();
+    if layer == Layer::Skin {
+        let skin = preset::chamois();
+        scenario.layers[0].thickness -= skin.thickness;
+        scenario.set_layer_count(layer.place() + 1);
+        scenario.layers[layer.place()] = skin;
+    }
+    scenario
 }
 
 /// Gives the material the terms, which leave it an equilibrium; says so if that changed them.
@@ -205,8 +208,7 @@ fn add_prony(material: &mut Material, terms: Vec<(f64, f64)>) -> Option<String> 
 
 /// What the options give, and the layer's values in the preset study where they leave it open.
 pub fn given(moduli: Moduli, density: Option<f64>, poissons_ratio: Option<f64>, layer: Layer) -> Given {
-    let study = preset::study();
-    let own = if layer == Layer::Skin { study.skin } else { study.layers[0].material };
+    let own = anvil(layer).layers[layer.place()].material;
     Given {
         moduli,
         density: density.unwrap_or(own.density),
@@ -221,9 +223,8 @@ mod tests {
 
     #[test]
     fn what_no_option_gives_is_the_preset_s() {
-        for (layer, material) in
-            [(Layer::Silicone, preset::study().layers[0].material), (Layer::Skin, preset::study().skin)]
-        {
+        let silicone = preset::study().layers[0].material;
+        for (layer, material) in [(Layer::Silicone, silicone), (Layer::Skin, preset::chamois().material)] {
             let left_open = given(Moduli::LongTerm, None, None, layer);
             assert_eq!((left_open.density, left_open.poissons_ratio), (material.density, material.poissons_ratio));
             assert_eq!(given(Moduli::LongTerm, None, Some(0.4), layer).poissons_ratio, 0.4);

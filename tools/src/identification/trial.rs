@@ -24,7 +24,7 @@ impl Trial {
         let mut failure: Option<RunError> = None;
         for halving in 0..=HALVINGS {
             let energy = scenario.impactor.drop_energy * 0.5_f64.powi(halving as i32);
-            let tried = Scenario { impactor: scenario.impactor.with_energy(energy), ..*scenario };
+            let tried = Scenario { impactor: scenario.impactor.with_energy(energy), ..scenario.clone() };
             match (run(&tried), failure) {
                 (Ok(_), failure) => {
                     return Ok(Self { scenario: tried, failure: failure.map(|error| error.to_string()) });
@@ -36,7 +36,7 @@ impl Trial {
         }
         match failure {
             Some(error) => Err(error),
-            None => run(scenario).map(|_| Self { scenario: *scenario, failure: None }),
+            None => run(scenario).map(|_| Self { scenario: scenario.clone(), failure: None }),
         }
     }
 

@@ -16,7 +16,7 @@ const DIFFERENT: f64 = 0.05;
 /// A ratio that the kernel does not take, or a planar test of a compressible specimen.
 pub fn of(curves: &[Curves], stated: Option<f64>) -> Result<Volume, Failure> {
     let volume = stated.map(Volume::Stated).or_else(|| measured(curves)).unwrap_or(Volume::Assumed);
-    if let (Some(ratio), Some(parameter)) = (volume.poissons_ratio(), Parameter::find("silicone.poissons_ratio")) {
+    if let (Some(ratio), Some(parameter)) = (volume.poissons_ratio(), Parameter::find("layers[0].poissons_ratio")) {
         let source = if stated.is_some() { "--poissons-ratio" } else { "the lateral strains" };
         parameter.check(ratio).map_err(|error| Failure::Input(format!("{source}: {error}")))?;
     }

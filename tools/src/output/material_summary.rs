@@ -1,26 +1,28 @@
 //! What a material is, in a few lines: its moduli at once and in the end, and what each of its mechanisms adds.
 
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 use softanvil_kernel::Scenario;
 use softanvil_kernel::material::Material;
 use softanvil_kernel::scenario::Layer;
 
 use crate::text::number::four_digits;
 
-/// The layers of `scenario` that have a material of their own.
-fn layers(scenario: &Scenario) -> Vec<Layer<'_>> {
-    let mut layers = scenario.layers().to_vec();
-    layers.dedup_by_key(|layer| layer.name);
-    layers
+/// What people call the layers of `scenario`, and the layers.
+fn layers(scenario: &Scenario) -> impl Iterator<Item = (String, &Layer)> {
+    scenario.layers.iter().enumerate().map(|(place, layer)| (name(place, layer), layer))
+}
+
+/// The name of a layer, or its place.
+pub fn name(place: usize, layer: &Layer) -> String {
+    if layer.name.is_empty() { format!("layers[{place}]") } else { layer.name.to_string() }
 }
 
 /// The materials of `scenario` for people, a paragraph for each layer.
 pub fn text(scenario: &Scenario) -> String {
-    layers(scenario).iter().map(describe).collect::<Vec<_>>().join("\n")
+    layers(scenario).map(|(name, layer)| describe(&name, &layer.material)).collect::<Vec<_>>().join("\n")
 }
 
-fn describe(layer: &Layer) -> String {
-    let (name, material) = (layer.name, layer.material);
+fn describe(name: &str, material: &Material) -> String {
     let (at_once, end) = (material.shear_modulus_0(), material.shear_modulus_inf());
     let bulk = material.effective_bulk_modulus();
     let speed = |modulus: f64| four_digits((modulus / material.density).sqrt());
@@ -78,22 +80,23 @@ fn pascal(value: f64) -> String {
     }
 }
 
-/// The same numbers for other programs, SI, by layer.
+/// The layers for other programs, SI, from the core to the surface: names, thicknesses and the same numbers.
 pub fn json(scenario: &Scenario) -> Value {
-    let one = |layer: Layer| {
-        let material = layer.material;
+    let one = |(name, layer): (String, &Layer)| {
+        let material = &layer.material;
         let (at_once, end) = (material.shear_modulus_0(), material.shear_modulus_inf());
-        let numbers = json!({
+        json!({
+            "name": name,
+            "thickness": layer.thickness,
             "density": material.density,
             "shear_modulus_at_once": at_once,
             "shear_modulus_in_the_end": end,
             "bulk_modulus": material.effective_bulk_modulus(),
             "poissons_ratio_at_once": material.poissons_ratio_of(at_once),
             "poissons_ratio_in_the_end": material.poissons_ratio_of(end),
-        });
-        (layer.name.to_string(), numbers)
+        })
     };
-    layers(scenario).into_iter().map(one).collect::<Map<_, _>>().into()
+    layers(scenario).map(one).collect()
 }
 
 #[cfg(test)]
@@ -113,6 +116,17 @@ mod tests {
             assert!(text.contains(part), "{part}: {text}");
         }
         assert!(!text.contains("slider") && !text.contains("skin"), "{text}");
+    }
+
+    #[test]
+    fn every_layer_has_a_paragraph_under_its_name_or_place() {
+        let mut scenario = preset::study();
+        scenario.set_layer_count(2);
+        scenario.add_layer(preset::chamois()).unwrap();
+        let text = text(&scenario);
+        let heads: Vec<_> = text.lines().filter_map(|line| line.split_once(": ")).map(|(name, _)| name).collect();
+        assert_eq!(heads, ["silicone", "layers[1]", "skin"]);
+        assert_eq!(json(&scenario)[2]["thickness"], 1e-3);
     }
 
     #[test]

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use serde_json::{Value, json};
 use softanvil_kernel::mesh::Grid;
 use softanvil_kernel::preset::Preset;
-use softanvil_kernel::scenario::{DropBy, Formulation, Layers, Motion, Section, Shape};
+use softanvil_kernel::scenario::{DropBy, Formulation, Motion, Section, Shape};
 use softanvil_kernel::{Constants, ModelError, Scenario};
 
 use crate::output::material_summary;
@@ -55,7 +55,7 @@ impl Subject {
 
     /// The same for programs, in SI.
     pub fn json(&self) -> Value {
-        let (impactor, geometry) = (&self.scenario.impactor, &self.scenario.geometry);
+        let impactor = &self.scenario.impactor;
         let path = |path: &Option<PathBuf>| path.as_ref().map(|path| path.display().to_string());
         let motion = match impactor.motion {
             Motion::Prescribed => json!({
@@ -72,9 +72,8 @@ impl Subject {
             "material_file": path(&self.material_file),
             "set": self.set,
             "impactor": motion,
-            "layer_thickness": geometry.layer_thickness(),
-            "materials": material_summary::json(&self.scenario),
-            "layers": if geometry.layers == Layers::Two { 2 } else { 1 },
+            "layer_thickness": self.scenario.thickness(),
+            "layers": material_summary::json(&self.scenario),
         })
     }
 }
@@ -116,13 +115,12 @@ pub fn drop(scenario: &Scenario) -> String {
 fn anvil(scenario: &Scenario) -> String {
     let geometry = &scenario.geometry;
     let in_mm = |length: f64| short(1e3 * length);
-    let layer = match geometry.layers {
-        Layers::One => format!("a layer of {} mm", in_mm(geometry.layer_thickness())),
-        Layers::Two => format!(
-            "{} mm under a skin of {} mm of its own material",
-            in_mm(geometry.silicone_thickness),
-            in_mm(geometry.skin_thickness)
-        ),
+    let parts = scenario.layers.iter().enumerate();
+    let parts =
+        parts.map(|(k, layer)| format!("{} mm of {}", in_mm(layer.thickness), material_summary::name(k, layer)));
+    let layer = match scenario.layers.len() {
+        1 => format!("a layer of {} mm", in_mm(scenario.thickness())),
+        _ => format!("{}, from the core to the surface,", parts.collect::<Vec<_>>().join(", ")),
     };
     let axisymmetric = geometry.formulation == Formulation::Axisymmetric;
     let on = match (geometry.shape, axisymmetric) {

@@ -101,7 +101,7 @@ impl<'a> Content<'a> {
     fn scenario(&self) -> Scenario {
         match self.about {
             About::Validation(validation) => (validation.preset.scenario)(),
-            About::Own(subject) => subject.scenario,
+            About::Own(subject) => subject.scenario.clone(),
         }
     }
 

@@ -5,7 +5,7 @@
 use softanvil_kernel::parameter::Kind;
 use softanvil_kernel::{Changes, Parameter};
 
-use super::suggestion::suggestion;
+use super::names;
 
 /// A value as it is written.
 #[derive(Clone, Copy, Debug)]
@@ -20,23 +20,15 @@ pub enum Written<'a> {
     Other,
 }
 
-/// The parameter called `name`.
-///
-/// # Errors
-/// That there is none, with the nearest name.
-pub fn find(name: &str) -> Result<&'static Parameter, String> {
-    Parameter::find(name).ok_or_else(|| format!("{name} is unknown{}", suggestion(name)))
-}
-
 /// The number that `written` gives to `parameter`; for a choice, its index.
 ///
 /// # Errors
 /// What is legal, if it is of the wrong kind.
 pub fn number(parameter: &Parameter, written: Written) -> Result<f64, String> {
-    let found = match (&parameter.kind, written) {
-        (Kind::Real { .. }, Written::Number(number)) => Some(number),
-        (Kind::Real { .. }, Written::Bare(text)) => text.parse().ok(),
-        (Kind::Choice { labels, .. }, Written::Label(text) | Written::Bare(text)) => {
+    let found = match (parameter.kind(), written) {
+        (Kind::Quantity | Kind::Count, Written::Number(number)) => Some(number),
+        (Kind::Quantity | Kind::Count, Written::Bare(text)) => text.parse().ok(),
+        (Kind::Choice { labels }, Written::Label(text) | Written::Bare(text)) => {
             labels.iter().position(|label| *label == text).map(|index| index as f64)
         }
         _ => None,
@@ -46,10 +38,12 @@ pub fn number(parameter: &Parameter, written: Written) -> Result<f64, String> {
 
 /// What a parameter may be.
 fn legal(parameter: &Parameter) -> String {
-    match parameter.kind {
-        Kind::Real { unit: "1", min, max, .. } => format!("a number, {min} to {max}"),
-        Kind::Real { unit, min, max, .. } => format!("a number, {min} to {max} {unit}"),
-        Kind::Choice { labels, .. } => {
+    let (min, max) = parameter.range();
+    match (parameter.kind(), parameter.unit()) {
+        (Kind::Count, _) => format!("a whole number, {min} to {max}"),
+        (Kind::Quantity, "1") => format!("a number, {min} to {max}"),
+        (Kind::Quantity, unit) => format!("a number, {min} to {max} {unit}"),
+        (Kind::Choice { labels }, _) => {
             labels.iter().map(|label| format!("\"{label}\"")).collect::<Vec<_>>().join(" or ")
         }
     }
@@ -59,11 +53,11 @@ fn legal(parameter: &Parameter) -> String {
 ///
 /// # Errors
 /// A text of another form, an unknown name, or a value that is refused.
-pub fn set_text(changes: &mut Changes, text: &str) -> Result<&'static Parameter, String> {
+pub fn set_text(changes: &mut Changes, text: &str) -> Result<Parameter, String> {
     let (name, value) = text.split_once('=').ok_or_else(|| {
-        format!("{text} is refused: expected group.field=value, such as silicone.c10=2e5 or geometry.layers=two")
+        format!("{text} is refused: expected group.field=value, such as silicone.c10=2e5 or core.interface=bonded")
     })?;
-    let parameter = find(name.trim())?;
+    let parameter = names::find(changes.values(), name.trim())?;
     set_bare(changes, parameter, value)?;
     Ok(parameter)
 }
@@ -72,10 +66,10 @@ pub fn set_text(changes: &mut Changes, text: &str) -> Result<&'static Parameter,
 ///
 /// # Errors
 /// A value that is refused.
-pub fn set_bare(changes: &mut Changes, parameter: &Parameter, text: &str) -> Result<(), String> {
+pub fn set_bare(changes: &mut Changes, parameter: Parameter, text: &str) -> Result<(), String> {
     let text = text.trim();
-    let number = number(parameter, Written::Bare(text))
-        .map_err(|legal| format!("{} = {text} is refused: expected {legal}", parameter.name))?;
+    let number = number(&parameter, Written::Bare(text))
+        .map_err(|legal| format!("{} = {text} is refused: expected {legal}", parameter.name()))?;
     changes.set(parameter, number).map_err(|error| error.to_string())
 }
 
@@ -83,19 +77,22 @@ pub fn set_bare(changes: &mut Changes, parameter: &Parameter, text: &str) -> Res
 mod tests {
     use super::*;
     use softanvil_kernel::preset;
-    use softanvil_kernel::scenario::Layers;
 
     #[test]
     fn numbers_and_labels_of_a_command_line_are_set() {
         let mut changes = Changes::of(&preset::study());
-        for text in
-            ["silicone.c10=2e5", "geometry.layers=two", "geometry.silicone_thickness=0.014", " impactor.mass = 4 "]
-        {
+        for text in [
+            "silicone.c10=2e5",
+            "layers[0].rows=4",
+            "layers.count=2",
+            "layers[1].thickness=0.001",
+            " impactor.mass = 4 ",
+        ] {
             set_text(&mut changes, text).unwrap();
         }
         let scenario = changes.apply().unwrap();
         assert_eq!((scenario.layers[0].material.coefficient("c10"), scenario.impactor.mass), (Some(2e5), 4.0));
-        assert_eq!(scenario.geometry.layers, Layers::Two);
+        assert_eq!((scenario.layers.len(), scenario.layers[0].rows, scenario.layers[1].thickness), (2, 4, 1e-3));
     }
 
     #[test]
@@ -106,7 +103,16 @@ mod tests {
             ("impactor.mass=heavy", "impactor.mass = heavy is refused: expected a number, 0.001 to 10000 kg"),
             ("impactor.mass=-1", "impactor.mass = -1 kg is refused: expected 0.001 to 10000 kg"),
             ("impactor.mass=nan", "impactor.mass = NaN kg is refused: expected 0.001 to 10000 kg"),
-            ("geometry.layers=2", "geometry.layers = 2 is refused: expected \"one\" or \"two\""),
+            ("core.interface=glued", "core.interface = glued is refused: expected \"bonded\" or \"frictional\""),
+            ("layers.count=two", "layers.count = two is refused: expected a whole number, 1 to 4"),
+            ("layers.count=1.5", "layers.count = 1.5 is refused: expected 1 to 4"),
+            ("geometry.layers=two", "geometry.layers is refused: expected layers.count = 2 or, in a file, a table"),
+            ("geometry.silicone_thickness=0.01", "geometry.silicone_thickness is refused: expected silicone.thickness"),
+            ("geometry.skin_thickness=0.001", "geometry.skin_thickness is refused: expected layers[1].thickness"),
+            (
+                "skin.c10=1e5",
+                "skin.c10 is refused: no layer is called skin: expected layers[1].c10 or, in a file, a table",
+            ),
         ] {
             let mut changes = Changes::of(&preset::study());
             let error = set_text(&mut changes, text).err().unwrap();

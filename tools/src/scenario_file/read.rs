@@ -4,12 +4,11 @@ use std::ops::Range;
 use std::path::Path;
 
 use serde::de::DeserializeOwned;
-use softanvil_kernel::{Changes, PARAMETERS, Parameter, ParameterError, Scenario, ScenarioError};
+use softanvil_kernel::{Changes, Parameter, ParameterError, Scenario, ScenarioError};
 use toml_edit::{Document, Item, TableLike, TomlError, Value};
 
 use super::assign::{self, Written};
-use super::split;
-use super::suggestion::suggestion;
+use super::names::{self, LAYERS};
 use crate::failure::Failure;
 
 /// Why a scenario file is refused.
@@ -36,14 +35,12 @@ pub enum ScenarioFileError {
         message: String,
     },
     /// No parameter or section has this name.
-    #[error("line {line}: {name} is unknown{suggestion}")]
+    #[error("line {line}: {reason}")]
     Unknown {
         /// Line of the key, from 1.
         line: usize,
-        /// The name.
-        name: String,
-        /// The nearest name, or nothing.
-        suggestion: String,
+        /// The name, with the nearest one or how it is written now.
+        reason: String,
     },
     /// The value is of the wrong type.
     #[error("line {line}: {name} = {found} is refused: expected {legal}")]
@@ -80,26 +77,22 @@ pub fn read(path: &Path, base: &Scenario) -> Result<Scenario, Failure> {
     parse(&text, base).map_err(|error| refuse(&error))
 }
 
-/// Reads a material file upon `base`: a scenario file with materials alone.
+/// Reads a material file upon `base`: a scenario file with sections of layers alone.
 ///
 /// # Errors
-/// As [`read`], and a section that is no material.
+/// As [`read`], and a section that is no layer's.
 pub fn read_material(path: &Path, base: &Scenario) -> Result<Scenario, Failure> {
     let refuse = |error: &dyn std::fmt::Display| Failure::Input(format!("{}: {error}", path.display()));
     let text = std::fs::read_to_string(path).map_err(|error| refuse(&error))?;
     let document = Document::parse(text.as_str()).map_err(|error| refuse(&syntax(&text, &error)))?;
-    if let Some((group, _)) = document.iter().find(|(group, _)| !MATERIALS.contains(group)) {
+    let names: Vec<_> = base.layers.iter().map(|layer| layer.name.as_str()).filter(|name| !name.is_empty()).collect();
+    if let Some((group, _)) = document.iter().find(|(group, _)| !names.contains(group)) {
         let line = line_of(&text, key_span(document.as_table(), group));
-        return Err(refuse(&format!(
-            "line {line}: {group} is refused: expected {} in a material",
-            MATERIALS.join(" or ")
-        )));
+        let legal = format!("the name of a layer ({})", names.join(", "));
+        return Err(refuse(&format!("line {line}: {group} is refused: expected {legal} in a material")));
     }
     parse(&text, base).map_err(|error| refuse(&error))
 }
-
-/// Groups of parameters that are materials.
-const MATERIALS: [&str; 2] = ["silicone", "skin"];
 
 /// The scenario that `text` makes of `base`.
 ///
@@ -109,10 +102,17 @@ const MATERIALS: [&str; 2] = ["silicone", "skin"];
 pub fn parse(text: &str, base: &Scenario) -> Result<Scenario, ScenarioFileError> {
     let document = Document::parse(text).map_err(|error| syntax(text, &error))?;
     let mut changes = Changes::of(base);
-    for (group, item) in document.iter() {
+    // First of all the layers, whose names may be those of sections.
+    if let Some(item) = document.get(LAYERS) {
+        let position = Position { text, line: line_of(text, key_span(document.as_table(), LAYERS)) };
+        read_layers(&position, item, &mut changes)?;
+    }
+    for (group, item) in document.iter().filter(|(group, _)| *group != LAYERS) {
         let position = Position { text, line: line_of(text, key_span(document.as_table(), group)) };
-        if !PARAMETERS.iter().any(|parameter| split(parameter.name).0 == group) {
-            return Err(position.unknown(group));
+        let is_group = |parameter: Parameter| parameter.name().group() == group;
+        let is_layer = || changes.values().scenario().layers.iter().any(|layer| layer.name == group);
+        if !Parameter::all().any(is_group) && !is_layer() {
+            return Err(position.unknown(&changes, group));
         }
         let Some(section) = item.as_table_like() else {
             return Err(position.wrong_type(group, item, format!("a section [{group}] of keys")));
@@ -120,6 +120,38 @@ pub fn parse(text: &str, base: &Scenario) -> Result<Scenario, ScenarioFileError>
         read_section(&position, group, section, &mut changes)?;
     }
     Ok(changes.apply()?)
+}
+
+/// Reads the tables of layers: as many as there are layers, the first next to the core.
+fn read_layers(position: &Position, item: &Item, changes: &mut Changes) -> Result<(), ScenarioFileError> {
+    let legal = || format!("a table [[{LAYERS}]] for each layer");
+    let tables: Vec<&dyn TableLike> = match item {
+        Item::ArrayOfTables(tables) => tables.iter().map(|table| table as &dyn TableLike).collect(),
+        Item::Value(Value::Array(array)) => {
+            let tables: Option<Vec<_>> = array.iter().map(|value| Some(value.as_inline_table()? as _)).collect();
+            tables.ok_or_else(|| position.wrong_type(LAYERS, item, legal()))?
+        }
+        _ => return Err(position.wrong_type(LAYERS, item, legal())),
+    };
+    if let Some(count) = Parameter::find("layers.count") {
+        position.set(changes, count, tables.len() as f64)?;
+    }
+    for (number, table) in tables.into_iter().enumerate() {
+        for (field, item) in table.iter() {
+            let position = Position { line: line_of(position.text, key_span(table, field)), ..*position };
+            let name = format!("{LAYERS}[{number}].{field}");
+            if field == "name" {
+                let text = item.as_str().ok_or_else(|| position.wrong_type(&name, item, "a text".into()))?;
+                let legal = names::check_layer_name(changes.values(), number, text);
+                legal.map_err(|legal| position.wrong_type(&name, item, legal))?;
+                changes.name_layer(number, text);
+                continue;
+            }
+            let parameter = Parameter::find(&name).ok_or_else(|| position.unknown(changes, &name))?;
+            position.set(changes, parameter, position.value(&parameter, item)?)?;
+        }
+    }
+    Ok(())
 }
 
 fn read_section(
@@ -131,11 +163,8 @@ fn read_section(
     for (field, item) in section.iter() {
         let name = format!("{group}.{field}");
         let position = Position { line: line_of(position.text, key_span(section, field)), ..*position };
-        let Some(parameter) = Parameter::find(&name) else {
-            return Err(position.unknown(&name));
-        };
-        let value = position.value(parameter, item)?;
-        changes.set(parameter, value).map_err(|error| ScenarioFileError::Value { line: position.line, error })?;
+        let parameter = changes.values().find(&name).ok_or_else(|| position.unknown(changes, &name))?;
+        position.set(changes, parameter, position.value(&parameter, item)?)?;
     }
     Ok(())
 }
@@ -155,11 +184,16 @@ impl Position<'_> {
             Item::Value(Value::String(text)) => Written::Label(text.value()),
             _ => Written::Other,
         };
-        assign::number(parameter, written).map_err(|legal| self.wrong_type(parameter.name, item, legal))
+        assign::number(parameter, written).map_err(|legal| self.wrong_type(&parameter.name().to_string(), item, legal))
     }
 
-    fn unknown(&self, name: &str) -> ScenarioFileError {
-        ScenarioFileError::Unknown { line: self.line, name: name.into(), suggestion: suggestion(name) }
+    fn set(&self, changes: &mut Changes, parameter: Parameter, value: f64) -> Result<(), ScenarioFileError> {
+        changes.set(parameter, value).map_err(|error| ScenarioFileError::Value { line: self.line, error })
+    }
+
+    fn unknown(&self, changes: &Changes, name: &str) -> ScenarioFileError {
+        let reason = names::unknown(&changes.values().scenario(), name);
+        ScenarioFileError::Unknown { line: self.line, reason }
     }
 
     fn wrong_type(&self, name: &str, item: &Item, legal: String) -> ScenarioFileError {

@@ -3,10 +3,11 @@
 use std::collections::BTreeMap;
 
 use serde::Deserialize;
-use softanvil_kernel::parameter::Kind;
+use softanvil_kernel::parameter::{Kind, Values};
 use softanvil_kernel::{Changes, NoEffect, Parameter, Scenario, ScenarioError};
 
 use crate::scenario_file::assign::{self, Written};
+use crate::scenario_file::names;
 
 /// A value of a parameter as it is written.
 #[derive(Clone, Debug, Deserialize)]
@@ -50,27 +51,27 @@ impl Axis {
         scenario: &Scenario,
     ) -> Result<Self, String> {
         let Some(first) = parameters.first() else { return Err("an axis needs parameters or levels".into()) };
-        let parameter = assign::find(first)?;
+        let parameter = names::find(&Values::of(scenario), first)?;
         let own = parameter.get(scenario);
-        let numbers = values.iter().map(|value| number(parameter, value)).collect::<Result<Vec<_>, _>>()?;
+        let numbers = values.iter().map(|value| number(&parameter, first, value)).collect::<Result<Vec<_>, _>>()?;
         let mut numbers = [&numbers[..], &[own]].concat();
         numbers.sort_by(f64::total_cmp);
         // The same but for rounding.
         let is_same = |a: f64, b: f64| (a - b).abs() <= 1e-9 * b.abs();
         numbers.dedup_by(|a, b| is_same(*a, *b));
         let level = |value: f64| {
-            let name = text(parameter, value);
-            let set = match parameter.kind {
+            let name = text(&parameter, value);
+            let set = match parameter.kind() {
                 Kind::Choice { .. } => Value::Text(name.clone()),
-                Kind::Real { .. } => Value::Number(value),
+                Kind::Quantity | Kind::Count => Value::Number(value),
             };
             let changed = parameters.iter().filter(|_| !is_same(value, own));
             Level { name, settings: changed.map(|changed| (changed.clone(), set.clone())).collect() }
         };
-        let name = name.unwrap_or(parameter.name);
-        let name = match parameter.kind {
-            Kind::Real { unit, .. } if unit != "1" => format!("{name} [{unit}]"),
-            _ => name.into(),
+        let name = name.unwrap_or(first);
+        let name = match parameter.unit() {
+            "1" => name.into(),
+            unit => format!("{name} [{unit}]"),
         };
         Ok(Self { name, levels: numbers.into_iter().map(level).collect() })
     }
@@ -86,21 +87,20 @@ impl Axis {
     }
 }
 
-/// The number that `value` gives to `parameter`; of a choice, the index.
-fn number(parameter: &Parameter, value: &Value) -> Result<f64, String> {
+/// The number that `value` gives to `parameter`, which goes by `name`; of a choice, the index.
+fn number(parameter: &Parameter, name: &str, value: &Value) -> Result<f64, String> {
     let (written, text) = match value {
         Value::Number(number) => (Written::Number(*number), &number.to_string()),
         Value::Text(text) => (Written::Bare(text.trim()), text),
     };
-    let name = parameter.name;
     assign::number(parameter, written).map_err(|legal| format!("{name} = {text} is refused: expected {legal}"))
 }
 
 /// A value as it is written in a scenario file; twelve digits leave out the noise of rounding.
 fn text(parameter: &Parameter, value: f64) -> String {
-    match parameter.kind {
-        Kind::Choice { labels, .. } => labels.get(value as usize).copied().unwrap_or_default().into(),
-        Kind::Real { .. } => format!("{value:.11e}").parse().unwrap_or(value).to_string(),
+    match parameter.kind() {
+        Kind::Choice { labels } => labels.get(value as usize).copied().unwrap_or_default().into(),
+        Kind::Quantity | Kind::Count => format!("{value:.11e}").parse().unwrap_or(value).to_string(),
     }
 }
 
@@ -125,14 +125,14 @@ pub enum Refused {
 pub fn combined(base: &Scenario, levels: &[&Level]) -> Result<Scenario, Refused> {
     let mut changes = Changes::of(base);
     for (name, value) in levels.iter().flat_map(|level| &level.settings) {
-        let parameter = assign::find(name).map_err(Refused::Setting)?;
-        let value = number(parameter, value).map_err(Refused::Setting)?;
+        let parameter = names::find(changes.values(), name).map_err(Refused::Setting)?;
+        let value = number(&parameter, name, value).map_err(Refused::Setting)?;
         changes.set(parameter, value).map_err(ScenarioError::from)?;
     }
     let scenario = changes.resolve()?;
     for level in levels {
-        let mut idle =
-            level.settings.keys().map(|name| changes.without_effect(&scenario).find(|idle| idle.name == name));
+        let set = level.settings.keys().filter_map(|name| changes.values().find(name));
+        let mut idle = set.map(|set| changes.without_effect(&scenario).find(|idle| idle.name == set.name()));
         if let Some(Some(first)) = idle.next()
             && idle.all(|idle| idle.is_some())
         {

@@ -33,7 +33,7 @@ pub fn meshes(scenario: &Scenario, refinements: &[f64]) -> Result<Vec<([String; 
     refinements.sort_by(f64::total_cmp);
     let mut meshes: Vec<([String; 2], Scenario)> = Vec::new();
     for refinement in refinements {
-        let mut scenario = *scenario;
+        let mut scenario = scenario.clone();
         if refinement != 1.0 {
             scenario.mesh.element_size = size(&scenario, &own, refinement);
         }
@@ -52,7 +52,7 @@ pub fn meshes(scenario: &Scenario, refinements: &[f64]) -> Result<Vec<([String; 
 fn size(scenario: &Scenario, own: &Grid, refinement: f64) -> f64 {
     let plain = scenario.mesh.element_size / refinement;
     let is_even = |size: &f64| {
-        let mut refined = *scenario;
+        let mut refined = scenario.clone();
         refined.mesh.element_size = *size;
         Grid::new(&refined).is_ok_and(|grid| factor(&grid, own) == Some(refinement as usize))
     };
@@ -164,7 +164,6 @@ impl Judged {
 mod tests {
     use super::*;
     use softanvil_kernel::preset;
-    use softanvil_kernel::scenario::Layers;
 
     #[test]
     fn multiples_of_the_rows_come_with_the_same_multiple_of_the_columns() {
@@ -176,9 +175,9 @@ mod tests {
         let factors: Vec<_> = sizes.iter().map(|(_, fine)| factor(&Grid::new(fine).unwrap(), &own)).collect();
         assert_eq!(factors, [Some(1), None, Some(2), Some(3), Some(4)]);
         // A skin of one row that is thinner than an element does not refine with the silicone.
-        scenario.geometry.layers = Layers::Two;
+        scenario.add_layer(preset::chamois()).unwrap();
         let own = Grid::new(&scenario).unwrap();
-        let fine = meshes(&scenario, &[2.0]).unwrap()[1].1;
+        let fine = meshes(&scenario, &[2.0]).unwrap().remove(1).1;
         assert_eq!(factor(&Grid::new(&fine).unwrap(), &own), None);
     }
 }

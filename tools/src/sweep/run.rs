@@ -76,7 +76,7 @@ pub fn run(
         .collect::<Result<_, Failure>>()?;
     shared.bar.finish_and_clear();
     let outcomes = done.into_iter().sorted_by_key(|(number, _)| *number).map(|(_, outcome)| outcome).collect();
-    Ok(Results { sweep, scenario: subject.scenario, cases, outcomes })
+    Ok(Results { sweep, scenario: subject.scenario.clone(), cases, outcomes })
 }
 
 impl Shared<'_> {

@@ -94,9 +94,9 @@ fn folders_have_their_pictures_as_png_when_asked() {
     assert_eq!(both_formats(folder.path(), &[]), 7);
 
     let folder = tempfile::tempdir().unwrap();
-    assert_eq!(both_formats(folder.path(), &["sweep", "geometry.silicone_thickness=0.02,0.025"]), 1);
-    let page = fs::read_to_string(folder.path().join("points/geometry.silicone_thickness.md")).unwrap();
-    assert!(page.contains("(geometry.silicone_thickness.png)") && !page.contains(".svg"), "{page}");
+    assert_eq!(both_formats(folder.path(), &["sweep", "silicone.thickness=0.02,0.025"]), 1);
+    let page = fs::read_to_string(folder.path().join("points/silicone.thickness.md")).unwrap();
+    assert!(page.contains("(silicone.thickness.png)") && !page.contains(".svg"), "{page}");
 
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("curve.csv"), "stretch,stress [Pa]\n1,0\n0.9,-20000\n0.8,-46000\n0.7,-82000\n")

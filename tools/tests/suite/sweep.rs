@@ -212,19 +212,18 @@ fn coefficients_of_the_laws_are_near_those_of_a_fit() {
 fn a_sweep_starts_from_the_drop_it_is_given() {
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();
-    let arguments = ["sweep", "geometry.silicone_thickness=0.014", "--energy", "4.9", "--json", "--threads"];
+    let arguments = ["sweep", "silicone.thickness=0.014", "--energy", "4.9", "--json", "--threads"];
     let sweep = json(folder, &[&arguments[..], &["1"]].concat());
     assert_eq!(sweep["drop"]["impactor"]["energy"], 4.9, "{sweep}");
     let cases = sweep["cases"].as_array().unwrap();
-    let settings: Vec<&str> =
-        cases.iter().map(|case| case["geometry.silicone_thickness [m]"].as_str().unwrap()).collect();
+    let settings: Vec<&str> = cases.iter().map(|case| case["silicone.thickness [m]"].as_str().unwrap()).collect();
     assert_eq!(settings, ["0.014", "0.015"]);
     let run = json(folder, &["run", "--energy", "4.9", "--json"]);
     assert_eq!(cases[1]["trace_hash"], run["trace_hash"]);
     assert_eq!(cases[1]["peak_force"], run["peak_force"]);
     // The number of threads changes nothing.
     assert_eq!(sweep, json(folder, &[&arguments[..], &["2"]].concat()));
-    let text = succeed(folder, &["sweep", "geometry.silicone_thickness=0.014", "--energy", "4.9"]);
+    let text = succeed(folder, &["sweep", "silicone.thickness=0.014", "--energy", "4.9"]);
     assert!(text.contains("Simulations") && text.contains("the scenario's own"), "{text}");
     assert!(entries(folder).is_empty());
 }
@@ -235,8 +234,8 @@ fn refused_values_say_what_is_legal_and_nothing_is_written() {
     let outside = |name: &str| format!("{SWEEPS}/{name}.toml");
     let (friction, again) = (outside("friction"), format!("{SWEEPS}/../sweeps/friction.toml"));
     for (arguments, message) in [
-        (&["geometry.silicone_thickness=x"][..], "geometry.silicone_thickness = x is refused: expected a number"),
-        (&["geometry.silicone_thickness=-1"], "geometry.silicone_thickness = -1 m is refused"),
+        (&["silicone.thickness=x"][..], "silicone.thickness = x is refused: expected a number"),
+        (&["silicone.thickness=-1"], "silicone.thickness = -1 m is refused"),
         (&["silicone.poissons_ratio=0.5"], "silicone.poissons_ratio = 0.5"),
         (&["face.friction_coefficient=-0.1"], "face.friction_coefficient = -0.1"),
         (&["geometry.core_radius=0.06"], "impactor.face_diameter"),
@@ -296,11 +295,11 @@ fn any_parameter_is_swept_over_values_in_its_unit() {
     let digits = json(folder, &["sweep", "silicone.c10=123456.7890123456", "--json"]);
     let run = json(folder, &["run", "--set", "silicone.c10=123456.7890123456", "--json"]);
     assert_eq!(digits["cases"][0]["trace_hash"], run["trace_hash"]);
-    let skin = fail(folder, &["sweep", "skin.c10=1e5"], 2);
-    assert!(skin.contains("skin.c10 = 100000 Pa has no effect: geometry.layers is one"), "{skin}");
+    let skin = fail(folder, &["sweep", "layers[1].c10=1e5"], 2);
+    assert!(skin.contains("layers[1].c10 = 100000 Pa has no effect: layers.count is 1"), "{skin}");
     for (argument, message) in [
         ("silicone.c10=-1e20", "silicone.c10 = -1e20 Pa is refused"),
-        ("geometry.layers=2", "expected \"one\" or \"two\""),
+        ("geometry.layers=2", "expected layers.count = 2"),
     ] {
         let line = fail(folder, &["sweep", argument], 2);
         assert!(line.contains(message), "{line}");
@@ -368,16 +367,16 @@ fn csv_files_are_in_si() {
 fn a_case_that_is_cut_off_is_marked_in_table_csv_and_page() {
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();
-    let arguments = ["sweep", "geometry.silicone_thickness=0.012", "--duration", "0.004", "--out", "."];
+    let arguments = ["sweep", "silicone.thickness=0.012", "--duration", "0.004", "--out", "."];
     let text = succeed(folder, &arguments);
-    let page = fs::read_to_string(folder.join("geometry.silicone_thickness.md")).unwrap();
+    let page = fs::read_to_string(folder.join("silicone.thickness.md")).unwrap();
     for text in [&text, &page] {
         let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
-        assert!(text.contains("geometry.silicone_thickness [m] 0.012: Cut off in contact after 4 ms"), "{text}");
+        assert!(text.contains("silicone.thickness [m] 0.012: Cut off in contact after 4 ms"), "{text}");
     }
     let row = page.lines().find(|line| line.starts_with("| 0.012 |")).unwrap();
     assert_eq!(row.matches('*').count(), 5, "{row}");
-    let (header, lines) = read_table(&folder.join("geometry.silicone_thickness.csv"));
+    let (header, lines) = read_table(&folder.join("silicone.thickness.csv"));
     let ending = header.iter().position(|title| title == "ending").unwrap();
     assert!(lines.iter().all(|line| line[ending] == "in_contact"), "{lines:?}");
 }
@@ -401,8 +400,8 @@ fn a_model_that_is_not_the_paper_s_has_no_column_of_the_paper() {
 fn files_of_others_are_left_alone_and_own_ones_replaced() {
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();
-    let sweep = ["sweep", "geometry.silicone_thickness=0.014", "--out", "."];
-    for name in ["md", "csv", "svg"].map(|extension| format!("geometry.silicone_thickness.{extension}")) {
+    let sweep = ["sweep", "silicone.thickness=0.014", "--out", "."];
+    for name in ["md", "csv", "svg"].map(|extension| format!("silicone.thickness.{extension}")) {
         fs::write(folder.join(&name), "mine").unwrap();
         let line = fail(folder, &sweep, 2);
         assert!(line.contains(&format!("{name} is there and not as this program left it")), "{line}");

@@ -55,7 +55,7 @@ fn refused_files_name_file_and_line_and_leave_no_output() {
             "[impactor]\nprescribed_speed = 0",
             "impactor.prescribed_speed = 0 m/s is refused: expected 0.000001 to 100 m/s",
         ),
-        ("[silicone]\nprony_g_1 = 0.9\nprony_g_2 = 0.9", "bad.toml: silicone.prony_g_1"),
+        ("[silicone]\nprony_g_1 = 0.9\nprony_g_2 = 0.9", "bad.toml: layers[0].prony_g_1"),
         ("[time]\nstep_by = \"given\"\nstep = 4.9e-5", "time.step"),
         ("not TOML", "bad.toml: line 1: "),
     ] {

@@ -60,6 +60,11 @@ impl Changes {
         Ok(())
     }
 
+    /// Calls a layer `name`; see [`Values::name_layer`].
+    pub fn name_layer(&mut self, layer: usize, name: &str) {
+        self.values.name_layer(layer, name);
+    }
+
     /// The values as they stand, before any follows from another.
     pub fn values(&self) -> &Values {
         &self.values

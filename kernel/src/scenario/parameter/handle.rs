@@ -97,6 +97,11 @@ impl Parameter {
         rows.map(move |row| Self { place: Place::Layer(layer, row) })
     }
 
+    /// Those of the material of a layer: all of the layer's but thickness and rows.
+    pub fn of_material(layer: usize) -> impl Iterator<Item = Self> {
+        Self::of_layer(layer).filter(|parameter| !["thickness", "rows"].contains(&parameter.name().field()))
+    }
+
     /// The parameter called `name`, such as `impactor.mass` or `layers[1].c10`.
     pub fn find(name: &str) -> Option<Self> {
         if let Some((layer, field)) = Name::split_layer(name) {

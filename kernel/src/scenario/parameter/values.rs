@@ -70,6 +70,18 @@ impl Values {
         Ok(())
     }
 
+    /// The parameter that `name` means ([`Parameter::find_in`]), of a layer that is not there, too.
+    pub fn find(&self, name: &str) -> Option<Parameter> {
+        Parameter::find_in(&self.whole, name)
+    }
+
+    /// Calls a layer `name`; one that is longer than [`crate::scenario::MAX_LAYER_NAME`] bytes, or of no layer, changes nothing.
+    pub fn name_layer(&mut self, layer: usize, name: &str) {
+        if let (Some(layer), Ok(name)) = (self.whole.layers.get_mut(layer), name.try_into()) {
+            layer.name = name;
+        }
+    }
+
     /// The scenario that they make.
     pub fn scenario(&self) -> Scenario {
         let mut scenario = self.whole.clone();

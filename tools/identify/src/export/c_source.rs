@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use softanvil_kernel::Parameter;
 use softanvil_kernel::material::Material;
 
 use super::card::Card;
@@ -14,27 +15,27 @@ pub fn text(comment: &str, material: &Material, layer: Layer) -> String {
         // A comment cannot hold its own end.
         let _ = writeln!(text, " * {}", line.replace("*/", "* /"));
     }
-    let guard = format!("SOFTANVIL_MATERIAL_{}_H", layer.group().to_uppercase());
+    let guard = format!("SOFTANVIL_MATERIAL_{}_H", layer.name().to_uppercase());
     let _ =
         write!(text, " */\n#ifndef {guard}\n#define {guard}\n\n#include <stddef.h>\n\n#include \"softanvil.h\"\n\n");
     let _ = writeln!(
         text,
         "/** Sets the material of the {0} in `scenario`; the first refusal ends it, details in `error` if it is not NULL. */",
-        layer.group()
+        layer.name()
     );
     let _ = writeln!(
         text,
         "static inline SoftanvilStatus softanvil_material_{}(SoftanvilScenario *scenario, SoftanvilError *error)\n{{",
-        layer.group()
+        layer.name()
     );
     text += "    static const struct {\n        uint32_t parameter;\n        double value;\n    } rows[] = {\n";
     for (parameter, value) in rows(material, layer) {
-        let id = parameter.name.replace('.', "_").to_uppercase();
-        let value = match label(parameter, value) {
-            Some(label) => format!("SOFTANVIL_{id}_{}", label.to_uppercase()),
+        let id = id(&parameter);
+        let value = match label(&parameter, value) {
+            Some(label) => format!("{id}_{}", label.to_uppercase()),
             None => format!("{value:e}"),
         };
-        let _ = writeln!(text, "        {{ SOFTANVIL_PARAMETER_{id}, {value} }},");
+        let _ = writeln!(text, "        {{ SOFTANVIL_PARAMETER_OF_LAYER({}, {id}), {value} }},", layer.place());
     }
     text += "    };\n    size_t i;\n    for (i = 0; i < sizeof rows / sizeof rows[0]; i++) {\n";
     text +=
@@ -43,16 +44,21 @@ pub fn text(comment: &str, material: &Material, layer: Layer) -> String {
     text
 }
 
+/// The constant that names a parameter of a layer.
+fn id(parameter: &Parameter) -> String {
+    format!("SOFTANVIL_LAYER_{}", parameter.name().field().to_uppercase())
+}
+
 /// What the rows of the header in `text` set.
 ///
 /// # Errors
 /// A value that a scenario refuses.
 pub fn read(text: &str, layer: Layer) -> Result<Card, ReadBackError> {
-    let value = |name: &str| {
-        let id = name.replace('.', "_").to_uppercase();
-        let row = format!("{{ SOFTANVIL_PARAMETER_{id}, ");
+    let value = |parameter: &Parameter| {
+        let id = id(parameter);
+        let row = format!("{{ SOFTANVIL_PARAMETER_OF_LAYER({}, {id}), ", layer.place());
         let value = text.lines().find_map(|line| line.trim().strip_prefix(&row)?.strip_suffix(" },"))?;
-        Some(value.strip_prefix(&format!("SOFTANVIL_{id}_")).unwrap_or(value).to_string())
+        Some(value.strip_prefix(&format!("{id}_")).unwrap_or(value).to_string())
     };
     Ok(Card::of(&read_rows(value, layer)?))
 }

@@ -9,8 +9,7 @@ pub mod ssv;
 
 use softanvil_kernel::material::Material;
 use softanvil_kernel::parameter::Kind;
-use softanvil_kernel::scenario::Layers;
-use softanvil_kernel::{PARAMETERS, Parameter, preset};
+use softanvil_kernel::{Parameter, Scenario, preset};
 
 /// Which layer of the anvil the material is for.
 ///
@@ -20,21 +19,29 @@ use softanvil_kernel::{PARAMETERS, Parameter, preset};
 ///
 /// let material = Law::find("neo_hookean").unwrap().material(&[1e5]);
 /// let values = ssv::text("skin", &material, Layer::Skin)?;
-/// assert!(values.contains("skin.c10") && !values.contains("silicone."));
+/// assert!(values.contains("layers[1].c10") && !values.contains("layers[0]"));
 /// # Ok::<(), std::io::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Layer {
-    /// Parameters `silicone.*`.
+    /// The first from the core.
     #[default]
     Silicone,
-    /// Parameters `skin.*`.
+    /// The second, on top of it.
     Skin,
 }
 
 impl Layer {
-    /// Group of its parameters.
-    pub fn group(self) -> &'static str {
+    /// Its place from the core.
+    pub fn place(self) -> usize {
+        match self {
+            Self::Silicone => 0,
+            Self::Skin => 1,
+        }
+    }
+
+    /// Its name.
+    pub fn name(self) -> &'static str {
         match self {
             Self::Silicone => "silicone",
             Self::Skin => "skin",
@@ -42,39 +49,38 @@ impl Layer {
     }
 }
 
-/// Every parameter of the material of `layer` that has an effect, and every coefficient of 0, with its value; a choice as its
-/// index.
-fn rows(material: &Material, layer: Layer) -> Vec<(&'static Parameter, f64)> {
+/// The study's anvil, whose `layer` is of `material`.
+fn scenario(material: &Material, layer: Layer) -> Scenario {
     let mut scenario = preset::study();
-    match layer {
-        Layer::Silicone => scenario.layers[0].material = *material,
-        Layer::Skin => (scenario.skin, scenario.geometry.layers) = (*material, Layers::Two),
-    }
-    let acts = |parameter: &&Parameter| parameter.without_effect(&scenario).is_none();
-    let of_layer =
-        |parameter: &&Parameter| parameter.name.split_once('.').is_some_and(|(group, _)| group == layer.group());
-    PARAMETERS.iter().filter(of_layer).filter(acts).map(|parameter| (parameter, parameter.get(&scenario))).collect()
+    scenario.set_layer_count(layer.place() + 1);
+    scenario.layers[layer.place()].material = *material;
+    scenario
 }
 
-/// The material of `layer` that the values `of` parameters, by name, make: numbers or labels of choices, as text. Those that
-/// are not there keep the values of [`crate::law::blank`].
-fn read_rows(of: impl Fn(&str) -> Option<String>, layer: Layer) -> Result<Material, ReadBackError> {
-    let mut scenario = preset::study();
-    (scenario.layers[0].material, scenario.skin) = (crate::law::blank(), crate::law::blank());
-    for parameter in
-        PARAMETERS.iter().filter(|p| p.name.split_once('.').is_some_and(|(group, _)| group == layer.group()))
-    {
-        let Some(text) = of(parameter.name) else { continue };
-        let number = match parameter.kind {
-            Kind::Real { .. } => text.parse().ok(),
-            Kind::Choice { labels, .. } => {
+/// Every parameter of the material of `layer` that has an effect, and every coefficient of 0, with its value; a choice as its
+/// index.
+fn rows(material: &Material, layer: Layer) -> Vec<(Parameter, f64)> {
+    let scenario = scenario(material, layer);
+    let acts = |parameter: &Parameter| parameter.without_effect(&scenario).is_none();
+    Parameter::of_material(layer.place()).filter(acts).map(|parameter| (parameter, parameter.get(&scenario))).collect()
+}
+
+/// The material of `layer` that the values `of` parameters make: numbers or labels of choices, as text. Those that are not there
+/// keep the values of [`crate::law::blank`].
+fn read_rows(of: impl Fn(&Parameter) -> Option<String>, layer: Layer) -> Result<Material, ReadBackError> {
+    let mut scenario = scenario(&crate::law::blank(), layer);
+    for parameter in Parameter::of_material(layer.place()) {
+        let Some(text) = of(&parameter) else { continue };
+        let number = match parameter.kind() {
+            Kind::Quantity | Kind::Count => text.parse().ok(),
+            Kind::Choice { labels } => {
                 labels.iter().position(|label| label.eq_ignore_ascii_case(&text)).map(|index| index as f64)
             }
         };
-        let number = number.ok_or_else(|| ReadBackError(format!("{} = {text}", parameter.name)))?;
+        let number = number.ok_or_else(|| ReadBackError(format!("{} = {text}", parameter.name())))?;
         parameter.set(&mut scenario, number).map_err(|error| ReadBackError(error.to_string()))?;
     }
-    Ok(if layer == Layer::Skin { scenario.skin } else { scenario.layers[0].material })
+    Ok(scenario.layers[layer.place()].material)
 }
 
 /// The coefficient called `name` of a law that has it; 0 of others.
@@ -104,10 +110,7 @@ impl ReadBackError {
 
 /// The label of a choice; none for a number.
 fn label(parameter: &Parameter, value: f64) -> Option<&'static str> {
-    match parameter.kind {
-        Kind::Choice { labels, .. } => labels.get(value as usize).copied(),
-        Kind::Real { .. } => None,
-    }
+    parameter.labels().get(value as usize).copied()
 }
 
 /// The terms of a Prony series that are on: (g_i, tau_i).

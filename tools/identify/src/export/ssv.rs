@@ -1,5 +1,5 @@
 //! An SSP parameter set (System Structure and Parameterization 1.0, `.ssv`) for the FMU, whose variables have the names
-//! of the scenario file.
+//! of the kernel's parameters.
 
 use std::collections::BTreeMap;
 use std::io;
@@ -28,9 +28,10 @@ pub fn text(name: &str, material: &Material, layer: Layer) -> io::Result<String>
     xml.create_element("ssv:ParameterSet").with_attributes(attributes).write_inner_content(|xml| {
         xml.create_element("ssv:Parameters").write_inner_content(|xml| {
             for (parameter, value) in rows(material, layer) {
-                xml.create_element("ssv:Parameter").with_attribute(("name", parameter.name)).write_inner_content(
-                    |xml| {
-                        match label(parameter, value) {
+                xml.create_element("ssv:Parameter")
+                    .with_attribute(("name", parameter.name().to_string().as_str()))
+                    .write_inner_content(|xml| {
+                        match label(&parameter, value) {
                             Some(label) => {
                                 xml.create_element("ssv:Enumeration").with_attribute(("value", label)).write_empty()?
                             }
@@ -43,8 +44,7 @@ pub fn text(name: &str, material: &Material, layer: Layer) -> io::Result<String>
                             }
                         };
                         Ok(())
-                    },
-                )?;
+                    })?;
             }
             Ok(())
         })?;
@@ -74,7 +74,7 @@ pub fn read(text: &str, layer: Layer) -> Result<Card, ReadBackError> {
             _ => {}
         }
     }
-    Ok(Card::of(&read_rows(|name| values.get(name).cloned(), layer)?))
+    Ok(Card::of(&read_rows(|parameter| values.get(&parameter.name().to_string()).cloned(), layer)?))
 }
 
 fn attribute(element: &BytesStart, name: &str) -> Result<String, ReadBackError> {
@@ -98,9 +98,9 @@ mod tests {
             assert_eq!(found.len(), 1, "{name}");
             found[0].first_element_child().unwrap().attribute("value").unwrap().to_string()
         };
-        assert_eq!(value("skin.c10").parse::<f64>().unwrap(), 1.0 / 3.0);
-        assert_eq!(value("skin.c20").parse::<f64>().unwrap(), 2e-7);
-        assert_eq!(value("skin.law"), "yeoh");
-        assert!(!text.contains("silicone."));
+        assert_eq!(value("layers[1].c10").parse::<f64>().unwrap(), 1.0 / 3.0);
+        assert_eq!(value("layers[1].c20").parse::<f64>().unwrap(), 2e-7);
+        assert_eq!(value("layers[1].law"), "yeoh");
+        assert!(!text.contains("layers[0]"));
     }
 }
