@@ -13,7 +13,7 @@ import sys
 PROTOCOLS = {
     "all": "(b) all twelve numbers",
     "incompressible": "(b) all twelve numbers, incompressible",
-    "only-14.7": "(a) 14.7 J alone, as in the study",
+    "only-14.7": "(a) 14.7 J alone, as in the paper",
     "without-14.7": "(c) without 14.7 J",
     "without-9.8": "(c) without 9.8 J",
     "without-4.9": "(c) without 4.9 J",
@@ -92,7 +92,7 @@ def main(program, folder):
     validations = {name: validation(program, name) for name in PRESETS}
     presets = {name: found["cases"] for name, found in validations.items()}
     ls_dyna = of_validation(presets["study"], "ls_dyna_error_percent")
-    rows = [summary_row("LS-DYNA, as printed in the study", 0, ls_dyna)]
+    rows = [summary_row("LS-DYNA, as printed in the paper", 0, ls_dyna)]
     rows[0][1] = fitted(validations["study"]["ls_dyna"])
     rows += [
         summary_row(label, len(results[name]["parameters"]), results[name]["impacts"]) for name, label in PROTOCOLS.items()
@@ -107,7 +107,7 @@ def main(program, folder):
     text = f"""# Calibration protocols
 
 Written by `calibration/run.sh`, which runs every protocol and takes about half an hour on two cores. Errors are against the
-study's experiment, in %; beside each stands how many parameters were fitted to how many of the twelve numbers.
+paper's experiment, in %; beside each stands how many parameters were fitted to how many of the twelve numbers.
 
 {table(["tuned with", "parameters / numbers fitted", "mean of twelve", "of the tuned", "of the predicted", "peaks at 14.7, 9.8, 4.9 J"], rows)}
 Every error; those in italics were predicted:
