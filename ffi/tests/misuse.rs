@@ -232,7 +232,8 @@ fn layers_are_said_by_number_or_name() {
     let mut kernel = preset::study();
     kernel.mesh.element_size = 7e-3;
     kernel.set_layer_count(3);
-    (kernel.layers[1].thickness, kernel.layers[1].material.c10) = (2e-3, 3e5);
+    kernel.layers[1].thickness = 2e-3;
+    kernel.layers[1].material = kernel.layers[1].material.with(NeoHookean { c10: 3e5 });
     kernel.layers[2].thickness = 1e-3;
     let mut own = Simulation::new(&kernel).unwrap();
     own.run(DURATION, &StepInput::default()).unwrap();
