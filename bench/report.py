@@ -15,7 +15,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 PAGE = ROOT / "docs/performance.md"
 PEERS = ROOT / "tests/peers/peers.csv"
-SETS = {"Baseline": "SSE2", "Avx2": "AVX2", "Avx512": "AVX-512"}
+SETS = {"Baseline": "SSE2", "Neon": "NEON", "Simd128": "simd128", "Avx2": "AVX2", "Avx512": "AVX-512"}
 
 
 class Figures:
