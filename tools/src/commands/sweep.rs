@@ -143,9 +143,6 @@ impl Options {
         let (names, axes): (Vec<_>, Vec<_>) =
             texts.iter().map(read).collect::<Result<Vec<_>, _>>()?.into_iter().unzip();
         let names = names.concat();
-        if let Some(name) = names.iter().duplicates().next() {
-            return Err(Failure::Input(format!("{name} is given twice: expected one list")));
-        }
         let convergence = match self.convergence[..] {
             [] => None,
             _ => Some(format!("--convergence={}", self.convergence.iter().join(","))),

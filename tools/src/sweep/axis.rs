@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use itertools::Itertools;
 use serde::Deserialize;
 use softanvil_kernel::parameter::{Kind, Values};
 use softanvil_kernel::{Changes, NoEffect, Parameter, Scenario, ScenarioError};
@@ -123,6 +124,9 @@ pub enum Refused {
 /// # Errors
 /// What is refused, a level without effect, or values that do not fit together.
 pub fn combined(base: &Scenario, levels: &[&Level]) -> Result<Scenario, Refused> {
+    if let Some(name) = levels.iter().flat_map(|level| level.settings.keys()).duplicates().next() {
+        return Err(Refused::Setting(format!("{name} is set by two of the levels")));
+    }
     let mut changes = Changes::of(base);
     for (name, value) in levels.iter().flat_map(|level| &level.settings) {
         let parameter = names::find(changes.values(), name).map_err(Refused::Setting)?;

@@ -243,7 +243,7 @@ fn refused_values_say_what_is_legal_and_nothing_is_written() {
         (&["--convergence=0"], "--convergence: 0 is refused: expected factors from 0.01 to 100"),
         (&["silicone.law=hooke"], "silicone.law = hooke is refused: expected \"neo_hookean\""),
         (&["silicone.c10="], "silicone.c10 =  is refused: expected a number"),
-        (&["silicone.c10=1e5", "silicone.c10=2e5"], "silicone.c10 is given twice"),
+        (&["silicone.c10=1e5", "silicone.c10=2e5"], "silicone.c10 is set by two of the levels"),
         (&["silicone.c10=1e5", &friction], "is refused beside files"),
         (&[&friction, &again], "two files are called friction"),
         (&["silicone.c1"], "silicone.c1 is refused: expected PARAMETER=LIST"),
