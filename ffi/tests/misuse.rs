@@ -16,6 +16,7 @@ use softanvil::c_api::snapshot::*;
 use softanvil::c_api::status::SoftanvilStatus as Status;
 use softanvil::c_api::tables::*;
 use softanvil::c_api::trace::softanvil_run_traced;
+use softanvil_kernel::material::NeoHookean;
 use softanvil_kernel::parameter::Kind;
 use softanvil_kernel::result::{RETIRED_FIELDS, RETIRED_OUTPUTS};
 use softanvil_kernel::{FIELDS, OUTPUTS, Parameter, Simulation, StepInput, preset};

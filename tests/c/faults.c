@@ -8,6 +8,9 @@
 
 #include "softanvil.h"
 
+/* Number of a parameter of a layer. */
+#define LAYER(layer, name) SOFTANVIL_PARAMETER_OF_LAYER(layer, SOFTANVIL_LAYER_##name)
+
 enum { MEMORY = 1 << 18, SNAPSHOT = 1 << 16, PATTERN = 0xA5 };
 
 /* Everything that calls write to. */
@@ -133,7 +136,12 @@ static void tables(void)
     REFUSE(UNKNOWN_NAME, softanvil_output_find(endless, &out.id));
     REFUSE(NULL_POINTER, softanvil_parameter_info(0, NULL));
     REFUSE(MISALIGNED, softanvil_parameter_info(0, odd(&out.parameter_info)));
-    REFUSE(UNKNOWN_ID, softanvil_parameter_info(softanvil_parameter_count(), &out.parameter_info));
+    REFUSE(UNKNOWN_ID, softanvil_parameter_info(SOFTANVIL_PARAMETER_SLOTS, &out.parameter_info));
+    REFUSE(UNKNOWN_ID, softanvil_parameter_info(SOFTANVIL_LAYERS_BEGIN - 1, &out.parameter_info));
+    REFUSE(UNKNOWN_ID, softanvil_parameter_info(LAYER(SOFTANVIL_MAX_LAYERS, THICKNESS), &out.parameter_info));
+    REFUSE(NULL_POINTER, softanvil_parameter_at(0, NULL));
+    REFUSE(MISALIGNED, softanvil_parameter_at(0, odd(&out.id)));
+    REFUSE(UNKNOWN_ID, softanvil_parameter_at(softanvil_parameter_count(), &out.id));
     REFUSE(NULL_POINTER, softanvil_output_info(0, NULL));
     REFUSE(MISALIGNED, softanvil_output_info(0, odd(&out.output_info)));
     REFUSE(UNKNOWN_ID, softanvil_output_info(SOFTANVIL_NONE, &out.output_info));
@@ -161,11 +169,11 @@ static void scenarios(void)
     memset(&bad, PATTERN, sizeof bad);
     REFUSE(NULL_POINTER, softanvil_scenario_default(0, NULL));
     REFUSE(MISALIGNED, softanvil_scenario_default(0, odd(&out.scenario)));
-    REFUSE(UNKNOWN_ID, softanvil_scenario_default(3, &out.scenario));
+    REFUSE(UNKNOWN_ID, softanvil_scenario_default(999, &out.scenario));
     EXPLAIN(NULL_POINTER, softanvil_scenario_set(NULL, MASS, 5.0, &error));
     EXPLAIN(MISALIGNED, softanvil_scenario_set(odd(&bad), MASS, 5.0, &error));
     EXPLAIN(UNINITIALISED, softanvil_scenario_set(&out.scenario, MASS, 5.0, &error));
-    EXPLAIN(UNKNOWN_ID, softanvil_scenario_set(&good, softanvil_parameter_count(), 5.0, &error));
+    EXPLAIN(UNKNOWN_ID, softanvil_scenario_set(&good, SOFTANVIL_PARAMETER_SLOTS, 5.0, &error));
     EXPLAIN(ILLEGAL_VALUE, softanvil_scenario_set(&good, MASS, (double)NAN, &error));
     EXPLAIN(ILLEGAL_VALUE, softanvil_scenario_set(&good, MASS, (double)INFINITY, &error));
     EXPLAIN(ILLEGAL_VALUE, softanvil_scenario_set(&good, MASS, -1.0, &error));
@@ -251,13 +259,14 @@ static void illegal_scenarios(void)
     } cases[] = {
         { SOFTANVIL_PARAMETER_IMPACTOR_MASS, (double)NAN, SOFTANVIL_STATUS_ILLEGAL_VALUE },
         { SOFTANVIL_PARAMETER_IMPACTOR_MOTION, 7.0, SOFTANVIL_STATUS_ILLEGAL_VALUE },
-        { SOFTANVIL_PARAMETER_SILICONE_PRONY_G_2, 0.9, SOFTANVIL_STATUS_PRONY_SUM },
-        { SOFTANVIL_PARAMETER_SILICONE_C10, -1e6, SOFTANVIL_STATUS_SHEAR_MODULUS },
+        { LAYER(0, PRONY_G_2), 0.9, SOFTANVIL_STATUS_PRONY_SUM },
+        { LAYER(0, C10), -1e6, SOFTANVIL_STATUS_SHEAR_MODULUS },
         { SOFTANVIL_PARAMETER_IMPACTOR_FACE_DIAMETER, 1e-2, SOFTANVIL_STATUS_FACE_TOO_SMALL },
         { SOFTANVIL_PARAMETER_MESH_ELEMENT_SIZE, 1e-5, SOFTANVIL_STATUS_TOO_MANY_CELLS },
-        { SOFTANVIL_PARAMETER_SILICONE_PRONY_TAU_2, 0.1, SOFTANVIL_STATUS_NO_EFFECT },
-        { SOFTANVIL_PARAMETER_SKIN_DENSITY, 900.0, SOFTANVIL_STATUS_NO_EFFECT },
-        { SOFTANVIL_PARAMETER_GEOMETRY_LAYERS, SOFTANVIL_GEOMETRY_LAYERS_TWO, SOFTANVIL_STATUS_LAYER_THICKNESS },
+        { LAYER(0, PRONY_TAU_2), 0.1, SOFTANVIL_STATUS_NO_EFFECT },
+        { LAYER(3, DENSITY), 900.0, SOFTANVIL_STATUS_NO_EFFECT },
+        { SOFTANVIL_PARAMETER_LAYERS_COUNT, 2.0, SOFTANVIL_STATUS_LAYER_THICKNESS },
+        { SOFTANVIL_PARAMETER_LAYERS_COUNT, 5.0, SOFTANVIL_STATUS_ILLEGAL_VALUE },
         { SOFTANVIL_PARAMETER_SLOTS - 1, 1.0, SOFTANVIL_STATUS_RESERVED_SLOT },
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
@@ -265,9 +274,9 @@ static void illegal_scenarios(void)
         refused(size_of(&scenario), cases[i].status, 1, "softanvil_memory_size of an illegal scenario");
         refused(init(&scenario), cases[i].status, 1, "softanvil_init of an illegal scenario");
     }
-    SoftanvilScenario stiff = with(SOFTANVIL_PARAMETER_SILICONE_BULK_MODULUS, 1e12);
-    stiff.value[SOFTANVIL_PARAMETER_SILICONE_VOLUMETRIC_BY] = SOFTANVIL_SILICONE_VOLUMETRIC_BY_BULK_MODULUS;
-    stiff.value[SOFTANVIL_PARAMETER_SILICONE_DENSITY] = 10.0;
+    SoftanvilScenario stiff = with(LAYER(0, BULK_MODULUS), 1e12);
+    stiff.value[LAYER(0, VOLUMETRIC_BY)] = SOFTANVIL_LAYER_VOLUMETRIC_BY_BULK_MODULUS;
+    stiff.value[LAYER(0, DENSITY)] = 10.0;
     stiff.value[SOFTANVIL_PARAMETER_TIME_SAFETY_FACTOR] = 0.01;
     EXPLAIN(STEP_TOO_SMALL, init(&stiff));
     SoftanvilScenario slow = with(SOFTANVIL_PARAMETER_TIME_STEP_BY, SOFTANVIL_TIME_STEP_BY_GIVEN);

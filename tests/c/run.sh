@@ -76,6 +76,9 @@ for linkage in "${linkages[@]}"; do
         "${library[@]}"
     check "build rig of faults, $linkage" "${c[@]}" "${include[@]}" "$tests/c/faults.c" -o "$work/faults-$linkage" \
         "${library[@]}"
+    check "build layers, $linkage" "${c[@]}" "${include[@]}" "$tests/c/layers.c" -o "$work/layers-$linkage" \
+        "${library[@]}" -lm
+    check "a stack of one material is one layer, $linkage" "$work/layers-$linkage"
     check "build coupling, $linkage" "${c[@]}" "${include[@]}" "$tests/c/coupling.c" -o "$work/coupling-$linkage" \
         "${library[@]}" -lm
     check "mass outside, $linkage" "$work/coupling-$linkage"

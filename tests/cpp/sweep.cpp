@@ -30,8 +30,8 @@ Row drop(double yield_stress, double duration)
     auto scenario = softanvil::Scenario::preset(SOFTANVIL_PRESET_STUDY).value();
     scenario.set("mesh.element_size", 4e-3).value();
     // The preset has no slider.
-    scenario.set("silicone.slider_stiffness", 10e6).value();
-    scenario.set("silicone.slider_yield_stress", yield_stress).value();
+    scenario.set("layers[0].slider_stiffness", 10e6).value();
+    scenario.set("layers[0].slider_yield_stress", yield_stress).value();
     auto simulation = softanvil::Simulation::make(scenario).value();
     simulation.run(duration).value();
     return {simulation.output(SOFTANVIL_OUTPUT_RESULT_PEAK_FORCE).value(),

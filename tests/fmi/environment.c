@@ -26,7 +26,7 @@ static struct {
     FUNCTIONS(POINTER)
 } fmu;
 
-enum { ENERGY = 1107, FORCE = 3000, PEAK = 3300, HASH = 5001, STATE = 1 << 17 };
+enum { ENERGY = 1014, FORCE = 3000, PEAK = 3007, HASH = 5001, STATE = 1 << 17 };
 
 /* What a drop leaves behind. */
 struct outcome {

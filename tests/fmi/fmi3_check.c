@@ -44,9 +44,9 @@ static void load(const char *path)
 }
 
 enum {
-    TIME = 0, SHAPE = 1000, MOTION = 1100, MASS = 1101, GAP = 1103, SAFETY = 1601, N_POINTS = 1900, PUSH = 2000, HEIGHT = 2001, SPEED = 2002, FORCE = 3000,
-    FILTERED = 3003, POSITION = 3200, VELOCITY = 3201,
-    PEAK = 3300, KERNEL_TIME = 3500, STEP = 4000, ELEMENTS = 4001, ACTIVE = 5000, HASH = 5001, PROFILE = 6001, PRESSURE = 6002, UNKNOWN = 999
+    TIME = 0, SHAPE = 1000, MOTION = 1006, MASS = 1007, GAP = 1010, SAFETY = 1025, N_POINTS = 1900, PUSH = 2000, HEIGHT = 2001, SPEED = 2002, FORCE = 3000,
+    FILTERED = 3028, POSITION = 3003, VELOCITY = 3004,
+    PEAK = 3007, KERNEL_TIME = 3500, STEP = 4000, ELEMENTS = 4001, ACTIVE = 5000, HASH = 5001, PROFILE = 6001, PRESSURE = 6002, LAYER_COUNT = 1019, SECOND_THICKNESS = 7100, UNKNOWN = 999
 };
 
 static const double SAMPLE = 50e-6;
@@ -471,7 +471,7 @@ static void refusals(const char *token)
 /* A step that the kernel cannot complete: an error, the results readable, and a reset that works. */
 static void unstable(const char *token)
 {
-    const fmi3ValueReference parameters[2] = {SAFETY, 1107};
+    const fmi3ValueReference parameters[2] = {SAFETY, 1014};
     const fmi3Float64 values[2] = {1.0, 1e5};
     fmi3FMUState state = NULL;
     fmi3Instance c = plain(token, fmi3False, fmi3False, NULL);
@@ -551,6 +551,24 @@ static void no_instances(const char *token)
     fmu.fmi3FreeInstance(c);
 }
 
+/* The number of layers is a count, which has a setter of its own. */
+static void layers(const char *token)
+{
+    const fmi3ValueReference count = LAYER_COUNT, mass = MASS;
+    const fmi3Int32 two = 2, five = 5;
+    fmi3Int32 found = 0;
+    fmi3Instance c = plain(token, fmi3False, fmi3False, NULL);
+    CHECK(fmu.fmi3SetInt32(c, &count, 1, &five, 1) == fmi3Error && fmu.fmi3SetInt32(c, &mass, 1, &two, 1) == fmi3Error);
+    CHECK(fmu.fmi3GetInt32(c, &count, 1, &found, 1) == fmi3OK && found == 1);
+    CHECK(fmu.fmi3SetInt32(c, &count, 1, &two, 1) == fmi3OK);
+    set(c, SECOND_THICKNESS, 1e-3);
+    start(c);
+    run(c, 0, 40, SAMPLE);
+    CHECK(fmu.fmi3GetInt32(c, &count, 1, &found, 1) == fmi3OK && found == 2);
+    CHECK(fmu.fmi3SetInt32(c, &count, 1, &two, 1) == fmi3Error);
+    fmu.fmi3FreeInstance(c);
+}
+
 int main(int argc, char **argv)
 {
     if (argc != 3 && argc != 4) {
@@ -568,6 +586,7 @@ int main(int argc, char **argv)
     if (argc == 3) interrupted(argv[2]);
     if (argc == 3) pushed(argv[2]);
     if (argc == 3) driven(argv[2]);
+    layers(argv[2]);
     refusals(argv[2]);
     if (argc == 3) unstable(argv[2]);
     return failures != 0;

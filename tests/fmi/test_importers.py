@@ -18,7 +18,7 @@ from slave import STEP
 
 ENERGIES = [14.7, 9.8, 4.9]
 STEPS = 300
-ENERGY, PEAK, IMPULSE, HASH = 1107, 3300, 3303, 5001
+ENERGY, PEAK, IMPULSE, HASH = 1014, 3007, 3010, 5001
 
 
 def numbers(kernel, energy):

@@ -100,15 +100,37 @@ IN_INITIALIZATION = {
     "mass is NaN": ({"impactor__mass": NAN}, "impactor.mass = NaN kg"),
     "mass is infinite": ({"impactor__mass": INFINITY}, "impactor.mass = inf kg"),
     "no such choice": ({"impactor__drop_by": 3}, "impactor.drop_by = 3 is refused: expected 0 to 2"),
+    "too many layers": ({"layers__count": 5}, "layers.count = 5 is refused: expected 1 to 4"),
+    "no layers": ({"layers__count": 0}, "layers.count = 0 is refused: expected 1 to 4"),
     "negative choice": ({"impactor__drop_by": -1}, "impactor.drop_by = -1"),
 }
 
 
 def test_a_value_without_effect_is_logged_as_a_warning(slave):
-    slave.start(silicone__prony_tau_2=0.1)
+    slave.start(**{"layers[0].prony_tau_2": 0.1})
     warnings = [message for message in slave.messages if message[1] == "logStatusWarning"]
     assert warnings == [
-        (1, "logStatusWarning", "silicone.prony_tau_2 = 0.1 s has no effect: silicone.prony_g_2 is 0")]
+        (1, "logStatusWarning", "layers[0].prony_tau_2 = 0.1 s has no effect: layers[0].prony_g_2 is 0")]
+    slave.run(1)
+
+
+def test_a_value_of_a_layer_that_is_not_there_is_logged_as_a_warning(slave):
+    slave.start(**{"layers[2].density": 900.0})
+    reason = "layers[2].density = 900 kg/m3 has no effect: layers.count is 1"
+    assert (1, "logStatusWarning", reason) in slave.messages
+    slave.run(1)
+
+
+def test_a_layer_without_a_thickness_can_be_given_one(slave):
+    slave.fmu.setupExperiment()
+    slave.fmu.enterInitializationMode()
+    slave.set(layers__count=3, **{"layers[1].thickness": 2e-3})
+    with pytest.raises(FMICallException):
+        slave.fmu.exitInitializationMode()
+    assert "layers[2].thickness = 0 m is refused: expected at least 0.00001 m" in slave.messages[-1][2]
+    slave.set(**{"layers[2].thickness": 1e-3})
+    slave.fmu.exitInitializationMode()
+    assert slave.integer("layers.count") == 3
     slave.run(1)
 
 
@@ -133,12 +155,12 @@ def test_in_initialization_mode(slave, case):
 def test_a_scenario_that_does_not_fit_together_can_be_corrected(slave):
     slave.fmu.setupExperiment()
     slave.fmu.enterInitializationMode()
-    slave.set(silicone__prony_g_1=0.9, silicone__prony_g_2=0.9)
+    slave.set(**{"layers[0].prony_g_1": 0.9, "layers[0].prony_g_2": 0.9})
     for call in (lambda: slave.real("contact.force"), slave.fmu.exitInitializationMode):
         with pytest.raises(FMICallException):
             call()
         assert "sum to 1.8" in slave.messages[-1][2]
-    slave.set(silicone__prony_g_2=0.0)
+    slave.set(**{"layers[0].prony_g_2": 0.0})
     slave.fmu.exitInitializationMode()
     slave.run(1)
 

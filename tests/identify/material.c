@@ -1,9 +1,8 @@
 /*
- * Sets the material of material.h in a scenario and prints every value of the silicone, by name, as the library gives it
+ * Sets the material of material.h in a scenario and prints every value of its material, by name, as the library gives it
  * back; check.py compares them with material.toml. Exits with the status of the first refusal.
  */
 #include <stdio.h>
-#include <string.h>
 
 #include "material.h"
 
@@ -16,10 +15,12 @@ int main(void)
     if (status == SOFTANVIL_STATUS_OK) status = softanvil_material_silicone(&scenario, &error);
     for (i = 0; status == SOFTANVIL_STATUS_OK && i < softanvil_parameter_count(); i++) {
         SoftanvilParameterInfo info;
+        uint32_t parameter;
         double value;
-        status = softanvil_parameter_info(i, &info);
-        if (status != SOFTANVIL_STATUS_OK || strncmp(info.name, "silicone.", 9) != 0) continue;
-        status = softanvil_scenario_get(&scenario, i, &value);
+        status = softanvil_parameter_at(i, &parameter);
+        if (status == SOFTANVIL_STATUS_OK) status = softanvil_parameter_info(parameter, &info);
+        if (status != SOFTANVIL_STATUS_OK || info.layer != 0) continue;
+        status = softanvil_scenario_get(&scenario, parameter, &value);
         printf("%s %.17g\n", info.name, value);
     }
     return (int)status;

@@ -11,18 +11,18 @@ PARAMETERS = {
     "impactor.drop_energy": problem.ENERGY,
     "impactor.gap": problem.GAP,
     "face.friction_coefficient": 0.0,
-    "silicone.density": problem.DENSITY,
-    "silicone.law": 0,  # neo-Hooke
-    "silicone.c10": problem.SHEAR / 2,
-    "silicone.volumetric_by": 0,  # bulk modulus
-    "silicone.bulk_modulus": problem.BULK,
-    "silicone.prony_g_1": 0.0,
-    "silicone.prony_g_2": 0.0,
-    "silicone.slider_stiffness": 0.0,
+    "layers[0].density": problem.DENSITY,
+    "layers[0].law": 0,  # neo-Hooke
+    "layers[0].c10": problem.SHEAR / 2,
+    "layers[0].volumetric_by": 0,  # bulk modulus
+    "layers[0].bulk_modulus": problem.BULK,
+    "layers[0].prony_g_1": 0.0,
+    "layers[0].prony_g_2": 0.0,
+    "layers[0].slider_stiffness": 0.0,
     "time.duration": problem.DURATION,
 }
-# Bytes of a SoftanvilScenario: a header of four words, and the slots of the parameters.
-SCENARIO_BYTES = 16 + 256 * 8
+# Bytes of a SoftanvilScenario: a header of six words, and the slots of the parameters.
+SCENARIO_BYTES = 24 + 384 * 8
 REPEATS = 200
 
 

@@ -11,6 +11,7 @@ mod step;
 pub use memory::MemoryError;
 pub use model::ModelError;
 pub use name::Name;
+pub(crate) use name::split_dot;
 pub use parameter::{NoEffect, ParameterError, Says};
 pub use scenario::ScenarioError;
 pub use snapshot::SnapshotError;

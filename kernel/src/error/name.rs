@@ -38,7 +38,7 @@ impl Name {
     pub fn group(&self) -> &'static str {
         match self.layer {
             Some(_) => LAYERS,
-            None => self.text.split_once('.').map_or("", |(group, _)| group),
+            None => split_dot(self.text).map_or("", |(group, _)| group),
         }
     }
 
@@ -46,18 +46,23 @@ impl Name {
     pub fn field(&self) -> &'static str {
         match self.layer {
             Some(_) => self.text,
-            None => self.text.split_once('.').map_or(self.text, |(_, field)| field),
+            None => split_dot(self.text).map_or(self.text, |(_, field)| field),
         }
     }
 
     /// Layer and field of a `name` of the form `layers[1].field`.
     pub(crate) fn split_layer(name: &str) -> Option<(usize, &str)> {
-        // By single characters: the search for a text has a path to a panic.
-        let (layer, rest) = name.strip_prefix(LAYERS)?.strip_prefix('[')?.split_once(']')?;
-        let field = rest.strip_prefix('.')?;
-        let digits = !layer.is_empty() && layer.bytes().all(|byte| byte.is_ascii_digit());
-        if digits { Some((layer.parse().ok()?, field)) } else { None }
+        let rest = name.strip_prefix(LAYERS)?.strip_prefix('[')?;
+        let digit = rest.bytes().next().filter(u8::is_ascii_digit)?;
+        let field = rest.get(1..)?.strip_prefix("].")?;
+        Some((usize::from(digit - b'0'), field))
     }
+}
+
+/// What stands before the first dot and behind it. The searches of the standard library are not free of panics.
+pub(crate) fn split_dot(text: &str) -> Option<(&str, &str)> {
+    let dot = text.bytes().position(|byte| byte == b'.')?;
+    Some((text.get(..dot)?, text.get(dot + 1..)?))
 }
 
 /// The group of the parameters of layers.

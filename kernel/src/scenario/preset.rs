@@ -198,7 +198,10 @@ fn consistent_material(mut material: Material) -> Material {
 
 /// The one layer of the study's anvil, of `silicone`.
 fn one_layer(silicone: Material) -> Vec<Layer, MAX_LAYERS> {
-    Vec::from_iter([Layer::new("silicone", 15e-3, silicone)])
+    let mut layers = Vec::new();
+    // There is room for one.
+    let _ = layers.push(Layer::new("silicone", 15e-3, silicone));
+    layers
 }
 
 /// The silicone of [`study`], near the best of `calibration/all.toml`. Five parameters were fitted to twelve numbers: three

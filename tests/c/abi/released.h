@@ -32,8 +32,10 @@
  *   refused with a status. A pointer must otherwise point to what its type says; that no library can check.
  * - Threads. There is no global state. One simulation is used by one thread at a time; any number of simulations run in
  *   parallel. Functions that take only `const` pointers may run at the same time on the same object.
- * - Surroundings. No function uses the heap, files, clocks, locale, errno or signals, and none ends the process. The
- *   floating-point environment must be the default one of C: rounding to nearest, denormals kept.
+ * - Surroundings. No function uses the heap, files, clocks, locale, errno or signals, and none ends the process. A
+ *   floating-point environment that the thread has changed (rounding, flush-to-zero, unmasked exceptions) is set to the
+ *   default of C for the time of a call and put back, on x86, aarch64, arm with an FPU, and riscv; on other processors
+ *   the caller must not have changed it.
  * - Stability. Numbers and structures keep their meaning and size; later versions add numbers, functions and parameters.
  *   `const` on a pointer means that the object is not changed.
  */
@@ -105,12 +107,28 @@ enum SoftanvilStatus
     SOFTANVIL_STATUS_STEP_TOO_LARGE = 206,
     /** A slot of a scenario or an input that has no meaning in this version is not zero. */
     SOFTANVIL_STATUS_RESERVED_SLOT = 207,
+    /** The stretch at which a layer begins to tear is below 1. */
+    SOFTANVIL_STATUS_TEAR_STRETCH = 208,
+    /** A layer has no thickness, or next to none; a layer that the preset does not have needs one. */
+    SOFTANVIL_STATUS_LAYER_THICKNESS = 209,
+    /** An axisymmetric anvil has no full section. */
+    SOFTANVIL_STATUS_FULL_AXISYMMETRIC = 210,
+    /** Only a full section can have an impactor beside the centre line. */
+    SOFTANVIL_STATUS_OFFSET_OF_HALF = 211,
+    /** An element has no area. */
+    SOFTANVIL_STATUS_NO_AREA = 212,
+    /** A value differs from the preset's and has no effect beside the others. */
+    SOFTANVIL_STATUS_NO_EFFECT = 213,
+    /** Two values that state the same thing differ from the preset's. */
+    SOFTANVIL_STATUS_CONTRADICTION = 214,
     /** An element turned inside out or is no longer finite. */
     SOFTANVIL_STATUS_INVERTED = 300,
     /** The time step is above the current stability limit of an element. */
     SOFTANVIL_STATUS_UNSTABLE = 301,
     /** The input of a step is not a finite number. */
     SOFTANVIL_STATUS_ILLEGAL_INPUT = 302,
+    /** The time to run to is not a number, is past, or is too far ahead. */
+    SOFTANVIL_STATUS_ILLEGAL_TIME = 303,
     /** The bytes are not a snapshot of this format version. */
     SOFTANVIL_STATUS_SNAPSHOT_FORMAT = 400,
     /** The snapshot belongs to a different scenario. */
@@ -194,32 +212,46 @@ const char *softanvil_status_text(int32_t status);
 
 /** Ready-made scenarios. */
 enum SoftanvilPreset {
-    /** The soft anvil of doi 10.1007/s12283-023-00407-7, dropped on with 14.7 J. */
-    SOFTANVIL_PRESET_STUDY = 0
+    /** the study's soft anvil, 5 parameters fitted to the 12 numbers of its 3 drops */
+    SOFTANVIL_PRESET_STUDY = 0,
+    /** the study's soft anvil, 4 parameters fitted to the 4 numbers of 14.7 J alone */
+    SOFTANVIL_PRESET_STUDY_14_7 = 1,
+    /** the study's soft anvil, incompressible, 5 parameters fitted to the 12 numbers */
+    SOFTANVIL_PRESET_STUDY_INCOMPRESSIBLE = 2,
+    /** the study's anvil of a plain elastic silicone, to start from with a material of one's own */
+    SOFTANVIL_PRESET_ELASTIC = 3,
+    /** a flat block of the plain elastic silicone on a flat core, bonded */
+    SOFTANVIL_PRESET_BLOCK = 4,
+    /** the study's anvil of Ecoflex 00-30, elastic, from tension tests of Marechal et al. (2021) */
+    SOFTANVIL_PRESET_ECOFLEX_00_30 = 5,
+    /** the study's anvil of Dragon Skin 30, elastic, from tension tests of Marechal et al. (2021) */
+    SOFTANVIL_PRESET_DRAGON_SKIN_30 = 6,
+    /** the study's anvil of Treloar's vulcanised natural rubber, elastic, by Ogden (1972) */
+    SOFTANVIL_PRESET_NATURAL_RUBBER = 7
 };
 
-/** Parameters of a scenario: name, unit, legal range, meaning. */
+/** Parameters that belong to no layer: name, unit, legal range, meaning. */
 enum SoftanvilParameter {
     /** geometry.shape, a SoftanvilGeometryShape: layer on a round core, or a flat block on a flat core. */
     SOFTANVIL_PARAMETER_GEOMETRY_SHAPE = 0,
     /** geometry.formulation, a SoftanvilGeometryFormulation: kinematics of the section. */
     SOFTANVIL_PARAMETER_GEOMETRY_FORMULATION = 1,
+    /** geometry.section, a SoftanvilGeometrySection: half of the section with symmetry, or all of it. */
+    SOFTANVIL_PARAMETER_GEOMETRY_SECTION = 2,
     /** geometry.core_radius, m, from 0.001 to 1: radius of the rigid core (round shape). */
-    SOFTANVIL_PARAMETER_GEOMETRY_CORE_RADIUS = 2,
-    /** geometry.silicone_thickness, m, from 1e-4 to 0.5: thickness of the silicone. */
-    SOFTANVIL_PARAMETER_GEOMETRY_SILICONE_THICKNESS = 3,
-    /** geometry.skin_thickness, m, from 0 to 0.1: thickness of the skin, which has the silicone's material. */
-    SOFTANVIL_PARAMETER_GEOMETRY_SKIN_THICKNESS = 4,
-    /** geometry.length, m, from 0.001 to 10: largest out-of-plane thickness in plane strain (effective length of the layer). */
-    SOFTANVIL_PARAMETER_GEOMETRY_LENGTH = 5,
+    SOFTANVIL_PARAMETER_GEOMETRY_CORE_RADIUS = 3,
+    /** geometry.length, m, from 0.001 to 10: largest out-of-plane thickness in plane strain (effective length of the layers). */
+    SOFTANVIL_PARAMETER_GEOMETRY_LENGTH = 4,
     /** geometry.block_width, m, from 1e-4 to 10: full width, or diameter if axisymmetric (block shape). */
-    SOFTANVIL_PARAMETER_GEOMETRY_BLOCK_WIDTH = 6,
-    /** impactor.motion, a SoftanvilImpactorMotion: a falling mass, or a position given from outside at every step. */
-    SOFTANVIL_PARAMETER_IMPACTOR_MOTION = 7,
+    SOFTANVIL_PARAMETER_GEOMETRY_BLOCK_WIDTH = 5,
+    /** impactor.motion, a SoftanvilImpactorMotion: a falling mass, a position given from outside with every call, or down at a speed to a depth and hold. */
+    SOFTANVIL_PARAMETER_IMPACTOR_MOTION = 6,
     /** impactor.mass, kg, from 0.001 to 10000: mass of the impactor. */
-    SOFTANVIL_PARAMETER_IMPACTOR_MASS = 8,
+    SOFTANVIL_PARAMETER_IMPACTOR_MASS = 7,
     /** impactor.face_diameter, m, from 0.001 to 10: diameter of the flat face; its chord is the thickness of a round section in plane strain. */
-    SOFTANVIL_PARAMETER_IMPACTOR_FACE_DIAMETER = 9,
+    SOFTANVIL_PARAMETER_IMPACTOR_FACE_DIAMETER = 8,
+    /** impactor.offset, m, from -1 to 1: distance of the face's centre from the centre line, to the right (full section). */
+    SOFTANVIL_PARAMETER_IMPACTOR_OFFSET = 9,
     /** impactor.gap, m, from 0 to 1: height of the face above the anvil at the start. */
     SOFTANVIL_PARAMETER_IMPACTOR_GAP = 10,
     /** impactor.gravity, m/s2, from 0 to 100: acceleration of gravity. */
@@ -232,69 +264,137 @@ enum SoftanvilParameter {
     SOFTANVIL_PARAMETER_IMPACTOR_DROP_ENERGY = 14,
     /** impactor.drop_speed, m/s, from 0 to 100: downward speed at the start. */
     SOFTANVIL_PARAMETER_IMPACTOR_DROP_SPEED = 15,
-    /** silicone.density, kg/m3, from 10 to 20000: density of the layer. */
-    SOFTANVIL_PARAMETER_SILICONE_DENSITY = 16,
-    /** silicone.moduli, a SoftanvilSiliconeModuli: what the elastic coefficients are: after full relaxation, or before any. */
-    SOFTANVIL_PARAMETER_SILICONE_MODULI = 17,
-    /** silicone.c10, Pa, from -1e9 to 1e9: Mooney-Rivlin coefficient of (I1 - 3). */
-    SOFTANVIL_PARAMETER_SILICONE_C10 = 18,
-    /** silicone.c01, Pa, from -1e9 to 1e9: Mooney-Rivlin coefficient of (I2 - 3). */
-    SOFTANVIL_PARAMETER_SILICONE_C01 = 19,
-    /** silicone.c11, Pa, from -1e9 to 1e9: Mooney-Rivlin coefficient of (I1 - 3)(I2 - 3). */
-    SOFTANVIL_PARAMETER_SILICONE_C11 = 20,
-    /** silicone.c20, Pa, from -1e9 to 1e9: Mooney-Rivlin coefficient of (I1 - 3)^2. */
-    SOFTANVIL_PARAMETER_SILICONE_C20 = 21,
-    /** silicone.c02, Pa, from -1e9 to 1e9: Mooney-Rivlin coefficient of (I2 - 3)^2. */
-    SOFTANVIL_PARAMETER_SILICONE_C02 = 22,
-    /** silicone.volumetric_by, a SoftanvilSiliconeVolumetricBy: which of the next two states the compressibility. */
-    SOFTANVIL_PARAMETER_SILICONE_VOLUMETRIC_BY = 23,
-    /** silicone.bulk_modulus, Pa, from 100 to 1e12: bulk modulus. */
-    SOFTANVIL_PARAMETER_SILICONE_BULK_MODULUS = 24,
-    /** silicone.poissons_ratio, from 0 to 0.4999: Poisson's ratio of the long-term law. */
-    SOFTANVIL_PARAMETER_SILICONE_POISSONS_RATIO = 25,
-    /** silicone.prony_g_1, from 0 to 0.9999: Prony coefficient, normalised on the instantaneous modulus; 0 switches the term off. */
-    SOFTANVIL_PARAMETER_SILICONE_PRONY_G_1 = 26,
-    /** silicone.prony_tau_1, s, from 1e-7 to 1e6: relaxation time of the Prony term. */
-    SOFTANVIL_PARAMETER_SILICONE_PRONY_TAU_1 = 27,
-    /** silicone.prony_g_2, from 0 to 0.9999: Prony coefficient, normalised on the instantaneous modulus; 0 switches the term off. */
-    SOFTANVIL_PARAMETER_SILICONE_PRONY_G_2 = 28,
-    /** silicone.prony_tau_2, s, from 1e-7 to 1e6: relaxation time of the Prony term. */
-    SOFTANVIL_PARAMETER_SILICONE_PRONY_TAU_2 = 29,
-    /** silicone.prony_g_3, from 0 to 0.9999: Prony coefficient, normalised on the instantaneous modulus; 0 switches the term off. */
-    SOFTANVIL_PARAMETER_SILICONE_PRONY_G_3 = 30,
-    /** silicone.prony_tau_3, s, from 1e-7 to 1e6: relaxation time of the Prony term. */
-    SOFTANVIL_PARAMETER_SILICONE_PRONY_TAU_3 = 31,
-    /** silicone.prony_g_4, from 0 to 0.9999: Prony coefficient, normalised on the instantaneous modulus; 0 switches the term off. */
-    SOFTANVIL_PARAMETER_SILICONE_PRONY_G_4 = 32,
-    /** silicone.prony_tau_4, s, from 1e-7 to 1e6: relaxation time of the Prony term. */
-    SOFTANVIL_PARAMETER_SILICONE_PRONY_TAU_4 = 33,
-    /** silicone.prony_g_5, from 0 to 0.9999: Prony coefficient, normalised on the instantaneous modulus; 0 switches the term off. */
-    SOFTANVIL_PARAMETER_SILICONE_PRONY_G_5 = 34,
-    /** silicone.prony_tau_5, s, from 1e-7 to 1e6: relaxation time of the Prony term. */
-    SOFTANVIL_PARAMETER_SILICONE_PRONY_TAU_5 = 35,
-    /** silicone.slider_stiffness, Pa, from 0 to 1e11: shear modulus G of the damping spring; 0 switches the spring-slider off. */
-    SOFTANVIL_PARAMETER_SILICONE_SLIDER_STIFFNESS = 36,
-    /** silicone.slider_yield_stress, Pa, from 0 to 1e10: von Mises stress SIGF at which the slider slips. */
-    SOFTANVIL_PARAMETER_SILICONE_SLIDER_YIELD_STRESS = 37,
-    /** core.interface, a SoftanvilCoreInterface: how the layer sits on the core. */
-    SOFTANVIL_PARAMETER_CORE_INTERFACE = 38,
+    /** impactor.prescribed_speed, m/s, from 1e-6 to 100: downward speed of the prescribed motion. */
+    SOFTANVIL_PARAMETER_IMPACTOR_PRESCRIBED_SPEED = 16,
+    /** impactor.prescribed_depth, m, from 0 to 1: depth below the undeformed anvil at which the prescribed motion ends and holds. */
+    SOFTANVIL_PARAMETER_IMPACTOR_PRESCRIBED_DEPTH = 17,
+    /** impactor.prescribed_rise, s, from 0 to 100: time over which the prescribed speed rises at the start and falls at the end, smoothly; at most travel / speed. */
+    SOFTANVIL_PARAMETER_IMPACTOR_PRESCRIBED_RISE = 18,
+    /** layers.count, a whole number from 1 to 4: number of layers between core and face, layers[0] next to the core. */
+    SOFTANVIL_PARAMETER_LAYERS_COUNT = 19,
+    /** core.interface, a SoftanvilCoreInterface: how the layer sits on the core: glued, in contact with friction, or on rollers (neither lifts nor rubs). */
+    SOFTANVIL_PARAMETER_CORE_INTERFACE = 20,
     /** core.friction_coefficient, from 0 to 10: Coulomb coefficient of a frictional core. */
-    SOFTANVIL_PARAMETER_CORE_FRICTION_COEFFICIENT = 39,
+    SOFTANVIL_PARAMETER_CORE_FRICTION_COEFFICIENT = 21,
     /** face.friction_coefficient, from 0 to 10: Coulomb coefficient under the impactor. */
-    SOFTANVIL_PARAMETER_FACE_FRICTION_COEFFICIENT = 40,
+    SOFTANVIL_PARAMETER_FACE_FRICTION_COEFFICIENT = 22,
     /** mesh.element_size, m, from 1e-5 to 0.1: edge length that the structured mesh aims at. */
-    SOFTANVIL_PARAMETER_MESH_ELEMENT_SIZE = 41,
+    SOFTANVIL_PARAMETER_MESH_ELEMENT_SIZE = 23,
     /** time.step_by, a SoftanvilTimeStepBy: which of the next two states the time step. */
-    SOFTANVIL_PARAMETER_TIME_STEP_BY = 42,
-    /** time.safety_factor, from 0.01 to 1: fraction of the stability limit of the stiffest expected state. */
-    SOFTANVIL_PARAMETER_TIME_SAFETY_FACTOR = 43,
-    /** time.step, s, from 1e-8 to 5e-5: requested step; the largest whole divisor of 50 us not above it is used. */
-    SOFTANVIL_PARAMETER_TIME_STEP = 44,
+    SOFTANVIL_PARAMETER_TIME_STEP_BY = 24,
+    /** time.safety_factor, from 0.01 to 1: fraction of the smallest stability limit that a trial of the scenario finds. */
+    SOFTANVIL_PARAMETER_TIME_SAFETY_FACTOR = 25,
+    /** time.step, s, from 1e-10 to 5e-5: requested step; the largest whole divisor of 50 us not above it is used. */
+    SOFTANVIL_PARAMETER_TIME_STEP = 26,
+    /** time.design_compression, from 0.01 to 0.95: part of the layer's thickness that a driven face presses it by at most, for which the step is chosen. */
+    SOFTANVIL_PARAMETER_TIME_DESIGN_COMPRESSION = 27,
     /** time.duration, s, from 5e-5 to 100: simulated time of a run. */
-    SOFTANVIL_PARAMETER_TIME_DURATION = 45,
-    /** measurement.force_threshold, N, from 0 to 1e5: force that begins and ends the impact duration (the default is just above the 5 kg mass's weight). */
-    SOFTANVIL_PARAMETER_MEASUREMENT_FORCE_THRESHOLD = 46
+    SOFTANVIL_PARAMETER_TIME_DURATION = 28,
+    /** measurement.force_threshold, N, from 0 to 1e5: force that begins and ends the impact duration. */
+    SOFTANVIL_PARAMETER_MEASUREMENT_FORCE_THRESHOLD = 29,
+    /** measurement.channel_class, Hz, from 1 to 2000: channel frequency class (SAE J211, ISO 6487) of contact.force_filtered, such as 60, 180, 600 or 1000. */
+    SOFTANVIL_PARAMETER_MEASUREMENT_CHANNEL_CLASS = 30
 };
+
+/** Parameters of a layer, to be given to SOFTANVIL_PARAMETER_OF_LAYER: name, unit, legal range, meaning. */
+enum SoftanvilLayer {
+    /** layer.thickness, m, from 0 to 0.5: thickness at rest, at least 0.01 mm. */
+    SOFTANVIL_LAYER_THICKNESS = 0,
+    /** layer.rows, a whole number from 0 to 10000: rows of cells through the thickness; 0 takes as many as come nearest to mesh.element_size. */
+    SOFTANVIL_LAYER_ROWS = 1,
+    /** layer.density, kg/m3, from 10 to 20000: density. */
+    SOFTANVIL_LAYER_DENSITY = 2,
+    /** layer.law, a SoftanvilLayerLaw: isochoric hyperelastic law (mooney_rivlin has 2, 3 or 5 parameters, by coefficients of zero). */
+    SOFTANVIL_LAYER_LAW = 3,
+    /** layer.moduli, a SoftanvilLayerModuli: what the elastic coefficients are: after full relaxation, or before any. */
+    SOFTANVIL_LAYER_MODULI = 4,
+    /** layer.c10, Pa, from -1e9 to 1e9: coefficient of (I1 - 3) in all laws but ogden. */
+    SOFTANVIL_LAYER_C10 = 5,
+    /** layer.c01, Pa, from -1e9 to 1e9: mooney_rivlin coefficient of (I2 - 3). */
+    SOFTANVIL_LAYER_C01 = 6,
+    /** layer.c11, Pa, from -1e9 to 1e9: mooney_rivlin coefficient of (I1 - 3)(I2 - 3). */
+    SOFTANVIL_LAYER_C11 = 7,
+    /** layer.c20, Pa, from -1e9 to 1e9: mooney_rivlin and yeoh coefficient of (I1 - 3)^2. */
+    SOFTANVIL_LAYER_C20 = 8,
+    /** layer.c02, Pa, from -1e9 to 1e9: mooney_rivlin coefficient of (I2 - 3)^2. */
+    SOFTANVIL_LAYER_C02 = 9,
+    /** layer.c30, Pa, from -1e9 to 1e9: yeoh coefficient of (I1 - 3)^3. */
+    SOFTANVIL_LAYER_C30 = 10,
+    /** layer.ogden_mu_1, Pa, from -1e9 to 1e9: ogden coefficient, W = sum mu/alpha (l1^alpha + l2^alpha + l3^alpha - 3); 0 switches the term off. */
+    SOFTANVIL_LAYER_OGDEN_MU_1 = 11,
+    /** layer.ogden_alpha_1, from -30 to 30: ogden exponent; the shear modulus at rest is sum mu alpha / 2. */
+    SOFTANVIL_LAYER_OGDEN_ALPHA_1 = 12,
+    /** layer.ogden_mu_2, Pa, from -1e9 to 1e9: ogden coefficient, W = sum mu/alpha (l1^alpha + l2^alpha + l3^alpha - 3); 0 switches the term off. */
+    SOFTANVIL_LAYER_OGDEN_MU_2 = 13,
+    /** layer.ogden_alpha_2, from -30 to 30: ogden exponent; the shear modulus at rest is sum mu alpha / 2. */
+    SOFTANVIL_LAYER_OGDEN_ALPHA_2 = 14,
+    /** layer.ogden_mu_3, Pa, from -1e9 to 1e9: ogden coefficient, W = sum mu/alpha (l1^alpha + l2^alpha + l3^alpha - 3); 0 switches the term off. */
+    SOFTANVIL_LAYER_OGDEN_MU_3 = 15,
+    /** layer.ogden_alpha_3, from -30 to 30: ogden exponent; the shear modulus at rest is sum mu alpha / 2. */
+    SOFTANVIL_LAYER_OGDEN_ALPHA_3 = 16,
+    /** layer.volumetric_law, a SoftanvilLayerVolumetricLaw: energy of volume change: K/2 (J-1)^2, or K/4 (J^2 - 1 - 2 ln J), which no compression brings to J = 0. */
+    SOFTANVIL_LAYER_VOLUMETRIC_LAW = 17,
+    /** layer.volumetric_by, a SoftanvilLayerVolumetricBy: which of the next two states the compressibility. */
+    SOFTANVIL_LAYER_VOLUMETRIC_BY = 18,
+    /** layer.bulk_modulus, Pa, from 100 to 1e12: bulk modulus. */
+    SOFTANVIL_LAYER_BULK_MODULUS = 19,
+    /** layer.poissons_ratio, from 0 to 0.4999: Poisson's ratio of the long-term law. */
+    SOFTANVIL_LAYER_POISSONS_RATIO = 20,
+    /** layer.prony_g_1, from 0 to 0.9999: Prony coefficient, normalised on the instantaneous modulus; 0 switches the term off. */
+    SOFTANVIL_LAYER_PRONY_G_1 = 21,
+    /** layer.prony_tau_1, s, from 1e-7 to 1e6: relaxation time of the Prony term. */
+    SOFTANVIL_LAYER_PRONY_TAU_1 = 22,
+    /** layer.prony_g_2, from 0 to 0.9999: Prony coefficient, normalised on the instantaneous modulus; 0 switches the term off. */
+    SOFTANVIL_LAYER_PRONY_G_2 = 23,
+    /** layer.prony_tau_2, s, from 1e-7 to 1e6: relaxation time of the Prony term. */
+    SOFTANVIL_LAYER_PRONY_TAU_2 = 24,
+    /** layer.prony_g_3, from 0 to 0.9999: Prony coefficient, normalised on the instantaneous modulus; 0 switches the term off. */
+    SOFTANVIL_LAYER_PRONY_G_3 = 25,
+    /** layer.prony_tau_3, s, from 1e-7 to 1e6: relaxation time of the Prony term. */
+    SOFTANVIL_LAYER_PRONY_TAU_3 = 26,
+    /** layer.prony_g_4, from 0 to 0.9999: Prony coefficient, normalised on the instantaneous modulus; 0 switches the term off. */
+    SOFTANVIL_LAYER_PRONY_G_4 = 27,
+    /** layer.prony_tau_4, s, from 1e-7 to 1e6: relaxation time of the Prony term. */
+    SOFTANVIL_LAYER_PRONY_TAU_4 = 28,
+    /** layer.prony_g_5, from 0 to 0.9999: Prony coefficient, normalised on the instantaneous modulus; 0 switches the term off. */
+    SOFTANVIL_LAYER_PRONY_G_5 = 29,
+    /** layer.prony_tau_5, s, from 1e-7 to 1e6: relaxation time of the Prony term. */
+    SOFTANVIL_LAYER_PRONY_TAU_5 = 30,
+    /** layer.maxwell_g_1, Pa, from 0 to 1e11: shear modulus of an additive Maxwell term; 0 switches the term off. */
+    SOFTANVIL_LAYER_MAXWELL_G_1 = 31,
+    /** layer.maxwell_beta_1, 1/s, from 1e-6 to 1e7: decay constant of the Maxwell term, one over its relaxation time. */
+    SOFTANVIL_LAYER_MAXWELL_BETA_1 = 32,
+    /** layer.maxwell_g_2, Pa, from 0 to 1e11: shear modulus of an additive Maxwell term; 0 switches the term off. */
+    SOFTANVIL_LAYER_MAXWELL_G_2 = 33,
+    /** layer.maxwell_beta_2, 1/s, from 1e-6 to 1e7: decay constant of the Maxwell term, one over its relaxation time. */
+    SOFTANVIL_LAYER_MAXWELL_BETA_2 = 34,
+    /** layer.maxwell_g_3, Pa, from 0 to 1e11: shear modulus of an additive Maxwell term; 0 switches the term off. */
+    SOFTANVIL_LAYER_MAXWELL_G_3 = 35,
+    /** layer.maxwell_beta_3, 1/s, from 1e-6 to 1e7: decay constant of the Maxwell term, one over its relaxation time. */
+    SOFTANVIL_LAYER_MAXWELL_BETA_3 = 36,
+    /** layer.maxwell_g_4, Pa, from 0 to 1e11: shear modulus of an additive Maxwell term; 0 switches the term off. */
+    SOFTANVIL_LAYER_MAXWELL_G_4 = 37,
+    /** layer.maxwell_beta_4, 1/s, from 1e-6 to 1e7: decay constant of the Maxwell term, one over its relaxation time. */
+    SOFTANVIL_LAYER_MAXWELL_BETA_4 = 38,
+    /** layer.maxwell_g_5, Pa, from 0 to 1e11: shear modulus of an additive Maxwell term; 0 switches the term off. */
+    SOFTANVIL_LAYER_MAXWELL_G_5 = 39,
+    /** layer.maxwell_beta_5, 1/s, from 1e-6 to 1e7: decay constant of the Maxwell term, one over its relaxation time. */
+    SOFTANVIL_LAYER_MAXWELL_BETA_5 = 40,
+    /** layer.slider_stiffness, Pa, from 0 to 1e11: shear modulus G of the damping spring; 0 switches the spring-slider off. */
+    SOFTANVIL_LAYER_SLIDER_STIFFNESS = 41,
+    /** layer.slider_yield_stress, Pa, from 0 to 1e10: von Mises stress SIGF at which the slider slips. */
+    SOFTANVIL_LAYER_SLIDER_YIELD_STRESS = 42,
+    /** layer.tear_stretch, from 0 to 100: largest principal stretch at which the material begins to tear, at least 1; 0 switches tearing off. */
+    SOFTANVIL_LAYER_TEAR_STRETCH = 43,
+    /** layer.tear_width, from 0.001 to 10: stretch over which the deviatoric stress falls. */
+    SOFTANVIL_LAYER_TEAR_WIDTH = 44,
+    /** layer.tear_residual, from 0 to 1: part of the deviatoric stress that remains after the tear. */
+    SOFTANVIL_LAYER_TEAR_RESIDUAL = 45
+};
+
+/** Number of a parameter of a layer, 0 next to the core: SOFTANVIL_PARAMETER_OF_LAYER(1, SOFTANVIL_LAYER_C10). */
+#define SOFTANVIL_PARAMETER_OF_LAYER(layer, parameter) \
+    (SOFTANVIL_LAYERS_BEGIN + SOFTANVIL_LAYER_NUMBERS * (uint32_t)(layer) + (uint32_t)(parameter))
 
 /** geometry.shape: layer on a round core, or a flat block on a flat core. */
 enum SoftanvilGeometryShape {
@@ -308,10 +408,17 @@ enum SoftanvilGeometryFormulation {
     SOFTANVIL_GEOMETRY_FORMULATION_AXISYMMETRIC = 1
 };
 
-/** impactor.motion: a falling mass, or a position given from outside at every step. */
+/** geometry.section: half of the section with symmetry, or all of it. */
+enum SoftanvilGeometrySection {
+    SOFTANVIL_GEOMETRY_SECTION_HALF = 0,
+    SOFTANVIL_GEOMETRY_SECTION_FULL = 1
+};
+
+/** impactor.motion: a falling mass, a position given from outside with every call, or down at a speed to a depth and hold. */
 enum SoftanvilImpactorMotion {
     SOFTANVIL_IMPACTOR_MOTION_DROP = 0,
-    SOFTANVIL_IMPACTOR_MOTION_DRIVEN = 1
+    SOFTANVIL_IMPACTOR_MOTION_DRIVEN = 1,
+    SOFTANVIL_IMPACTOR_MOTION_PRESCRIBED = 2
 };
 
 /** impactor.drop_by: which of the next three states the drop. */
@@ -321,28 +428,43 @@ enum SoftanvilImpactorDropBy {
     SOFTANVIL_IMPACTOR_DROP_BY_SPEED = 2
 };
 
-/** silicone.moduli: what the elastic coefficients are: after full relaxation, or before any. */
-enum SoftanvilSiliconeModuli {
-    SOFTANVIL_SILICONE_MODULI_LONG_TERM = 0,
-    SOFTANVIL_SILICONE_MODULI_INSTANTANEOUS = 1
-};
-
-/** silicone.volumetric_by: which of the next two states the compressibility. */
-enum SoftanvilSiliconeVolumetricBy {
-    SOFTANVIL_SILICONE_VOLUMETRIC_BY_BULK_MODULUS = 0,
-    SOFTANVIL_SILICONE_VOLUMETRIC_BY_POISSONS_RATIO = 1
-};
-
-/** core.interface: how the layer sits on the core. */
+/** core.interface: how the layer sits on the core: glued, in contact with friction, or on rollers (neither lifts nor rubs). */
 enum SoftanvilCoreInterface {
     SOFTANVIL_CORE_INTERFACE_BONDED = 0,
-    SOFTANVIL_CORE_INTERFACE_FRICTIONAL = 1
+    SOFTANVIL_CORE_INTERFACE_FRICTIONAL = 1,
+    SOFTANVIL_CORE_INTERFACE_SLIDING = 2
 };
 
 /** time.step_by: which of the next two states the time step. */
 enum SoftanvilTimeStepBy {
     SOFTANVIL_TIME_STEP_BY_SAFETY_FACTOR = 0,
     SOFTANVIL_TIME_STEP_BY_GIVEN = 1
+};
+
+/** layer.law: isochoric hyperelastic law (mooney_rivlin has 2, 3 or 5 parameters, by coefficients of zero). */
+enum SoftanvilLayerLaw {
+    SOFTANVIL_LAYER_LAW_NEO_HOOKEAN = 0,
+    SOFTANVIL_LAYER_LAW_MOONEY_RIVLIN = 1,
+    SOFTANVIL_LAYER_LAW_YEOH = 2,
+    SOFTANVIL_LAYER_LAW_OGDEN = 3
+};
+
+/** layer.moduli: what the elastic coefficients are: after full relaxation, or before any. */
+enum SoftanvilLayerModuli {
+    SOFTANVIL_LAYER_MODULI_LONG_TERM = 0,
+    SOFTANVIL_LAYER_MODULI_INSTANTANEOUS = 1
+};
+
+/** layer.volumetric_law: energy of volume change: K/2 (J-1)^2, or K/4 (J^2 - 1 - 2 ln J), which no compression brings to J = 0. */
+enum SoftanvilLayerVolumetricLaw {
+    SOFTANVIL_LAYER_VOLUMETRIC_LAW_QUADRATIC = 0,
+    SOFTANVIL_LAYER_VOLUMETRIC_LAW_SIMO = 1
+};
+
+/** layer.volumetric_by: which of the next two states the compressibility. */
+enum SoftanvilLayerVolumetricBy {
+    SOFTANVIL_LAYER_VOLUMETRIC_BY_BULK_MODULUS = 0,
+    SOFTANVIL_LAYER_VOLUMETRIC_BY_POISSONS_RATIO = 1
 };
 
 /** Outputs of a simulation: name, unit, meaning. */
@@ -357,7 +479,7 @@ enum SoftanvilOutput {
     SOFTANVIL_OUTPUT_IMPACTOR_POSITION = 3,
     /** impactor.velocity, m/s: velocity of the impactor, upwards. */
     SOFTANVIL_OUTPUT_IMPACTOR_VELOCITY = 4,
-    /** impactor.acceleration, m/s2: acceleration of the impactor, upwards. */
+    /** impactor.acceleration, m/s2: acceleration of the impactor in the last step, upwards. */
     SOFTANVIL_OUTPUT_IMPACTOR_ACCELERATION = 5,
     /** impactor.deformation, m: depth of the face below the undeformed anvil. */
     SOFTANVIL_OUTPUT_IMPACTOR_DEFORMATION = 6,
@@ -396,7 +518,17 @@ enum SoftanvilOutput {
     /** energy.external, J: energy at the start and work from outside. */
     SOFTANVIL_OUTPUT_ENERGY_EXTERNAL = 23,
     /** energy.residual, J: external energy that the other terms leave unexplained. */
-    SOFTANVIL_OUTPUT_ENERGY_RESIDUAL = 24
+    SOFTANVIL_OUTPUT_ENERGY_RESIDUAL = 24,
+    /** contact.half_width, m: half of the width over which the face touches the anvil (radius if axisymmetric). */
+    SOFTANVIL_OUTPUT_CONTACT_HALF_WIDTH = 25,
+    /** energy.tear, J: energy dissipated by tearing. */
+    SOFTANVIL_OUTPUT_ENERGY_TEAR = 27,
+    /** contact.force_filtered, N: contact.force after the forward pass of the channel filter measurement.channel_class, which lags as any running filter does; the standards' figure without lag needs a second pass backwards over the whole record. */
+    SOFTANVIL_OUTPUT_CONTACT_FORCE_FILTERED = 28,
+    /** model.design_stretch: smallest principal stretch in the section that the time step was chosen for; 1 where the step was given. */
+    SOFTANVIL_OUTPUT_MODEL_DESIGN_STRETCH = 29,
+    /** result.complete: 1 once the face has touched and is clear of the layer for a whole sampling interval; at 0 the other results are those so far. */
+    SOFTANVIL_OUTPUT_RESULT_COMPLETE = 30
 };
 
 /** Fields of a simulation: name, unit, components, meaning. */
@@ -420,7 +552,11 @@ enum SoftanvilField {
     /** element.von_mises_stress, Pa: von Mises stress of the last step, viscous and damping parts included. */
     SOFTANVIL_FIELD_ELEMENT_VON_MISES_STRESS = 8,
     /** element.principal_stress, Pa, 3 components: principal Cauchy stresses of the last step: larger and smaller in the section, then out of its plane. */
-    SOFTANVIL_FIELD_ELEMENT_PRINCIPAL_STRESS = 9
+    SOFTANVIL_FIELD_ELEMENT_PRINCIPAL_STRESS = 9,
+    /** element.cauchy_stress, Pa, 4 components: Cauchy stress of the last step, positive in tension: xx, yy, xy, and zz out of the section. */
+    SOFTANVIL_FIELD_ELEMENT_CAUCHY_STRESS = 10,
+    /** element.principal_stretch, 3 components: principal stretches of the last step: larger and smaller in the section, then out of its plane. */
+    SOFTANVIL_FIELD_ELEMENT_PRINCIPAL_STRETCH = 11
 };
 
 /* ================================================================================================================ */
@@ -438,10 +574,14 @@ enum SoftanvilField {
 
 /** One row of the table of parameters. */
 typedef struct SoftanvilParameterInfo {
-    /** Its number, a `SoftanvilParameter`. */
+    /** Its number: a `SoftanvilParameter`, or SOFTANVIL_PARAMETER_OF_LAYER of a layer and a `SoftanvilLayer`. */
     uint32_t id;
-    /** Number of choices, numbered from 0; 0 for a physical quantity. */
+    /** Number of choices, numbered from 0; 0 for a number. */
     uint32_t choices;
+    /** 1 if the value is a whole number, 0 if not. */
+    uint32_t is_whole;
+    /** The layer that it belongs to, 0 next to the core; SOFTANVIL_NONE if it belongs to none. */
+    uint32_t layer;
     /** Smallest legal value. */
     double min;
     /** Largest legal value. */
@@ -472,10 +612,24 @@ typedef struct SoftanvilOutputInfo {
     char description[SOFTANVIL_DESCRIPTION_SIZE];
 } SoftanvilOutputInfo;
 
-/** Number of parameters of the library that is running; their numbers are 0 to this less one. */
+/**
+ * Number of parameters of the library that is running, those of all layers that there can be included. Their numbers have
+ * gaps: `softanvil_parameter_at` tells them.
+ */
 uint32_t softanvil_parameter_count(void);
 
-/** Number of outputs of the library that is running; their numbers are 0 to this less one. */
+/**
+ * Tells the number of a parameter by its place in the table: what belongs to the test, then what belongs to each layer from
+ * the core to the surface, then the rest.
+ *
+ * @param place Place, 0 to `softanvil_parameter_count()` less one.
+ * @param parameter Its number.
+ * @return NULL_POINTER, MISALIGNED, UNKNOWN_ID.
+ */
+SoftanvilStatus softanvil_parameter_at(uint32_t place,
+                                       uint32_t *parameter);
+
+/** Outputs are numbered from 0 to this less one in the library that is running; a retired number is refused. */
 uint32_t softanvil_output_count(void);
 
 /**
@@ -529,12 +683,30 @@ SoftanvilStatus softanvil_output_info(uint32_t output, SoftanvilOutputInfo *info
 /* Scenario                                                                                                         */
 /* ================================================================================================================ */
 
+/** Most layers between core and face. */
+#define SOFTANVIL_MAX_LAYERS 4
+
+/** Numbers for parameters that belong to no layer, those of future versions included: the layers' begin here. */
+#define SOFTANVIL_LAYERS_BEGIN 64
+
+/** Numbers for the parameters of a layer, those of future versions included. */
+#define SOFTANVIL_LAYER_NUMBERS 80
+
 /** Room for parameters in a `SoftanvilScenario`, those of future versions included. */
-#define SOFTANVIL_PARAMETER_SLOTS 256
+#define SOFTANVIL_PARAMETER_SLOTS 384
 
 /**
  * Description of a drop test. It always comes from `softanvil_scenario_default`; its values may then be changed by
  * `softanvil_scenario_set`, which checks them at once, or directly in `value`, which is checked when it is used.
+ *
+ * What differs from the preset counts as said. Of values that state the same thing (drop height, energy and speed; bulk
+ * modulus and Poisson's ratio; time step and safety factor) the one that is said decides; two of them are refused, and so
+ * is a value that has no effect beside the others. With another law than the preset's, coefficients that still have the
+ * preset's value are 0: those of the law, Prony and Maxwell terms, the slider and tearing.
+ *
+ * `layers.count` (SOFTANVIL_PARAMETER_LAYERS_COUNT) says how many layers there are, layer 0 next to the core. Values of layers
+ * that are not there have no effect. A layer that the preset does not have needs a thickness, and is else a plain elastic
+ * silicone.
  */
 typedef struct SoftanvilScenario {
     /** Tells an initialised scenario; do not change. */
@@ -543,9 +715,16 @@ typedef struct SoftanvilScenario {
     uint32_t struct_size;
     /** The `SoftanvilPreset` that it came from; do not change. */
     uint32_t preset;
-    /** Slots of `value` in use; do not change. A library with more parameters takes the preset's values for the rest. */
+    /**
+     * Numbers in use of parameters that belong to no layer; do not change. A library with more parameters takes the preset's
+     * values for the rest.
+     */
     uint32_t count;
-    /** Value of every parameter, SI, at the place of its `SoftanvilParameter`; a choice as its number. The rest is 0. */
+    /** Numbers in use of the parameters of a layer, likewise; do not change. */
+    uint32_t layer_count;
+    /** Always 0. */
+    uint32_t reserved_word;
+    /** Value of every parameter, SI, at the place of its number; a choice as its number. The rest is 0. */
     double value[SOFTANVIL_PARAMETER_SLOTS];
 } SoftanvilScenario;
 
@@ -563,7 +742,7 @@ SoftanvilStatus softanvil_scenario_default(uint32_t preset, SoftanvilScenario *s
  * `softanvil_memory_size` and `softanvil_init`.
  *
  * @param scenario The scenario to change.
- * @param parameter A `SoftanvilParameter`.
+ * @param parameter A `SoftanvilParameter`, or SOFTANVIL_PARAMETER_OF_LAYER of a layer and a `SoftanvilLayer`.
  * @param value Value in the parameter's SI unit; a choice as its number.
  * @param error Details of a failure, or NULL.
  * @return NULL_POINTER, MISALIGNED, UNINITIALISED, UNKNOWN_ID, ILLEGAL_VALUE.
@@ -577,7 +756,7 @@ SoftanvilStatus softanvil_scenario_set(SoftanvilScenario *scenario,
  * As `softanvil_scenario_set`, by the parameter's name.
  *
  * @param scenario The scenario to change.
- * @param name Name, such as "impactor.mass".
+ * @param name Name, such as "impactor.mass" or "layers[0].c10".
  * @param value Value in the parameter's SI unit; a choice as its number.
  * @param error Details of a failure, or NULL.
  * @return NULL_POINTER, MISALIGNED, UNINITIALISED, UNKNOWN_NAME, ILLEGAL_VALUE.
@@ -591,7 +770,7 @@ SoftanvilStatus softanvil_scenario_set_by_name(SoftanvilScenario *scenario,
  * Reads a parameter.
  *
  * @param scenario The scenario.
- * @param parameter A `SoftanvilParameter`.
+ * @param parameter A `SoftanvilParameter`, or SOFTANVIL_PARAMETER_OF_LAYER of a layer and a `SoftanvilLayer`.
  * @param value Value in the parameter's SI unit; a choice as its number.
  * @return NULL_POINTER, MISALIGNED, UNINITIALISED, UNKNOWN_ID.
  */
@@ -603,7 +782,7 @@ SoftanvilStatus softanvil_scenario_get(const SoftanvilScenario *scenario,
  * As `softanvil_scenario_get`, by the parameter's name.
  *
  * @param scenario The scenario.
- * @param name Name, such as "impactor.mass".
+ * @param name Name, such as "impactor.mass" or "layers[0].c10".
  * @param value Value in the parameter's SI unit; a choice as its number.
  * @return NULL_POINTER, MISALIGNED, UNINITIALISED, UNKNOWN_NAME.
  */
@@ -618,18 +797,38 @@ SoftanvilStatus softanvil_scenario_get_by_name(const SoftanvilScenario *scenario
 /** A simulation. Its content is private; it lives at the front of the memory given to `softanvil_init`. */
 typedef struct SoftanvilSimulation SoftanvilSimulation;
 
-/** What acts on the impactor from outside during steps. It always comes from `softanvil_input_default`. */
+/**
+ * What acts on the impactor from outside during a call that makes steps, of one or of many. It always comes from
+ * `softanvil_input_default`.
+ *
+ * A driven face is at `driven_position` at the end of the call, that is, after its last step, and moves there from where it
+ * is: along a straight line, or, if `driven_velocity` is given, along the cubic that starts with the velocity that
+ * `impactor.velocity` tells before the call and ends with `driven_velocity`. So a master that cuts time into calls gives
+ * with each where the face is to be at the end of that call, and the motion has no jump.
+ *
+ * A value that is not legal, NaN among them, is refused as ILLEGAL_INPUT; the call makes no step then, changes nothing, and
+ * the next one may go on. An input that does not act (a force on a driven impactor, a position of a falling one) may be
+ * any finite number.
+ */
 typedef struct SoftanvilInput {
     /** Tells an initialised input; do not change. */
     uint32_t marker;
     /** Bytes of this structure; do not change. */
     uint32_t struct_size;
-    /** Upward force on a falling impactor besides gravity and contact, N. */
+    /** Upward force on a falling impactor besides gravity and contact, from -1e6 to 1e6 N; held over the call. */
     double external_force;
-    /** Height of the face of a driven impactor above the undeformed anvil at the end of the step, m; negative presses. */
+    /**
+     * Height of the face of a driven impactor above the undeformed anvil at the end of the call, from -1 to 1 m; negative
+     * presses.
+     */
     double driven_position;
     /** Always 0. */
-    double reserved[5];
+    double reserved[4];
+    /**
+     * Upward velocity of the face of a driven impactor at the end of the call, from -100 to 100 m/s; NaN, which stands there
+     * at first, for a straight line.
+     */
+    double driven_velocity;
 } SoftanvilInput;
 
 /**
@@ -637,7 +836,8 @@ typedef struct SoftanvilInput {
  *
  * @param scenario The scenario.
  * @param size Bytes.
- * @param alignment Bytes that the address must be a multiple of; any malloc gives at least as much.
+ * @param alignment Bytes that the address must be a multiple of; any malloc gives at least as much. On a cache line
+ *        (64 bytes) steps are some per cents faster; simulations of different threads run best on pages of their own.
  * @param error Details of a failure, or NULL.
  * @return NULL_POINTER, MISALIGNED, UNINITIALISED, or a status of the scenario (200 to 299).
  */
@@ -684,20 +884,22 @@ SoftanvilStatus softanvil_close(SoftanvilSimulation *simulation);
 SoftanvilStatus softanvil_reset(SoftanvilSimulation *simulation);
 
 /**
- * Fills an input that leaves things as they are: no external force, and a driven impactor stays where it is.
+ * Fills an input that leaves things as they are: no external force, and a driven impactor stays where it is, without a
+ * velocity for the end.
  *
  * @param simulation The simulation.
  * @param input The input to fill.
  * @return NULL_POINTER, MISALIGNED, UNINITIALISED.
  */
-SoftanvilStatus softanvil_input_default(const SoftanvilSimulation *simulation, SoftanvilInput *input);
+SoftanvilStatus softanvil_input_default(const SoftanvilSimulation *simulation,
+                                        SoftanvilInput *input);
 
 /**
- * Makes steps of the simulation's fixed time step, all with the same input. The work of a step is bounded and does not
- * depend on the state.
+ * Makes steps of the simulation's fixed time step: the force is held, and a driven face is at `driven_position` after the
+ * last of them. The work of a step is bounded and does not depend on the state.
  *
- * A step that fails leaves the steps before it done and stops the simulation: every further step fails alike until the
- * simulation is reset or restored.
+ * A step that fails (INVERTED, UNSTABLE) leaves the steps before it done and stops the simulation: every further step fails
+ * alike until the simulation is reset or restored. Arguments that are refused, an ILLEGAL_INPUT among them, change nothing.
  *
  * @param simulation The simulation.
  * @param steps Number of steps; 0 does nothing.
@@ -712,7 +914,7 @@ SoftanvilStatus softanvil_step(SoftanvilSimulation *simulation,
 
 /**
  * Makes the steps up to the end of the running sampling interval of 50 us, where `contact.force` and `core.reaction`
- * get a new value; all with the same input.
+ * get a new value, and where a driven face is at `driven_position`.
  *
  * @param simulation The simulation.
  * @param input What acts on the impactor, or NULL for the input of `softanvil_input_default` at the call.
@@ -724,8 +926,8 @@ SoftanvilStatus softanvil_step_to_sample(SoftanvilSimulation *simulation,
                                          SoftanvilError *error);
 
 /**
- * Makes the steps that cover a time, rounded up to whole sampling intervals of 50 us; all with the same input. A drop
- * of the study is over after the 15 ms of `time.duration`.
+ * Makes the steps that cover a time, rounded up to whole sampling intervals of 50 us, at whose end a driven face is at
+ * `driven_position`. A drop of the study is over after the 15 ms of `time.duration`.
  *
  * @param simulation The simulation.
  * @param duration Time, s, in the legal range of `time.duration`.
@@ -737,6 +939,22 @@ SoftanvilStatus softanvil_run(SoftanvilSimulation *simulation,
                               double duration,
                               const SoftanvilInput *input,
                               SoftanvilError *error);
+
+/**
+ * Makes the steps to the one nearest to a time, of two equally near to the later; none if the simulation is there. So it is
+ * never more than half a step away from the time asked for, and makes the same steps however time is cut. A driven face is
+ * at `driven_position` after the last step, at the time that `softanvil_time` tells then.
+ *
+ * @param simulation The simulation.
+ * @param time Time since the start of the drop, s: from half a step before the present to 100 s after it.
+ * @param input What acts on the impactor, or NULL for the input of `softanvil_input_default` at the call.
+ * @param error Details of a failure, or NULL.
+ * @return As `softanvil_step`, and ILLEGAL_TIME.
+ */
+SoftanvilStatus softanvil_run_until(SoftanvilSimulation *simulation,
+                                    double time,
+                                    const SoftanvilInput *input,
+                                    SoftanvilError *error);
 
 /**
  * Reads an output at the current time.
@@ -761,13 +979,15 @@ SoftanvilStatus softanvil_output_by_name(const SoftanvilSimulation *simulation,
                                          double *value);
 
 /**
- * Tells the simulated time: exactly the number of steps times the step, never an accumulated sum.
+ * Tells the simulated time, from the number of steps made and never an accumulated sum: whole sampling intervals of 50 us,
+ * for which it is the double nearest to the time, and the steps beyond them times the step.
  *
  * @param simulation The simulation.
  * @param time Time since the start of the drop, s.
  * @return NULL_POINTER, MISALIGNED, UNINITIALISED.
  */
-SoftanvilStatus softanvil_time(const SoftanvilSimulation *simulation, double *time);
+SoftanvilStatus softanvil_time(const SoftanvilSimulation *simulation,
+                               double *time);
 
 /**
  * Tells the number of steps made since the start of the drop.
@@ -882,7 +1102,7 @@ typedef struct SoftanvilView {
     size_t reserved[3];
 } SoftanvilView;
 
-/** Number of fields of the library that is running; their numbers are 0 to this less one. */
+/** Fields are numbered from 0 to this less one in the library that is running; a retired number is refused. */
 uint32_t softanvil_field_count(void);
 
 /**

@@ -16,7 +16,7 @@ static struct {
     FUNCTIONS(POINTER)
 } fmu;
 
-static const fmi2ValueReference ENERGY = 1107, RESULTS[2] = {3300, 3303}, TRACE_HASH = 5001;
+static const fmi2ValueReference ENERGY = 1014, RESULTS[2] = {3007, 3010}, TRACE_HASH = 5001;
 
 struct Drop {
     fmi2Component c;

@@ -3,7 +3,7 @@
 use super::layer;
 use super::row::{Access, Row};
 use super::test::{LAYER_COUNT, NUMERICS, TEST};
-use crate::error::{Name, NoEffect, ParameterError, Says, ScenarioError};
+use crate::error::{Name, NoEffect, ParameterError, Says, ScenarioError, split_dot};
 use crate::number::real::Real;
 use crate::scenario::preset::spare_layer;
 use crate::scenario::{Layer, MAX_LAYERS, Scenario};
@@ -113,7 +113,7 @@ impl Parameter {
     /// The parameter that `name` means in `scenario`: its name, or that of a layer and a field of it, such as `skin.c10`.
     pub fn find_in(scenario: &Scenario, name: &str) -> Option<Self> {
         Self::find(name).or_else(|| {
-            let (layer, field) = name.split_once('.')?;
+            let (layer, field) = split_dot(name)?;
             let place = scenario.layers.iter().position(|known| !layer.is_empty() && known.name == layer)?;
             Self::of_layer(place).find(|parameter| parameter.name().field() == field)
         })
