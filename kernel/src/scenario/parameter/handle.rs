@@ -1,8 +1,8 @@
 //! [`Parameter`]: one value of a scenario, by a row of the tables and the layer that it is of.
 
+use super::general::{LAYER_COUNT, NUMERICS, TEST};
 use super::layer;
 use super::row::{Access, Row};
-use super::test::{LAYER_COUNT, NUMERICS, TEST};
 use crate::error::{Name, NoEffect, ParameterError, Says, ScenarioError, split_dot};
 use crate::number::real::Real;
 use crate::scenario::preset::spare_layer;

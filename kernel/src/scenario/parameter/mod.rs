@@ -5,11 +5,11 @@
 
 mod changes;
 mod effect;
+mod general;
 mod handle;
 mod layer;
 mod number;
 mod row;
-mod test;
 mod values;
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! Numbers of parameters, by which the C ABI and the FMU know them for ever.
 
-use super::{Parameter, layer, test};
+use super::{Parameter, general, layer};
 use crate::scenario::MAX_LAYERS;
 
 /// Numbers for the parameters that belong to no layer, those of later versions included.
@@ -37,7 +37,7 @@ impl Parameter {
     pub fn is_retired(number: u32) -> bool {
         match number.checked_sub(TEST_NUMBERS) {
             Some(of_layers) => layer::RETIRED.contains(&(of_layers % LAYER_NUMBERS)),
-            None => test::RETIRED.contains(&number),
+            None => general::RETIRED.contains(&number),
         }
     }
 }
