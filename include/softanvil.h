@@ -260,7 +260,7 @@ enum SoftanvilParameter {
     SOFTANVIL_PARAMETER_SILICONE_DENSITY = 16,
     /** silicone.moduli, a SoftanvilSiliconeModuli: what the elastic coefficients are: after full relaxation, or before any. */
     SOFTANVIL_PARAMETER_SILICONE_MODULI = 17,
-    /** silicone.c10, Pa, from -1e9 to 1e9: coefficient of (I1 - 3) in all laws but ogden. */
+    /** silicone.c10, Pa, from -1e9 to 1e9: coefficient of (I1 - 3) in neo_hookean, mooney_rivlin and yeoh. */
     SOFTANVIL_PARAMETER_SILICONE_C10 = 18,
     /** silicone.c01, Pa, from -1e9 to 1e9: mooney_rivlin coefficient of (I2 - 3). */
     SOFTANVIL_PARAMETER_SILICONE_C01 = 19,
@@ -374,7 +374,7 @@ enum SoftanvilParameter {
     SOFTANVIL_PARAMETER_SKIN_LAW = 73,
     /** skin.moduli, a SoftanvilSkinModuli: what the elastic coefficients are: after full relaxation, or before any. */
     SOFTANVIL_PARAMETER_SKIN_MODULI = 74,
-    /** skin.c10, Pa, from -1e9 to 1e9: coefficient of (I1 - 3) in all laws but ogden. */
+    /** skin.c10, Pa, from -1e9 to 1e9: coefficient of (I1 - 3) in neo_hookean, mooney_rivlin and yeoh. */
     SOFTANVIL_PARAMETER_SKIN_C10 = 75,
     /** skin.c01, Pa, from -1e9 to 1e9: mooney_rivlin coefficient of (I2 - 3). */
     SOFTANVIL_PARAMETER_SKIN_C01 = 76,
@@ -465,7 +465,15 @@ enum SoftanvilParameter {
     /** measurement.channel_class, Hz, from 1 to 2000: channel frequency class (SAE J211, ISO 6487) of contact.force_filtered, such as 60, 180, 600 or 1000. */
     SOFTANVIL_PARAMETER_MEASUREMENT_CHANNEL_CLASS = 119,
     /** time.design_compression, from 0.01 to 0.95: part of the layer's thickness that a driven face presses it by at most, for which the step is chosen. */
-    SOFTANVIL_PARAMETER_TIME_DESIGN_COMPRESSION = 120
+    SOFTANVIL_PARAMETER_TIME_DESIGN_COMPRESSION = 120,
+    /** silicone.gent_mu, Pa, from 0 to 1e9: gent shear modulus at rest, W = -mu Jm/2 ln(1 - (I1 - 3)/Jm). */
+    SOFTANVIL_PARAMETER_SILICONE_GENT_MU = 121,
+    /** silicone.gent_jm, from 0.01 to 1e6: gent limit Jm of I1 - 3. */
+    SOFTANVIL_PARAMETER_SILICONE_GENT_JM = 122,
+    /** skin.gent_mu, Pa, from 0 to 1e9: gent shear modulus at rest, W = -mu Jm/2 ln(1 - (I1 - 3)/Jm). */
+    SOFTANVIL_PARAMETER_SKIN_GENT_MU = 123,
+    /** skin.gent_jm, from 0.01 to 1e6: gent limit Jm of I1 - 3. */
+    SOFTANVIL_PARAMETER_SKIN_GENT_JM = 124
 };
 
 /** geometry.shape: layer on a round core, or a flat block on a flat core. */
@@ -536,7 +544,8 @@ enum SoftanvilSiliconeLaw {
     SOFTANVIL_SILICONE_LAW_NEO_HOOKEAN = 0,
     SOFTANVIL_SILICONE_LAW_MOONEY_RIVLIN = 1,
     SOFTANVIL_SILICONE_LAW_YEOH = 2,
-    SOFTANVIL_SILICONE_LAW_OGDEN = 3
+    SOFTANVIL_SILICONE_LAW_OGDEN = 3,
+    SOFTANVIL_SILICONE_LAW_GENT = 4
 };
 
 /** silicone.volumetric_law: energy of volume change: K/2 (J-1)^2, or K/4 (J^2 - 1 - 2 ln J), which no compression brings to J = 0. */
@@ -550,7 +559,8 @@ enum SoftanvilSkinLaw {
     SOFTANVIL_SKIN_LAW_NEO_HOOKEAN = 0,
     SOFTANVIL_SKIN_LAW_MOONEY_RIVLIN = 1,
     SOFTANVIL_SKIN_LAW_YEOH = 2,
-    SOFTANVIL_SKIN_LAW_OGDEN = 3
+    SOFTANVIL_SKIN_LAW_OGDEN = 3,
+    SOFTANVIL_SKIN_LAW_GENT = 4
 };
 
 /** skin.moduli: what the elastic coefficients are: after full relaxation, or before any. */

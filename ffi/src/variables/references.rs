@@ -118,6 +118,8 @@ pub static PARAMETERS: &[(&str, u32)] = &[
     ("silicone.tear_stretch", 1241),
     ("silicone.tear_width", 1242),
     ("silicone.tear_residual", 1243),
+    ("silicone.gent_mu", 1244),
+    ("silicone.gent_jm", 1245),
     ("core.interface", 1300),
     ("core.friction_coefficient", 1301),
     ("face.friction_coefficient", 1400),
@@ -173,6 +175,8 @@ pub static PARAMETERS: &[(&str, u32)] = &[
     ("skin.tear_stretch", 1841),
     ("skin.tear_width", 1842),
     ("skin.tear_residual", 1843),
+    ("skin.gent_mu", 1844),
+    ("skin.gent_jm", 1845),
 ];
 
 /// Reference of every row of the kernel's table of outputs.

@@ -56,6 +56,7 @@ fn law(material: &Material) -> Option<(String, Vec<f64>)> {
             let volume = std::iter::once(d1).chain(std::iter::repeat_n(0.0, n.saturating_sub(1)));
             (format!("OGDEN, N={n}"), pairs.chain(volume).collect())
         }
+        _ => return None,
     })
 }
 

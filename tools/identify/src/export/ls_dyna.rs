@@ -65,6 +65,7 @@ fn law(material: &Material) -> Option<(&'static str, String)> {
             let values = names.map(|name| field(scale * coefficient(material, name))).concat();
             Some((POLYNOMIAL, format!("$      C10       C01       C11       C20       C02       C30\n{values}\n")))
         }
+        _ => None,
     }
 }
 
