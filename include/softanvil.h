@@ -473,7 +473,15 @@ enum SoftanvilParameter {
     /** skin.gent_mu, Pa, from 0 to 1e9: gent shear modulus at rest, W = -mu Jm/2 ln(1 - (I1 - 3)/Jm). */
     SOFTANVIL_PARAMETER_SKIN_GENT_MU = 123,
     /** skin.gent_jm, from 0.01 to 1e6: gent limit Jm of I1 - 3. */
-    SOFTANVIL_PARAMETER_SKIN_GENT_JM = 124
+    SOFTANVIL_PARAMETER_SKIN_GENT_JM = 124,
+    /** silicone.arruda_boyce_mu, Pa, from 0 to 1e9: arruda_boyce modulus; that of shear at rest is mu (1 + 3/5 lambda_m^-2 + ...), series of five terms. */
+    SOFTANVIL_PARAMETER_SILICONE_ARRUDA_BOYCE_MU = 125,
+    /** silicone.arruda_boyce_lambda_m, from 1 to 100: arruda_boyce stretch at which the chains are fully extended, the root of their number of links. */
+    SOFTANVIL_PARAMETER_SILICONE_ARRUDA_BOYCE_LAMBDA_M = 126,
+    /** skin.arruda_boyce_mu, Pa, from 0 to 1e9: arruda_boyce modulus; that of shear at rest is mu (1 + 3/5 lambda_m^-2 + ...), series of five terms. */
+    SOFTANVIL_PARAMETER_SKIN_ARRUDA_BOYCE_MU = 127,
+    /** skin.arruda_boyce_lambda_m, from 1 to 100: arruda_boyce stretch at which the chains are fully extended, the root of their number of links. */
+    SOFTANVIL_PARAMETER_SKIN_ARRUDA_BOYCE_LAMBDA_M = 128
 };
 
 /** geometry.shape: layer on a round core, or a flat block on a flat core. */
@@ -545,7 +553,8 @@ enum SoftanvilSiliconeLaw {
     SOFTANVIL_SILICONE_LAW_MOONEY_RIVLIN = 1,
     SOFTANVIL_SILICONE_LAW_YEOH = 2,
     SOFTANVIL_SILICONE_LAW_OGDEN = 3,
-    SOFTANVIL_SILICONE_LAW_GENT = 4
+    SOFTANVIL_SILICONE_LAW_GENT = 4,
+    SOFTANVIL_SILICONE_LAW_ARRUDA_BOYCE = 5
 };
 
 /** silicone.volumetric_law: energy of volume change: K/2 (J-1)^2, or K/4 (J^2 - 1 - 2 ln J), which no compression brings to J = 0. */
@@ -560,7 +569,8 @@ enum SoftanvilSkinLaw {
     SOFTANVIL_SKIN_LAW_MOONEY_RIVLIN = 1,
     SOFTANVIL_SKIN_LAW_YEOH = 2,
     SOFTANVIL_SKIN_LAW_OGDEN = 3,
-    SOFTANVIL_SKIN_LAW_GENT = 4
+    SOFTANVIL_SKIN_LAW_GENT = 4,
+    SOFTANVIL_SKIN_LAW_ARRUDA_BOYCE = 5
 };
 
 /** skin.moduli: what the elastic coefficients are: after full relaxation, or before any. */

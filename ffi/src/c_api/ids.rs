@@ -11,7 +11,7 @@ pub static PRESET_BY_ID: [&Preset; 3] =
     [preset_row("study"), preset_row("study-14.7"), preset_row("study-incompressible")];
 
 /// Parameters by number, which is also their slot in a `SoftanvilScenario`.
-pub static PARAMETER_BY_ID: [&Parameter; 125] = [
+pub static PARAMETER_BY_ID: [&Parameter; 129] = [
     parameter_row("geometry.shape"),
     parameter_row("geometry.formulation"),
     parameter_row("geometry.core_radius"),
@@ -137,6 +137,10 @@ pub static PARAMETER_BY_ID: [&Parameter; 125] = [
     parameter_row("silicone.gent_jm"),
     parameter_row("skin.gent_mu"),
     parameter_row("skin.gent_jm"),
+    parameter_row("silicone.arruda_boyce_mu"),
+    parameter_row("silicone.arruda_boyce_lambda_m"),
+    parameter_row("skin.arruda_boyce_mu"),
+    parameter_row("skin.arruda_boyce_lambda_m"),
 ];
 
 /// Outputs by number.

@@ -120,6 +120,8 @@ pub static PARAMETERS: &[(&str, u32)] = &[
     ("silicone.tear_residual", 1243),
     ("silicone.gent_mu", 1244),
     ("silicone.gent_jm", 1245),
+    ("silicone.arruda_boyce_mu", 1246),
+    ("silicone.arruda_boyce_lambda_m", 1247),
     ("core.interface", 1300),
     ("core.friction_coefficient", 1301),
     ("face.friction_coefficient", 1400),
@@ -177,6 +179,8 @@ pub static PARAMETERS: &[(&str, u32)] = &[
     ("skin.tear_residual", 1843),
     ("skin.gent_mu", 1844),
     ("skin.gent_jm", 1845),
+    ("skin.arruda_boyce_mu", 1846),
+    ("skin.arruda_boyce_lambda_m", 1847),
 ];
 
 /// Reference of every row of the kernel's table of outputs.

@@ -10,6 +10,7 @@
 //! * [`tear`]: irreversible loss of the deviatoric stress beyond a stretch;
 //! * [`volumetric`]: pressure from the mean dilatation of a cell.
 
+pub mod arruda_boyce;
 pub mod coefficient;
 mod coefficients;
 mod description;
@@ -31,6 +32,7 @@ mod union;
 pub mod volumetric;
 pub mod yeoh;
 
+pub use arruda_boyce::ArrudaBoyce;
 pub use coefficient::{Coefficient, Role};
 pub use coefficients::Coefficients;
 pub use description::{MAX_MAXWELL_TERMS, MAX_PRONY_TERMS, Material, Moduli, VolumetricBy, VolumetricLaw};
