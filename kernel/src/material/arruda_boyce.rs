@@ -154,6 +154,7 @@ impl IsochoricLaw for ArrudaBoyce {
 }
 
 #[cfg(all(test, not(feature = "single")))]
+#[allow(clippy::excessive_precision, reason = "references have the digits of their source")]
 mod tests {
     use super::*;
     use crate::material::Elastic;

@@ -4,7 +4,7 @@
 //!
 //! The law ends at I1 - 3 = Jm, where a step may lead. From [`LAST`] of the limit on, W is continued by its Taylor polynomial of
 //! degree two in I1, so that the stress goes on to rise, without a jump of it or of its tangent, at the tangent that it has
-//! reached: 5000 mu / Jm of 2 dW/dI1 by I1. The energy stays that of the stress, and the shear tangent its majorant.
+//! reached: 400 mu / Jm of 2 dW/dI1 by I1. The energy stays that of the stress, and the shear tangent its majorant.
 
 use crate::material::coefficient::Coefficient;
 use crate::material::invariants::{
@@ -19,9 +19,9 @@ use crate::tensor::deviator::Deviator;
 use crate::tensor::kinematics::Kinematics;
 use crate::tensor::stretch::IsochoricStretch;
 
-/// Part of the limit up to which the law is Gent's: the stress is then a hundred times that of a neo-Hookean material, more
+/// Part of the limit up to which the law is Gent's: the stress is then twenty times that of a neo-Hookean material, more
 /// than a rubber bears. Nearer to the limit its tangent, and so the step, is of no use.
-pub const LAST: Real = 0.99;
+pub const LAST: Real = 0.95;
 
 /// 1 / (1 - [`LAST`]), what the stress is a multiple of there.
 const LAST_FACTOR: Real = 1.0 / (1.0 - LAST);
@@ -91,7 +91,7 @@ impl IsochoricLaw for Gent {
                 "gent shear modulus at rest, W = -mu Jm/2 ln(1 - (I1 - 3)/Jm)",
             )
         },
-        Coefficient::shape("gent_jm", "gent_mu", (0.01, 1e6), 80.0, (20.0, 150.0), "gent limit Jm of I1 - 3"),
+        Coefficient::shape("gent_jm", "gent_mu", (0.01, 1e6), 80.0, (30.0, 150.0), "gent limit Jm of I1 - 3"),
     ];
     const VARIANTS: &'static [Variant] = &[Variant { name: "gent", label: "Gent", n_coefficient: 2 }];
     const MODULUS_AT_REST: &'static str = "gent_mu gives";
@@ -143,6 +143,7 @@ impl IsochoricLaw for Gent {
 }
 
 #[cfg(all(test, not(feature = "single")))]
+#[allow(clippy::excessive_precision, reason = "references have the digits of their source")]
 mod tests {
     use super::*;
     use crate::material::Elastic;
