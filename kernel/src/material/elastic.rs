@@ -7,7 +7,7 @@ use strum::{FromRepr, VariantNames};
 use crate::material::coefficient::Coefficient;
 use crate::material::law::{IsochoricLaw, LawDescription, sealed};
 use crate::material::union::{distinct, n_distinct, places};
-use crate::material::{MooneyRivlin, NeoHookean, Ogden, Yeoh};
+use crate::material::{ArrudaBoyce, Gent, MooneyRivlin, NeoHookean, Ogden, Yeoh};
 use crate::number::real::Real;
 use crate::number::vector::{Scalar, Simd};
 use crate::tensor::deviator::Deviator;
@@ -132,6 +132,8 @@ laws! {
     MooneyRivlin,
     Yeoh,
     Ogden,
+    Gent,
+    ArrudaBoyce,
 }
 
 /// A law of the list.

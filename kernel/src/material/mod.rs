@@ -10,10 +10,12 @@
 //! * [`tear`]: irreversible loss of the deviatoric stress beyond a stretch;
 //! * [`volumetric`]: pressure from the mean dilatation of a cell.
 
+pub mod arruda_boyce;
 pub mod coefficient;
 mod coefficients;
 mod description;
 pub mod elastic;
+pub mod gent;
 mod invariants;
 pub mod law;
 pub mod maxwell;
@@ -30,10 +32,12 @@ mod union;
 pub mod volumetric;
 pub mod yeoh;
 
+pub use arruda_boyce::ArrudaBoyce;
 pub use coefficient::{Coefficient, Role};
 pub use coefficients::Coefficients;
 pub use description::{MAX_MAXWELL_TERMS, MAX_PRONY_TERMS, Material, Moduli, VolumetricBy, VolumetricLaw};
 pub use elastic::{COEFFICIENTS, Elastic, ElasticLaw, ListedLaw, N_COEFFICIENT};
+pub use gent::Gent;
 pub use law::{IsochoricLaw, LawDescription, Variant};
 pub use maxwell::Maxwell;
 pub use model::MaterialModel;

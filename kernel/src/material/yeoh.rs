@@ -23,8 +23,10 @@ pub struct Yeoh {
     pub c30: Real,
 }
 
+/// All of the modulus at rest.
+const C10_OF_YEOH: Coefficient = Coefficient { plausible: (1.0, 1.0), ..C10 };
 /// It softens many rubbers, before C30 stiffens them.
-const C20_OF_YEOH: Coefficient = Coefficient { plausible: (-0.05, 0.3), ..C20 };
+const C20_OF_YEOH: Coefficient = Coefficient { plausible: (-0.02, 0.3), ..C20 };
 
 impl Yeoh {
     /// No stress.
@@ -36,7 +38,7 @@ impl IsochoricLaw for Yeoh {
     const LABEL: &'static str = "Yeoh";
     const DESCRIPTION: &'static str = "W = C10 (I1 - 3) + C20 (I1 - 3)^2 + C30 (I1 - 3)^3";
     const COEFFICIENTS: &'static [Coefficient] =
-        &[C10, C20_OF_YEOH, Coefficient::modulus("c30", (0.001, 0.1), "yeoh coefficient of (I1 - 3)^3")];
+        &[C10_OF_YEOH, C20_OF_YEOH, Coefficient::modulus("c30", (0.001, 0.1), "yeoh coefficient of (I1 - 3)^3")];
     const VARIANTS: &'static [Variant] = &[
         Variant { name: "yeoh_1", label: "Yeoh 1", n_coefficient: 1 },
         Variant { name: "yeoh_2", label: "Yeoh 2", n_coefficient: 2 },

@@ -1,5 +1,6 @@
 //! What is said to have no effect has none, and what is not said so has one: the table of the kernel against the kernel.
 
+use softanvil_kernel::material::ElasticLaw;
 use softanvil_kernel::parameter::Kind;
 use softanvil_kernel::{Parameter, Scenario, ScenarioError, Simulation, StepInput, preset};
 
@@ -48,7 +49,13 @@ fn scenarios() -> Vec<(&'static str, Scenario)> {
     ];
     let block = [("geometry.shape", 1.0), ("silicone.law", 0.0), ("silicone.volumetric_by", 0.0)];
     let axisymmetric = [("geometry.formulation", 1.0), ("time.step_by", 1.0), ("time.step", 2.5e-6)];
-    vec![
+    let of_law = |law: &ElasticLaw| {
+        let (description, mut scenario) = (law.description(), with(&[]));
+        scenario.layers[0].material = scenario.layers[0].material.with_values(*law, description.example);
+        (description.label, scenario)
+    };
+    let laws = ElasticLaw::ALL.iter().map(of_law);
+    let others = [
         ("study", with(&[("impactor.drop_height", 0.2), ("impactor.drop_speed", 1.5), ("silicone.bulk_modulus", 2e7)])),
         ("all terms", with(&terms)),
         ("ogden", with(&ogden)),
@@ -60,7 +67,8 @@ fn scenarios() -> Vec<(&'static str, Scenario)> {
             "prescribed",
             with(&[("impactor.motion", 2.0), ("impactor.prescribed_speed", 2.0), ("impactor.prescribed_rise", 1e-3)]),
         ),
-    ]
+    ];
+    others.into_iter().chain(laws).collect()
 }
 
 /// What a user can see of a run; a refused scenario by its reason.

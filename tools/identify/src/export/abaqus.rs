@@ -4,7 +4,9 @@
 
 use std::fmt::Write;
 
-use softanvil_kernel::material::{ElasticLaw, Material, Moduli, MooneyRivlin, NeoHookean, VolumetricBy, Yeoh};
+use softanvil_kernel::material::{
+    ArrudaBoyce, ElasticLaw, Material, Moduli, MooneyRivlin, NeoHookean, VolumetricBy, Yeoh,
+};
 
 use super::card::Card;
 use super::{ReadBackError, coefficient, ogden_terms, prony_terms};
@@ -56,6 +58,11 @@ fn law(material: &Material) -> Option<(String, Vec<f64>)> {
             let volume = std::iter::once(d1).chain(std::iter::repeat_n(0.0, n.saturating_sub(1)));
             (format!("OGDEN, N={n}"), pairs.chain(volume).collect())
         }
+        ElasticLaw::ArrudaBoyce => {
+            let values = ["arruda_boyce_mu", "arruda_boyce_lambda_m"].map(|name| coefficient(material, name));
+            ("ARRUDA-BOYCE".to_string(), vec![values[0], values[1], d1])
+        }
+        _ => return None,
     })
 }
 
@@ -80,6 +87,9 @@ pub fn read(text: &str) -> Result<Card, ReadBackError> {
         let [c10, c01, c20, c11, c02] = [value(0)?, value(1)?, value(2)?, value(3)?, value(4)?];
         material = material.with(MooneyRivlin { c10, c01, c11, c20, c02 });
         value(5)?
+    } else if options.contains("ARRUDA-BOYCE") {
+        material = material.with(ArrudaBoyce::new(value(0)?, value(1)?));
+        value(2)?
     } else if options.contains("YEOH") {
         material = material.with(Yeoh { c10: value(0)?, c20: value(1)?, c30: value(2)? });
         value(3)?

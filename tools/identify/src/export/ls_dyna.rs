@@ -1,4 +1,5 @@
-//! LS-DYNA keyword cards: *MAT_077_H (hyperelastic rubber) or *MAT_077_O (Ogden rubber), in kg, m, s, Pa.
+//! LS-DYNA keyword cards: *MAT_077_H (hyperelastic rubber), *MAT_077_O (Ogden rubber) or *MAT_127 (Arruda-Boyce rubber), in
+//! kg, m, s, Pa.
 //!
 //! Their viscous terms are absolute shear moduli G_i with decay constants beta_i on top of the long-term law:
 //! G_i = G_inf g_i / g_inf, beta_i = 1 / tau_i. LS-DYNA drives them by the strain, the kernel by the isochoric stress:
@@ -6,7 +7,9 @@
 
 use std::fmt::Write;
 
-use softanvil_kernel::material::{ElasticLaw, MAX_OGDEN_TERMS, Material, MooneyRivlin, Ogden, VolumetricBy, Yeoh};
+use softanvil_kernel::material::{
+    ArrudaBoyce, ElasticLaw, MAX_OGDEN_TERMS, Material, MooneyRivlin, Ogden, VolumetricBy, Yeoh,
+};
 
 use super::card::Card;
 use super::{ReadBackError, coefficient, ogden_terms, viscous};
@@ -14,30 +17,12 @@ use crate::law::blank;
 
 /// The cards, where LS-DYNA has the law; `comment` says where the numbers come from.
 pub fn text(title: &str, comment: &str, material: &Material) -> Option<String> {
-    let (keyword, law) = law(material)?;
+    let (keyword, cards) = law(material)?;
     let mut text = String::from("*KEYWORD\n");
     for line in comment.lines().chain(["Units: kg, m, s, Pa."]) {
         let _ = writeln!(text, "$ {line}");
     }
-    let _ = writeln!(text, "{keyword}\n{title}");
-    let bulk = material.effective_bulk_modulus();
-    let shear = material.shear_modulus_inf();
-    let poissons_ratio = (3.0 * bulk - 2.0 * shear) / (2.0 * (3.0 * bulk + shear));
-    text += "$      MID        RO        PR         N        NV         G      SIGF       REF\n";
-    let (g, sigf) = (material.slider_stiffness, material.slider_yield_stress);
-    let _ = writeln!(
-        text,
-        "{:>10}{}{}{:>10}{:>10}{}{}{:>10}",
-        1,
-        field(material.density),
-        field(poissons_ratio),
-        0,
-        0,
-        field(g),
-        field(sigf),
-        0
-    );
-    text += &law;
+    let _ = write!(text, "{keyword}\n{title}\n{cards}");
     let terms: Vec<_> = viscous(material).collect();
     if !terms.is_empty() {
         text += "$       GI     BETAI\n";
@@ -48,9 +33,10 @@ pub fn text(title: &str, comment: &str, material: &Material) -> Option<String> {
     Some(text + "*END\n")
 }
 
-/// The keyword and the cards of the coefficients; none of a law that LS-DYNA does not have.
+/// The keyword and the cards before the viscous terms; none of a law that LS-DYNA does not have.
 fn law(material: &Material) -> Option<(&'static str, String)> {
     let scale = material.long_term_scale();
+    let value = |name: &str| coefficient(material, name);
     match material.law {
         ElasticLaw::Ogden => {
             let mut terms = ogden_terms(material);
@@ -58,20 +44,53 @@ fn law(material: &Material) -> Option<(&'static str, String)> {
             let mu: String = terms.iter().map(|term| field(scale * term.0)).collect();
             let alpha: String = terms.iter().map(|term| field(term.1)).collect();
             let cards = format!("$      MU1       MU2       MU3\n{mu}\n$   ALPHA1    ALPHA2    ALPHA3\n{alpha}\n");
-            Some((OGDEN, cards))
+            Some((OGDEN, first_card(material) + &cards))
         }
         ElasticLaw::NeoHookean | ElasticLaw::MooneyRivlin | ElasticLaw::Yeoh => {
-            let names = ["c10", "c01", "c11", "c20", "c02", "c30"];
-            let values = names.map(|name| field(scale * coefficient(material, name))).concat();
-            Some((POLYNOMIAL, format!("$      C10       C01       C11       C20       C02       C30\n{values}\n")))
+            let values = ["c10", "c01", "c11", "c20", "c02", "c30"].map(|name| field(scale * value(name))).concat();
+            let cards = format!("$      C10       C01       C11       C20       C02       C30\n{values}\n");
+            Some((POLYNOMIAL, first_card(material) + &cards))
         }
+        ElasticLaw::ArrudaBoyce => {
+            // The number of links is a whole one.
+            let links = value("arruda_boyce_lambda_m").powi(2).round();
+            let numbers =
+                [material.density, material.effective_bulk_modulus(), scale * value("arruda_boyce_mu")].map(field);
+            let first = format!(
+                "$      MID        RO         K         G         N\n{:>10}{}{links:>10}\n",
+                1,
+                numbers.concat()
+            );
+            let second = format!("$     LCID     TRAMP        NT\n{:>10}{}{}\n", 0, field(0.0), field(6.0));
+            Some((ARRUDA_BOYCE, first + &second))
+        }
+        _ => None,
     }
+}
+
+/// The first card of *MAT_077.
+fn first_card(material: &Material) -> String {
+    let (bulk, shear) = (material.effective_bulk_modulus(), material.shear_modulus_inf());
+    let poissons_ratio = (3.0 * bulk - 2.0 * shear) / (2.0 * (3.0 * bulk + shear));
+    format!(
+        "$      MID        RO        PR         N        NV         G      SIGF       REF\n{:>10}{}{}{:>10}{:>10}{}{}{:>10}\n",
+        1,
+        field(material.density),
+        field(poissons_ratio),
+        0,
+        0,
+        field(material.slider_stiffness),
+        field(material.slider_yield_stress),
+        0
+    )
 }
 
 /// The keyword of Ogden's law.
 const OGDEN: &str = "*MAT_077_O_TITLE";
 /// The keyword of the polynomials.
 const POLYNOMIAL: &str = "*MAT_077_H_TITLE";
+/// The keyword of Arruda and Boyce's law, with the same series.
+const ARRUDA_BOYCE: &str = "*MAT_127_TITLE";
 
 /// What the cards in `text` mean to LS-DYNA: fields of ten columns, lines of comment begin with $.
 ///
@@ -79,36 +98,48 @@ const POLYNOMIAL: &str = "*MAT_077_H_TITLE";
 /// A card that is missing or a field that is no number.
 pub fn read(text: &str) -> Result<Card, ReadBackError> {
     let mut lines = text.lines().filter(|line| !line.starts_with('$'));
-    let keyword = lines.find(|line| line.starts_with("*MAT_077_")).ok_or_else(|| ReadBackError::new("*MAT_077"))?;
+    let keyword = lines.find(|line| line.starts_with("*MAT_")).ok_or_else(|| ReadBackError::new("*MAT"))?;
     let cards: Vec<Vec<f64>> =
         lines.skip(1).take_while(|line| !line.starts_with('*')).map(fields).collect::<Result<_, _>>()?;
-    let first = card(&cards, 0, 8)?;
-    let mut material = blank();
-    let (coefficients, terms) = match keyword {
+    let (material, coefficients) = match keyword {
         OGDEN => {
             let (mu, alpha) = (card(&cards, 1, 3)?, card(&cards, 2, 3)?);
-            material = material.with(Ogden::new([mu[0], mu[1], mu[2]], [alpha[0], alpha[1], alpha[2]]));
-            (2, cards.get(3..))
+            (read_first(&cards)?.with(Ogden::new([mu[0], mu[1], mu[2]], [alpha[0], alpha[1], alpha[2]])), 3)
+        }
+        ARRUDA_BOYCE => {
+            let first = card(&cards, 0, 5)?;
+            let (volumetric_by, law) = (VolumetricBy::BulkModulus, ArrudaBoyce::new(first[3], first[4].sqrt()));
+            (Material { density: first[1], volumetric_by, bulk_modulus: first[2], ..blank().with(law) }, 2)
         }
         _ => {
             // C30 makes a law of Yeoh's of it; no other has it beside the mixed ones.
-            let c = card(&cards, 1, 6)?;
+            let (c, first) = (card(&cards, 1, 6)?, read_first(&cards)?);
             let yeoh = c[5] != 0.0 || [c[1], c[2], c[4]] == [0.0; 3];
-            material = if yeoh {
-                material.with(Yeoh { c10: c[0], c20: c[3], c30: c[5] })
-            } else {
-                material.with(MooneyRivlin { c10: c[0], c01: c[1], c11: c[2], c20: c[3], c02: c[4] })
+            let material = match yeoh {
+                true => first.with(Yeoh { c10: c[0], c20: c[3], c30: c[5] }),
+                false => first.with(MooneyRivlin { c10: c[0], c01: c[1], c11: c[2], c20: c[3], c02: c[4] }),
             };
-            (1, cards.get(2..))
+            (material, 2)
         }
     };
-    let terms = terms.unwrap_or_default().iter().enumerate();
-    let viscous = terms.map(|(k, _)| card(&cards, coefficients + 1 + k, 2).map(|term| (term[0], 1.0 / term[1])));
-    material.density = first[1];
-    material.volumetric_by = VolumetricBy::PoissonsRatio;
-    material.poissons_ratio = first[2];
-    (material.slider_stiffness, material.slider_yield_stress) = (first[5], first[6]);
-    Ok(Card { viscous: viscous.collect::<Result<_, _>>()?, ..Card::of(&material) })
+    let terms = (coefficients..cards.len()).map(|k| card(&cards, k, 2).map(|term| (term[0], 1.0 / term[1])));
+    let (viscous, card) = (terms.collect::<Result<_, _>>()?, Card::of(&material));
+    // *MAT_127 has no damping spring.
+    let slider = card.slider.filter(|_| keyword != ARRUDA_BOYCE);
+    Ok(Card { viscous, slider, ..card })
+}
+
+/// What the first card of *MAT_077 says.
+fn read_first(cards: &[Vec<f64>]) -> Result<Material, ReadBackError> {
+    let first = card(cards, 0, 8)?;
+    Ok(Material {
+        density: first[1],
+        volumetric_by: VolumetricBy::PoissonsRatio,
+        poissons_ratio: first[2],
+        slider_stiffness: first[5],
+        slider_yield_stress: first[6],
+        ..blank()
+    })
 }
 
 fn card(cards: &[Vec<f64>], index: usize, width: usize) -> Result<&[f64], ReadBackError> {
@@ -178,6 +209,10 @@ mod tests {
         assert_eq!(numbers("$      MID")[1..3], [1072.0, 0.48]);
         assert!(cards.contains("*MAT_077_H_TITLE"));
         let ogden = text("rubber", "", &Law::find("ogden_2").unwrap().material(&[6e5, 1.3, -1e4, -2.0])).unwrap();
+        let chains = Law::find("arruda_boyce").unwrap().material(&[2e5, 5.0]);
+        let chains = text("rubber", "", &chains).unwrap();
+        assert!(chains.contains("*MAT_127_TITLE\nrubber\n") && chains.contains(" 2.00000e5        25\n"), "{chains}");
+        assert!(text("rubber", "", &Law::find("gent").unwrap().material(&[2e5, 80.0])).is_none());
         assert!(ogden.contains("*MAT_077_O_TITLE") && !ogden.contains("GI"), "{ogden}");
     }
 }

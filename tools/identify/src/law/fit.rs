@@ -6,7 +6,9 @@ use softanvil_kernel::material::{Elastic, ElasticLaw};
 use super::degeneracy::Degeneracy;
 use super::stability::Stability;
 use super::statistics::Statistics;
-use super::{DataSet, LAWS, Law, linear, ogden, separable, stress};
+use super::{DataSet, LAWS, Law, linear, ogden, separable};
+
+pub use super::stress::predict;
 
 /// How residuals count.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -116,7 +118,10 @@ fn values(law: &Law, data: &[DataSet], stresses: &[f64], weights: &[f64], settin
     match law.family {
         _ if law.is_linear() => linear_values(law, data, stresses, weights, settings),
         ElasticLaw::Ogden => Some(ogden::fit(law.parameters.len() / 2, data, weights, settings.demand_stability)),
-        _ => separable::fit(law, data, weights, settings),
+        _ => {
+            let stable = settings.demand_stability.then_some(settings.stability_range);
+            separable::fit(law, data, weights, stable)
+        }
     }
 }
 
@@ -152,16 +157,6 @@ fn stable_values(law: &Law, a: &DMatrix<f64>, b: &DVector<f64>, settings: &Setti
         stability.covers(settings.stability_range).then_some(values)
     };
     smaller.filter_map(solve).next()
-}
-
-/// Nominal stress of the law at every point of `data`, Pa.
-pub fn predict(law: &Law, values: &[f64], data: &[DataSet]) -> Vec<f64> {
-    let elastic = law.elastic(values);
-    let of_set = |set: &DataSet| {
-        let stretches: Vec<f64> = set.points.iter().map(|point| point.0).collect();
-        stress::nominal(&elastic, set.mode, &stretches)
-    };
-    data.iter().flat_map(of_set).collect()
 }
 
 /// Weight of each residual, 1/Pa or 1.

@@ -8,6 +8,7 @@
 
 pub mod degeneracy;
 pub mod fit;
+pub mod interval;
 pub mod linear;
 pub mod ogden;
 pub mod profile;
@@ -23,7 +24,7 @@ use std::sync::LazyLock;
 use softanvil_kernel::material::{Coefficient, Coefficients, Elastic, ElasticLaw, Material, Moduli, VolumetricBy};
 use softanvil_kernel::preset;
 
-use separable::Interval;
+use interval::Interval;
 
 /// A homogeneous test of an incompressible specimen; l is the stretch of the loaded direction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

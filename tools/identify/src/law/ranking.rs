@@ -4,7 +4,7 @@
 use softanvil_kernel::material::ElasticLaw;
 
 use super::fit::{Fit, Settings};
-use super::separable::Interval;
+use super::interval::Interval;
 use super::{DataSet, Mode, profile};
 
 /// Fits in the order of the study: the best of each family by residual, then the others by residual. Laws that no simulation

@@ -7,10 +7,11 @@
 use nalgebra::{DMatrix, DVector};
 use softanvil_kernel::material::Coefficient;
 
-use super::fit::{Settings, predict};
+use super::interval::Interval;
 use super::stability::Stability;
+use super::stress::predict;
 use super::{DataSet, Law, linear};
-use crate::least_squares::{self, Bounded, Effort, Held, Model};
+use crate::least_squares::{self, Effort, Held, Model};
 
 /// Points of the grid over all shapes together, about.
 const GRID: f64 = 60.0;
@@ -19,50 +20,11 @@ const REFINED: usize = 4;
 /// Differences that take derivatives: relative ones by a parameter, and by the t of a bounded one.
 const DIFFERENCE: f64 = 1e-6;
 
-/// The values of a shape between its bounds, evenly by logarithm where both are positive.
-#[derive(Clone, Copy, Debug)]
-pub struct Interval {
-    bounded: Bounded,
-    logarithmic: bool,
-}
-
-impl Interval {
-    /// Of the legal values of `coefficient`.
-    pub fn of(coefficient: &Coefficient) -> Self {
-        let logarithmic = coefficient.min > 0.0;
-        let [low, high] = [coefficient.min, coefficient.max].map(|end| if logarithmic { end.ln() } else { end });
-        Self { bounded: Bounded { middle: 0.5 * (low + high), half: 0.5 * (high - low) }, logarithmic }
-    }
-
-    /// Where `value` is between the bounds, from 0 to 1.
-    pub fn part(self, value: f64) -> f64 {
-        let at = if self.logarithmic { value.ln() } else { value };
-        0.5 + 0.5 * (at - self.bounded.middle) / self.bounded.half
-    }
-
-    /// The value at a part of the way, from 0 to 1.
-    fn at(self, part: f64) -> f64 {
-        self.of_linear(self.bounded.middle + (2.0 * part - 1.0) * self.bounded.half)
-    }
-
-    fn of_linear(self, at: f64) -> f64 {
-        if self.logarithmic { at.exp() } else { at }
-    }
-
-    /// The value at an unbounded t.
-    fn value(self, t: f64) -> f64 {
-        self.of_linear(self.bounded.value(t))
-    }
-
-    fn parameter(self, value: f64) -> f64 {
-        self.bounded.parameter(if self.logarithmic { value.ln() } else { value })
-    }
-}
-
-/// The values of the parameters of `law` nearest to `data`; none that is stable where that is demanded.
+/// The values of the parameters of `law` nearest to `data`; none that is stable over the stretches `stable`, where that is
+/// demanded.
 ///
 /// Stability is demanded of the moduli, at the shapes that are nearest without it.
-pub fn fit(law: &Law, data: &[DataSet], weights: &[f64], settings: &Settings) -> Option<Vec<f64>> {
+pub fn fit(law: &Law, data: &[DataSet], weights: &[f64], stable: Option<(f64, f64)>) -> Option<Vec<f64>> {
     let problem = Projected { law, data, weights };
     let mut starts: Vec<(f64, Vec<f64>)> = grid(&law.intervals())
         .into_iter()
@@ -75,13 +37,12 @@ pub fn fit(law: &Law, data: &[DataSet], weights: &[f64], settings: &Settings) ->
     let (_, inner) = refined.min_by(|a, b| a.0.total_cmp(&b.0))?;
     let shapes = problem.shapes(&inner);
     let (a, b) = problem.linear(&shapes);
-    let moduli = match settings.demand_stability {
-        true => linear::solve_stable(&linear::unit_laws(law, &shapes), &a, &b, settings.stability_range)?,
-        false => linear::solve(&a, &b),
+    let Some(range) = stable else {
+        return Some(law.values(linear::solve(&a, &b).as_slice(), &shapes));
     };
+    let moduli = linear::solve_stable(&linear::unit_laws(law, &shapes), &a, &b, range)?;
     let values = law.values(moduli.as_slice(), &shapes);
-    let is_stable = || Stability::new(&law.elastic(&values)).covers(settings.stability_range);
-    (!settings.demand_stability || is_stable()).then_some(values)
+    Stability::new(&law.elastic(&values)).covers(range).then_some(values)
 }
 
 /// Derivative of the nominal stress by each parameter at each point, n_point x n_parameter: exact by the moduli, central
@@ -240,12 +201,7 @@ impl Model for Whole<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::law::fit::{Fit, Weighting};
-    use crate::law::{LAWS, MODES};
-
-    fn settings(demand_stability: bool) -> Settings {
-        Settings { weighting: Weighting::Absolute, stability_range: (0.5, 2.0), demand_stability }
-    }
+    use crate::law::{LAWS, MODES, ogden};
 
     /// The stresses of `law` with `values` in the three tests.
     fn data(law: &Law, values: &[f64]) -> Vec<DataSet> {
@@ -265,8 +221,8 @@ mod tests {
         for law in LAWS.iter().filter(separable) {
             let truth = law.example();
             let data = data(law, truth);
-            for demanded in [false, true] {
-                let found = fit(law, &data, &[1.0; 72], &settings(demanded)).unwrap();
+            for stable in [None, Some((0.5, 2.0))] {
+                let found = fit(law, &data, &[1.0; 72], stable).unwrap();
                 for (found, truth) in found.iter().zip(truth) {
                     assert!((found / truth - 1.0).abs() < 1e-6, "{}: {found} {truth}", law.name);
                 }
@@ -281,12 +237,12 @@ mod tests {
     fn ogden_with_one_term_is_fitted_as_well() {
         let law = Law::find("ogden_1").unwrap();
         let data = data(Law::find("yeoh_3").unwrap(), &[1e5, -3e3, 500.0]);
-        let special = Fit::new(law, &data, &settings(false)).unwrap();
-        let general = fit(law, &data, &[1.0; 72], &settings(false)).unwrap();
-        for (a, b) in special.values.iter().zip(&general) {
-            assert!((a / b - 1.0).abs() < 1e-5, "{:?} {general:?}", special.values);
+        let special = ogden::fit(1, &data, &[1.0; 72], false);
+        let general = fit(law, &data, &[1.0; 72], None).unwrap();
+        for (a, b) in special.iter().zip(&general) {
+            assert!((a / b - 1.0).abs() < 1e-5, "{special:?} {general:?}");
         }
-        let (a, b) = (crate::law::ogden::jacobian(&general, &data), jacobian(law, &general, &data));
+        let (a, b) = (ogden::jacobian(&general, &data), jacobian(law, &general, &data));
         assert!((&a - &b).norm() < 1e-7 * a.norm());
     }
 }

@@ -7,7 +7,7 @@ use softanvil_kernel::material::Elastic;
 use softanvil_kernel::number::vector::Scalar;
 use softanvil_kernel::tensor::kinematics::Kinematics;
 
-use super::Mode;
+use super::{DataSet, Law, Mode};
 
 /// Stretches (x, y, z) of a test at the stretch `l`, the loaded direction first.
 pub fn stretches(mode: Mode, l: f64) -> [f64; 3] {
@@ -34,6 +34,16 @@ pub fn nominal(elastic: &Elastic, mode: Mode, points: &[f64]) -> Vec<f64> {
         (tau[0] - tau[1]) / l
     };
     points.iter().map(at).collect()
+}
+
+/// Nominal stress of the law at every point of `data`, Pa.
+pub fn predict(law: &Law, values: &[f64], data: &[DataSet]) -> Vec<f64> {
+    let elastic = law.elastic(values);
+    let of_set = |set: &DataSet| {
+        let stretches: Vec<f64> = set.points.iter().map(|point| point.0).collect();
+        nominal(&elastic, set.mode, &stretches)
+    };
+    data.iter().flat_map(of_set).collect()
 }
 
 #[cfg(test)]
