@@ -7,7 +7,6 @@ use crate::model::Size;
 use crate::number::math;
 use crate::number::real::{self, Real};
 use crate::sampling::SAMPLING_RATE;
-use crate::scenario::preset::elastic_silicone;
 use crate::scenario::{MAX_LAYERS, Scenario};
 
 /// The scalar constants of a model.
@@ -54,7 +53,11 @@ impl Constants {
     /// Goes over to steps of `dt` s, `steps_per_sample` of them in a sampling interval.
     pub(crate) fn set_step(&mut self, dt: Real, steps_per_sample: u32) {
         (self.dt, self.steps_per_sample) = (dt, steps_per_sample);
-        self.laws = laws_of_layers(&self.scenario, dt);
+        for (place, laws) in self.laws.iter_mut().enumerate() {
+            if let Some(layer) = self.scenario.layers.get(place).or(self.scenario.layers.last()) {
+                *laws = MaterialModel::new(&layer.material, dt);
+            }
+        }
     }
 
     /// Mass of the impactor that belongs to the meshed section, kg.
@@ -97,16 +100,4 @@ impl Constants {
         let samples = if is_whole { nearest } else { math::ceil(samples) };
         samples as u64 * u64::from(self.steps_per_sample)
     }
-}
-
-/// Material models of the layers of `scenario` for steps of `dt` s; behind them that of the last again.
-pub(crate) fn laws_of_layers(scenario: &Scenario, dt: Real) -> [MaterialModel; MAX_LAYERS] {
-    core::array::from_fn(|place| {
-        let layer = scenario.layers.get(place).or(scenario.layers.last());
-        // A scenario without a layer is refused.
-        layer.map_or_else(
-            || MaterialModel::new(&elastic_silicone(), dt),
-            |layer| MaterialModel::new(&layer.material, dt),
-        )
-    })
 }

@@ -6,7 +6,6 @@ mod size;
 mod view;
 
 pub use constants::Constants;
-pub(crate) use constants::laws_of_layers;
 pub use memory::ModelMemory;
 pub(crate) use memory::{ModelArrays, split_row, take};
 pub(crate) use size::MODEL_NODE_FIELDS;

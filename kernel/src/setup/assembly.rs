@@ -3,32 +3,38 @@
 use crate::cfc::Coefficients;
 use crate::element::{CellConstants, HoopConstants, Triangle};
 use crate::error::{ModelError, ScenarioError};
+use crate::material::MaterialModel;
 use crate::mesh::{CORNERS, Grid, triangles};
-use crate::model::{Constants, MODEL_NODE_FIELDS, ModelArrays, Size, laws_of_layers, split_row};
+use crate::model::{Constants, MODEL_NODE_FIELDS, ModelArrays, Size, split_row};
 use crate::number::digest::Digest;
 use crate::number::pack::LANES;
 use crate::number::real::Real;
 use crate::sampling::SAMPLING_INTERVAL;
 use crate::scenario::parameter::Parameter;
-use crate::scenario::{Formulation, Interface, Scenario, Section};
+use crate::scenario::preset::elastic_silicone;
+use crate::scenario::{Formulation, Interface, MAX_LAYERS, Scenario, Section};
 
-/// Fills `arrays` with the model of `scenario` whose nodes rest at `position(u, v)`, m, and gives its constants, for steps
-/// of a sampling interval until [`Constants::set_step`] says otherwise; without a [`fingerprint`].
+/// Fills `arrays` with the model of `scenario` whose nodes rest at `position(u, v)`, m, and `place` with its constants, for steps
+/// of a sampling interval until [`Constants::set_step`] says otherwise; without a [`fingerprint`]. Apart, so that what it needs leaves the stack.
 ///
 /// # Errors
 /// A cell without area, too little memory, or a channel that is refused.
-pub(crate) fn assemble(
+#[inline(never)]
+pub(crate) fn assemble<'c>(
     scenario: &Scenario,
     grid: Grid,
     position: &dyn Fn(usize, usize) -> [Real; 2],
     arrays: &mut ModelArrays,
-) -> Result<Constants, ModelError> {
+    place: &'c mut Option<Constants>,
+) -> Result<&'c mut Constants, ModelError> {
     let size = Size::of_grid(scenario, &grid);
     let ModelArrays { nodes, cells, hoops } = arrays.first(&size)?;
     build_cells(scenario, &grid, position, cells, hoops)?;
     build_nodes(scenario, &grid, position, cells, nodes);
     let channel = Coefficients::new(scenario.measurement.channel_class, SAMPLING_INTERVAL);
-    Ok(Constants {
+    // Of no material in particular until the step is set.
+    let none = MaterialModel::new(&elastic_silicone(), SAMPLING_INTERVAL);
+    let constants = place.insert(Constants {
         scenario: scenario.clone(),
         grid,
         size,
@@ -36,11 +42,13 @@ pub(crate) fn assemble(
         design_stretch: 1.0,
         steps_per_sample: 1,
         channel: channel.map_err(ScenarioError::Parameter)?,
-        laws: laws_of_layers(scenario, SAMPLING_INTERVAL),
+        laws: [const { () }; MAX_LAYERS].map(|()| none.clone()),
         symmetry_factor: symmetry_factor(scenario),
         top_height: position(grid.centre, grid.n_v)[1],
         fingerprint: 0,
-    })
+    });
+    constants.set_step(SAMPLING_INTERVAL, 1);
+    Ok(constants)
 }
 
 /// Digest of the parameters and of where the nodes of the filled `nodes` rest, which need not follow from them.

@@ -39,10 +39,10 @@ impl<'a> Model<'a> {
         let mut arrays = ModelArrays { nodes, cells, hoops };
         // Before the work of a trial.
         arrays.first(&size)?;
-        let chosen = with_chosen_step(scenario, position, &mut arrays, state)?;
+        let constants = with_chosen_step(scenario, position, &mut arrays, state, constants)?;
         let ModelArrays { nodes, cells, hoops } = arrays;
         Ok(Self::view(
-            constants.insert(chosen),
+            constants,
             nodes.get(..size.model_nodes).unwrap_or_default(),
             cells.get(..size.model_cells).unwrap_or_default(),
             hoops.get(..size.model_hoops).unwrap_or_default(),

@@ -30,24 +30,25 @@ const MARGIN: Real = 0.9;
 /// The same again for every factor of e that the limit has fallen by: of a layer pressed flat a trial says less.
 const MARGIN_POWER: Real = 0.03;
 
-/// Fills `arrays` with the model of `scenario`, whose nodes rest at `position(u, v)`, m, and gives its constants with the
+/// Fills `arrays` with the model of `scenario`, whose nodes rest at `position(u, v)`, m, and `place` with its constants with the
 /// step chosen. A trial runs in the memory of a `state`.
 ///
 /// # Errors
 /// As [`assemble`]; a stable step that is too small to offer, or a given step above the limit at rest.
-pub(crate) fn with_chosen_step(
+pub(crate) fn with_chosen_step<'c>(
     scenario: &Scenario,
     position: &dyn Fn(usize, usize) -> [Real; 2],
     arrays: &mut ModelArrays,
     state: &mut StateMemory,
-) -> Result<Constants, ModelError> {
+    place: &'c mut Option<Constants>,
+) -> Result<&'c Constants, ModelError> {
     let grid = Grid::new(scenario)?;
     let forecast = match scenario.time.step_by {
-        StepBy::SafetyFactor => Some(foresee(scenario, &grid, position, arrays, state)?),
+        StepBy::SafetyFactor => Some(foresee(scenario, &grid, position, arrays, state, place)?),
         StepBy::Given => None,
     };
-    let mut constants = assemble(scenario, grid, position, arrays)?;
-    let at_rest = Cells::new(&constants, arrays).limit_at_rest();
+    let constants = assemble(scenario, grid, position, arrays, place)?;
+    let at_rest = Cells::new(constants, arrays).limit_at_rest();
     let step = match forecast {
         Some(forecast) => scenario.time.safety_factor * margin(forecast.ratio) * forecast.ratio * at_rest,
         None if scenario.time.step > at_rest => {
@@ -71,6 +72,7 @@ fn foresee(
     position: &dyn Fn(usize, usize) -> [Real; 2],
     arrays: &mut ModelArrays,
     state: &mut StateMemory,
+    place: &mut Option<Constants>,
 ) -> Result<Forecast, ModelError> {
     let (mut tried, motion) = trial::of(scenario);
     let size = scenario.thickness() / COARSE_ROWS;
@@ -80,13 +82,13 @@ fn foresee(
     let says_rows = scenario.layers.iter().any(|layer| layer.rows > 0);
     if coarse != *grid && !says_rows {
         let rest = |u, v| reference_position(&tried, &coarse, u, v);
-        let forecast = trial::run(&tried, &motion, coarse, &rest, arrays, state)?;
+        let forecast = trial::run(&tried, &motion, coarse, &rest, arrays, state, place)?;
         if forecast.ratio >= REPEAT_BELOW {
             return Ok(forecast);
         }
     }
     tried.mesh.element_size = scenario.mesh.element_size;
-    trial::run(&tried, &motion, *grid, position, arrays, state)
+    trial::run(&tried, &motion, *grid, position, arrays, state, place)
 }
 
 /// Part of the limit that is kept where a trial has found `ratio`.

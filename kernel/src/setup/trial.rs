@@ -57,7 +57,8 @@ pub(crate) fn of(scenario: &Scenario) -> (Scenario, TrialMotion) {
     (trial, motion)
 }
 
-/// Runs the trial `scenario`, whose impactor moves by `motion`, on its `grid`, whose nodes rest at `position(u, v)`, m.
+/// Runs the trial `scenario`, whose impactor moves by `motion`, on its `grid`, whose nodes rest at `position(u, v)`, m, with
+/// the constants in `place`, which the model itself will take.
 ///
 /// # Errors
 /// As [`assemble`], and too little memory for a state.
@@ -69,10 +70,11 @@ pub(crate) fn run(
     position: &dyn Fn(usize, usize) -> [Real; 2],
     arrays: &mut ModelArrays,
     state: &mut StateMemory,
+    place: &mut Option<Constants>,
 ) -> Result<Forecast, ModelError> {
-    let constants = assemble(scenario, grid, position, arrays)?;
+    let constants = assemble(scenario, grid, position, arrays, place)?;
     let arrays = arrays.first(&constants.size)?;
-    let at_rest = Cells::new(&constants, &arrays).limit_at_rest();
+    let at_rest = Cells::new(constants, &arrays).limit_at_rest();
     let mut trial = Trial { smallest: at_rest, stretch: 1.0, constants };
     trial.constants.set_step(FOLLOWED * at_rest, 1);
     State::new(&trial.model(&arrays), state.lend())?;
@@ -83,7 +85,7 @@ pub(crate) fn run(
         let stride = stride(&model, &view);
         let stopped = march(&model, &mut view, motion, stride, &mut time);
         steps += stride;
-        let ended = motion.has_ended(&trial.constants, &view, time);
+        let ended = motion.has_ended(trial.constants, &view, time);
         trial.look(&arrays, state, stopped);
         if ended || stopped.is_some_and(|error| matches!(error, StepError::Inverted { .. })) {
             break;
@@ -96,23 +98,23 @@ pub(crate) fn run(
 }
 
 /// A trial on its way.
-struct Trial {
-    constants: Constants,
+struct Trial<'c> {
+    constants: &'c mut Constants,
     /// Smallest limit so far, s.
     smallest: Real,
     /// Smallest principal stretch of the cell that had it.
     stretch: Real,
 }
 
-impl Trial {
+impl Trial<'_> {
     fn model<'m>(&'m self, arrays: &'m ModelArrays) -> Model<'m> {
-        Model::view(&self.constants, arrays.nodes, arrays.cells, arrays.hoops)
+        Model::view(self.constants, arrays.nodes, arrays.cells, arrays.hoops)
     }
 
     /// Looks at all cells, and at what the monitor may have found; goes on with a smaller step where the limit has fallen.
     fn look(&mut self, arrays: &ModelArrays, state: &StateMemory, stopped: Option<StepError>) {
-        let found = Cells::new(&self.constants, arrays)
-            .critical(&|block| state.cells.get(block), self.smallest * self.smallest);
+        let found =
+            Cells::new(self.constants, arrays).critical(&|block| state.cells.get(block), self.smallest * self.smallest);
         if let Some(Critical { limit_squared, stretch, .. }) = found {
             (self.smallest, self.stretch) = (math::sqrt(limit_squared), stretch);
         }
