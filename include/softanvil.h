@@ -389,7 +389,15 @@ enum SoftanvilLayer {
     /** layer.ogden_mu_3, Pa, from -1e9 to 1e9: ogden coefficient, W = sum mu/alpha (l1^alpha + l2^alpha + l3^alpha - 3); 0 switches the term off. */
     SOFTANVIL_LAYER_OGDEN_MU_3 = 58,
     /** layer.ogden_alpha_3, from -30 to 30: ogden exponent; the shear modulus at rest is sum mu alpha / 2. */
-    SOFTANVIL_LAYER_OGDEN_ALPHA_3 = 59
+    SOFTANVIL_LAYER_OGDEN_ALPHA_3 = 59,
+    /** layer.gent_mu, Pa, from 0 to 1e9: gent shear modulus at rest, W = -mu Jm/2 ln(1 - (I1 - 3)/Jm). */
+    SOFTANVIL_LAYER_GENT_MU = 60,
+    /** layer.gent_jm, from 0.01 to 1e6: gent limit Jm of I1 - 3. */
+    SOFTANVIL_LAYER_GENT_JM = 61,
+    /** layer.arruda_boyce_mu, Pa, from 0 to 1e9: arruda_boyce modulus; that of shear at rest is mu (1 + 3/5 lambda_m^-2 + ...), series of five terms. */
+    SOFTANVIL_LAYER_ARRUDA_BOYCE_MU = 62,
+    /** layer.arruda_boyce_lambda_m, from 1 to 100: arruda_boyce stretch at which the chains are fully extended, the root of their number of links. */
+    SOFTANVIL_LAYER_ARRUDA_BOYCE_LAMBDA_M = 63
 };
 
 /** Number of a parameter of a layer, 0 next to the core: SOFTANVIL_PARAMETER_OF_LAYER(1, SOFTANVIL_LAYER_C10). */
@@ -446,7 +454,9 @@ enum SoftanvilLayerLaw {
     SOFTANVIL_LAYER_LAW_NEO_HOOKEAN = 0,
     SOFTANVIL_LAYER_LAW_MOONEY_RIVLIN = 1,
     SOFTANVIL_LAYER_LAW_YEOH = 2,
-    SOFTANVIL_LAYER_LAW_OGDEN = 3
+    SOFTANVIL_LAYER_LAW_OGDEN = 3,
+    SOFTANVIL_LAYER_LAW_GENT = 4,
+    SOFTANVIL_LAYER_LAW_ARRUDA_BOYCE = 5
 };
 
 /** layer.moduli: what the elastic coefficients are: after full relaxation, or before any. */

@@ -42,7 +42,7 @@ pub(crate) fn assemble<'c>(
         design_stretch: 1.0,
         steps_per_sample: 1,
         channel: channel.map_err(ScenarioError::Parameter)?,
-        laws: [const { () }; MAX_LAYERS].map(|()| none.clone()),
+        laws: core::array::from_fn(|_| none.clone()),
         symmetry_factor: symmetry_factor(scenario),
         top_height: position(grid.centre, grid.n_v)[1],
         fingerprint: 0,
