@@ -12,7 +12,7 @@ use crate::number::real::Real;
 use crate::sampling::SAMPLING_INTERVAL;
 use crate::scenario::parameter::Parameter;
 use crate::scenario::preset::elastic_silicone;
-use crate::scenario::{Formulation, Interface, MAX_LAYERS, Scenario, Section};
+use crate::scenario::{Formulation, Interface, Scenario, Section};
 
 /// Fills `arrays` with the model of `scenario` whose nodes rest at `position(u, v)`, m, and `place` with its constants, for steps
 /// of a sampling interval until [`Constants::set_step`] says otherwise; without a [`fingerprint`]. Apart, so that what it needs leaves the stack.
