@@ -4,8 +4,8 @@ import ctypes
 import os
 from pathlib import Path
 
-# Bytes of a SoftanvilScenario: a header of four words, and the slots of the parameters.
-SCENARIO_BYTES = 16 + 256 * 8
+# Bytes of a SoftanvilScenario: a header of six words, and the slots of the parameters.
+SCENARIO_BYTES = 24 + 384 * 8
 
 
 class Input(ctypes.Structure):

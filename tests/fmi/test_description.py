@@ -22,7 +22,7 @@ def test_start_values_are_the_compiled_ones_to_the_last_bit(slave, description):
     settable = [variable for variable in description.modelVariables if variable.start is not None]
     assert {variable.causality for variable in settable} == {"parameter", "input"}
     for variable in settable:
-        read = slave.integer if variable.type == "Enumeration" else slave.real
+        read = slave.integer if variable.type in ("Enumeration", "Integer") else slave.real
         assert struct.pack("d", read(variable.name)) == struct.pack("d", float(variable.start)), variable.name
 
 
@@ -39,6 +39,15 @@ def test_every_variable_can_be_read(slave, description):
 def test_ranges_in_the_description_are_those_of_the_setters(slave, description):
     slave.fmu.enterInitializationMode()
     for variable in description.modelVariables:
+        if variable.type == "Integer" and variable.start is not None:
+            low, high = int(variable.min), int(variable.max)
+            for legal in (low, high, int(variable.start)):
+                slave.set(**{variable.name: legal})
+                assert slave.integer(variable.name) == legal
+            for refused in (low - 1, high + 1):
+                with pytest.raises(Exception):
+                    slave.set(**{variable.name: refused})
+                assert slave.integer(variable.name) == int(variable.start)
         if variable.type == "Real" and variable.start is not None:
             low, high = float(variable.min), float(variable.max)
             for legal in (low, high):

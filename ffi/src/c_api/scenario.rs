@@ -245,7 +245,7 @@ impl SoftanvilScenario {
     }
 
     /// The scenario that this describes: every value is legal, and each that differs from the preset's acts.
-    pub(crate) fn to_kernel(&self) -> Result<Scenario, Failure> {
+    pub(crate) fn kernel(&self) -> Result<Scenario, Failure> {
         self.check()?;
         self.check_reserved()?;
         let preset = self.preset()?;
@@ -272,7 +272,7 @@ mod tests {
 
     #[test]
     fn a_preset_survives_the_way_through_c() {
-        assert_eq!(study().to_kernel().unwrap(), softanvil_kernel::preset::study());
+        assert_eq!(study().kernel().unwrap(), softanvil_kernel::preset::study());
     }
 
     #[test]
@@ -286,10 +286,10 @@ mod tests {
         }
         let [size, force, ratio] = ["mesh.element_size", "measurement.force_threshold", "layers[3].poissons_ratio"]
             .map(|name| Parameter::find(name).unwrap());
-        assert_eq!(older.to_kernel().unwrap(), softanvil_kernel::preset::study());
+        assert_eq!(older.kernel().unwrap(), softanvil_kernel::preset::study());
         assert_eq!(older.get(size), study().get(size));
         older.set(size, 4e-3).unwrap();
-        assert_eq!(older.to_kernel().unwrap().mesh.element_size, 4e-3);
+        assert_eq!(older.kernel().unwrap().mesh.element_size, 4e-3);
         assert_eq!((older.count, older.layer_count), (study().count, study().layer_count));
         assert_eq!([older.slot(force), older.slot(ratio)], [study().slot(force), study().slot(ratio)]);
     }
@@ -299,8 +299,8 @@ mod tests {
         let mut scenario = study();
         scenario.value[SOFTANVIL_PARAMETER_SLOTS - 1] = 1.0;
         let slot = SOFTANVIL_PARAMETER_SLOTS - 1;
-        assert_eq!(scenario.to_kernel(), Err(Failure::ReservedSlot { array: "value", slot, value: 1.0 }));
-        let word = SoftanvilScenario { reserved_word: 1, ..study() }.to_kernel();
+        assert_eq!(scenario.kernel(), Err(Failure::ReservedSlot { array: "value", slot, value: 1.0 }));
+        let word = SoftanvilScenario { reserved_word: 1, ..study() }.kernel();
         assert_eq!(word, Err(Failure::ReservedSlot { array: "reserved_word", slot: 0, value: 1.0 }));
     }
 }

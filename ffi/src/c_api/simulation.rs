@@ -91,7 +91,7 @@ pub unsafe extern "C" fn softanvil_memory_size(
     let (size, alignment) = unsafe { (ptr::out(size, "size"), ptr::out(alignment, "alignment")) };
     report(error, || {
         let (scenario, size, alignment) = (scenario?, size?, alignment?);
-        let needed = block::bytes(&Size::of(&scenario.to_kernel()?)?);
+        let needed = block::bytes(&Size::of(&scenario.kernel()?)?);
         size.write(needed);
         alignment.write(ALIGNMENT);
         Ok(())
@@ -127,7 +127,7 @@ pub unsafe extern "C" fn softanvil_init(
     let simulation = unsafe { ptr::out(simulation, "simulation") };
     report(error, || {
         let simulation = simulation?;
-        let scenario = scenario?.to_kernel()?;
+        let scenario = scenario?.kernel()?;
         let counts = Size::of(&scenario)?;
         // SAFETY: as above.
         let region = unsafe { ptr::zeroed(memory.cast(), size, block::bytes(&counts)) }?;

@@ -18,7 +18,8 @@ fn panic(_: &PanicInfo) -> ! {
 pub fn prepare(energy: f64) -> Option<(Scenario, Size)> {
     let mut scenario = preset::study();
     scenario.impactor = scenario.impactor.with_energy(energy);
-    Some((scenario, Size::of(&scenario).ok()?))
+    let size = Size::of(&scenario).ok()?;
+    Some((scenario, size))
 }
 
 /// Steps, saves and restores.
