@@ -23,7 +23,7 @@ pub const PERIODS: [f64; 3] = [10.0, 20.0, 40.0];
 /// A law of five parameters.
 const LAW: MooneyRivlin = MooneyRivlin { c10: 0.1e6, c01: 0.05e6, c11: 0.03e6, c20: 0.004e6, c02: 0.01e6 };
 
-/// [`LAW`] with a term for each rate of the study.
+/// The law of the cylinder with a term for each rate of the study.
 pub fn viscoelastic() -> Material {
     Material {
         prony_g: [0.25, 0.2, 0.15, 0.0, 0.0],
