@@ -766,7 +766,7 @@ SoftanvilStatus softanvil_scenario_set(SoftanvilScenario *scenario,
  * As `softanvil_scenario_set`, by the parameter's name.
  *
  * @param scenario The scenario to change.
- * @param name Name, such as "impactor.mass" or "layers[0].c10".
+ * @param name Name, such as "impactor.mass", or `layers[0].c10` of a layer.
  * @param value Value in the parameter's SI unit; a choice as its number.
  * @param error Details of a failure, or NULL.
  * @return NULL_POINTER, MISALIGNED, UNINITIALISED, UNKNOWN_NAME, ILLEGAL_VALUE.
@@ -792,7 +792,7 @@ SoftanvilStatus softanvil_scenario_get(const SoftanvilScenario *scenario,
  * As `softanvil_scenario_get`, by the parameter's name.
  *
  * @param scenario The scenario.
- * @param name Name, such as "impactor.mass" or "layers[0].c10".
+ * @param name Name, such as "impactor.mass", or `layers[0].c10` of a layer.
  * @param value Value in the parameter's SI unit; a choice as its number.
  * @return NULL_POINTER, MISALIGNED, UNINITIALISED, UNKNOWN_NAME.
  */

@@ -65,7 +65,12 @@ pub fn random_law(samples: &mut Samples, c10: f64) -> Material {
         .collect();
     let (law, n) = laws[(between(0.0, laws.len() as f64) as usize).min(laws.len() - 1)];
     let plausible = law.description().coefficients[..n].iter().map(|coefficient| coefficient.plausible);
-    let values: Vec<f64> = plausible.map(|(low, high)| between(low, high)).collect();
+    let mut values: Vec<f64> = plausible.map(|(low, high)| between(low, high)).collect();
+    // Alone, a term of Ogden's may have an exponent of either sign, and be weak.
+    if let (ElasticLaw::Ogden, [_, alpha]) = (law, &mut values[..]) {
+        let size = between(0.5, 6.0);
+        *alpha = if between(0.0, 1.0) < 0.5 { size } else { -size };
+    }
     let material = elastic(0.0, 0.0, 1e6).with_values(law, &values);
     let coefficients = material.coefficients.scaled(2.0 * c10 / material.shear_modulus_inf());
     Material { coefficients, ..material }

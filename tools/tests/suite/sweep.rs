@@ -237,7 +237,7 @@ fn refused_values_say_what_is_legal_and_nothing_is_written() {
     for (arguments, message) in [
         (&["silicone.thickness=x"][..], "silicone.thickness = x is refused: expected a number"),
         (&["silicone.thickness=-1"], "layers[0].thickness = -1 m is refused"),
-        (&["silicone.poissons_ratio=0.5"], "silicone.poissons_ratio = 0.5"),
+        (&["silicone.poissons_ratio=0.5"], "layers[0].poissons_ratio = 0.5"),
         (&["face.friction_coefficient=-0.1"], "face.friction_coefficient = -0.1"),
         (&["geometry.core_radius=0.06"], "impactor.face_diameter"),
         (&["--convergence=0"], "--convergence: 0 is refused: expected factors from 0.01 to 100"),
@@ -299,7 +299,7 @@ fn any_parameter_is_swept_over_values_in_its_unit() {
     let skin = fail(folder, &["sweep", "layers[1].c10=2e5"], 2);
     assert!(skin.contains("layers[1].c10 = 200000 Pa has no effect: layers.count is 1"), "{skin}");
     for (argument, message) in [
-        ("silicone.c10=-1e20", "silicone.c10 = -1e20 Pa is refused"),
+        ("silicone.c10=-1e20", "layers[0].c10 = -1e20 Pa is refused"),
         ("geometry.layers=2", "expected layers.count = 2"),
     ] {
         let line = fail(folder, &["sweep", argument], 2);
