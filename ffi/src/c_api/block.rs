@@ -4,11 +4,13 @@
 
 use softanvil_kernel::element::{CellConstants, CellHistory, HoopConstants};
 use softanvil_kernel::tensor::deviator::Deviator;
-use softanvil_kernel::{Model, ModelMemory, Scalars, Scenario, Size, State, StateContent, StateMemory, StateView};
+use softanvil_kernel::{
+    Constants, Model, ModelMemory, Scalars, Scenario, Size, State, StateContent, StateMemory, StateView,
+};
 
 use crate::c_api::failure::Failure;
 use crate::c_api::header::SoftanvilSimulation;
-use crate::c_api::ptr::{Region, SharedRegion, padded};
+use crate::c_api::ptr::{Out, Region, SharedRegion, padded};
 
 /// The arrays behind the header.
 struct Arrays<'a> {
@@ -60,8 +62,20 @@ pub(crate) fn build(scenario: &Scenario, size: &Size, mut region: Region) -> Res
     let mut state = state;
     let model = Model::new(scenario, ModelMemory { constants: &mut constants, nodes, cells, hoops }, &mut state)?;
     State::new(&model, state)?;
-    let constants = constants.ok_or(short)?;
-    Ok(slot.place(SoftanvilSimulation { marker: SoftanvilSimulation::MARKER, bytes: bytes(size), constants, scalars }))
+    place(slot, bytes(size), &mut constants, &scalars).ok_or(short)
+}
+
+/// Writes the header and gives its address; none without constants. Apart, so that another copy of them is on the stack only when
+/// the trial has left it.
+#[inline(never)]
+fn place(
+    slot: Out<SoftanvilSimulation>,
+    bytes: usize,
+    constants: &mut Option<Constants>,
+    scalars: &Scalars,
+) -> Option<*mut SoftanvilSimulation> {
+    let (marker, constants, scalars) = (SoftanvilSimulation::MARKER, constants.take()?, *scalars);
+    Some(slot.place(SoftanvilSimulation { marker, bytes, constants, scalars }))
 }
 
 /// Does `work` on the model and the state of a simulation.

@@ -246,6 +246,12 @@ impl SoftanvilScenario {
 
     /// The scenario that this describes: every value is legal, and each that differs from the preset's acts.
     pub(crate) fn kernel(&self) -> Result<Scenario, Failure> {
+        self.changes()?.apply().map_err(Failure::Scenario)
+    }
+
+    /// What differs from the preset. Apart, so that the preset leaves the stack.
+    #[inline(never)]
+    fn changes(&self) -> Result<Changes, Failure> {
         self.check()?;
         self.check_reserved()?;
         let preset = self.preset()?;
@@ -253,7 +259,7 @@ impl SoftanvilScenario {
         for parameter in Parameter::all().filter(|parameter| self.knows(*parameter)) {
             values.set(parameter, self.slot(parameter))?;
         }
-        Changes::between(&preset, &values).apply().map_err(Failure::Scenario)
+        Ok(Changes::between(&preset, &values))
     }
 }
 

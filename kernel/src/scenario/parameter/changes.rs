@@ -91,7 +91,7 @@ impl Changes {
         let mut values = self.values.clone();
         self.choose(&mut values)?;
         self.start_laws(&mut values);
-        Ok(values.scenario())
+        Ok(values.into_scenario())
     }
 
     /// The given values that have no effect in `scenario`, which they make.

@@ -84,8 +84,12 @@ impl Values {
 
     /// The scenario that they make.
     pub fn scenario(&self) -> Scenario {
-        let mut scenario = self.whole.clone();
-        scenario.set_layer_count(self.layers);
-        scenario
+        self.clone().into_scenario()
+    }
+
+    /// The same, of values that nobody needs any more.
+    pub(super) fn into_scenario(mut self) -> Scenario {
+        self.whole.set_layer_count(self.layers);
+        self.whole
     }
 }
