@@ -1,4 +1,4 @@
-//! The isochoric hyperelastic laws, one a line of [`laws`], from whose descriptions everything else follows: the choice
+//! The isochoric hyperelastic laws, one a line of `laws!`, from whose descriptions everything else follows: the choice
 //! of a user, the coefficients of all laws together, and the dispatch, which is made once per block of triangles and
 //! outside the loop over lanes.
 
