@@ -61,7 +61,7 @@ pub const SURFACE_HEIGHT: u32 = 6001;
 /// Contact pressure along the surface.
 pub const SURFACE_CONTACT_PRESSURE: u32 = 6002;
 
-/// Reference of a parameter: 1000 and its number; of a layer's 10000, the hundreds of the layer, and its number there.
+/// Reference of a parameter: 1000 and its number; of a layer's 7000, the hundreds of the layer, and its number there.
 pub fn of_parameter(parameter: Parameter) -> u32 {
     let first = parameter.layer().map_or(PARAMETERS, |layer| LAYERS + GROUP * layer as u32);
     first + parameter.id()
