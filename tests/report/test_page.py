@@ -59,9 +59,9 @@ def test_every_plot_and_the_section_are_drawn(page, scheme):
     for plot in PLOTS:
         assert colours(page, f"#{plot} .uplot canvas") > 4, plot
         assert "(J)" in page.inner_text("#energy .u-legend") and page.is_visible(f"#{plot} .u-legend")
-    page.click("#moments button:nth-child(2)")
+    page.click("#instants button:nth-child(2)")
     assert colours(page, "#section") > 8
-    assert page.locator("#moments canvas").count() == 4
+    assert page.locator("#instants canvas").count() == 4
 
 
 @pytest.mark.parametrize("plot", PLOTS)
@@ -110,7 +110,7 @@ def test_every_energy_and_quantity_has_its_picture(page):
         page.click(f"#cases button:nth-of-type({number})")
         for quantity in (1, 2):
             page.click(f"#shades button:nth-of-type({quantity})")
-            page.click("#moments button:has-text('peak force')")
+            page.click("#instants button:has-text('peak force')")
             images.add(picture(page, "#section"))
         force = float(re.search(r"([\d.]+) N", page.inner_text("#readout"))[1])
         assert abs(force - case["peak_force"]) <= 0.51

@@ -61,19 +61,19 @@ pub enum Logger {
 pub struct Log {
     logger: Logger,
     environment: *mut c_void,
-    /// Bits of the categories that are told.
-    told: u8,
+    /// Bits of the categories that are written.
+    enabled: u8,
 }
 
 impl Log {
     /// A log that hands `environment` back to `logger`, and tells of everything if it is `on`.
     pub fn new(logger: Logger, environment: *mut c_void, on: bool) -> Self {
-        Self { logger, environment, told: if on { Category::ALL.bits } else { 0 } }
+        Self { logger, environment, enabled: if on { Category::ALL.bits } else { 0 } }
     }
 
     /// Switches the categories of `bits` on or off; the others stay as they are.
     pub fn switch(&mut self, on: bool, bits: u8) {
-        self.told = if on { self.told | bits } else { self.told & !bits };
+        self.enabled = if on { self.enabled | bits } else { self.enabled & !bits };
     }
 
     /// A refused call or failed step. FMI 2.0 switches what helps to debug, which leaves errors; FMI 3.0 says that with
@@ -106,7 +106,7 @@ impl Log {
     }
 
     fn tells(&self, category: &Category) -> bool {
-        self.told & category.bits != 0
+        self.enabled & category.bits != 0
     }
 
     fn write(&self, status: Status, category: &Category, message: &dyn Display) {

@@ -58,7 +58,7 @@ pub struct Block<'m> {
     pub laws: &'m MaterialModel,
     /// Its triangles at rest.
     pub constants: &'m CellConstants,
-    /// Hoop constants, in rings.
+    /// Hoop constants, if axisymmetric.
     pub hoop: Option<&'m HoopConstants>,
 }
 

@@ -52,7 +52,7 @@ pub(crate) struct CellMatrix<V> {
     real: [V; 3],
     /// Products of r of both triangles with z of both.
     mixed: [[Complex<V>; 2]; 2],
-    /// Products of h, in rings.
+    /// Products of h, if axisymmetric.
     hoop: Option<HoopRow<V>>,
 }
 
@@ -155,7 +155,7 @@ fn product<V: Vector>(mixed: &[Complex<V>; 2], effect: &[Complex<V>; 2]) -> V {
     mixed[0].dot(&effect[0]) + mixed[1].dot(&effect[1])
 }
 
-/// Products of b with r of both triangles, then with itself, from those of r and, in rings, of h.
+/// Products of b with r of both triangles, then with itself, from those of r and, if axisymmetric, of h.
 #[inline(always)]
 fn dilatation<V: Vector>([w, x]: &[V; 2], [first, across, second]: &[V; 3], hoop: Option<&[V; 3]>) -> [V; 3] {
     let mean = [*w * *first + *x * *across, *w * *across + *x * *second];

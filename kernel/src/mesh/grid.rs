@@ -28,7 +28,7 @@ pub struct Grid {
     pub n_v: usize,
     /// Row that ends each layer: the first of the next one. Layers that the scenario does not have end with the last.
     pub layer_end: [usize; MAX_LAYERS],
-    /// Whether the cells are rings.
+    /// Whether the section turns about its centre line.
     pub axisymmetric: bool,
 }
 

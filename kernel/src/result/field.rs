@@ -8,7 +8,7 @@ use crate::state::StateView;
 
 /// Where the values of a field live.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Place {
+pub enum Location {
     /// At the nodes: rows from the core to the surface, columns from the first edge of the section to the last.
     Node,
     /// At the nodes of the surface: one row.
@@ -63,7 +63,7 @@ pub struct Field {
     /// Meaning, one line.
     pub description: &'static str,
     /// Where the values live.
-    pub place: Place,
+    pub location: Location,
     /// Numbers per value.
     pub components: usize,
     /// Where the numbers come from.
@@ -74,23 +74,23 @@ const fn stored(
     id: u32,
     name: &'static str,
     unit: &'static str,
-    place: Place,
+    location: Location,
     source: for<'a> fn(&Model<'a>, &StateView<'a>) -> [&'a [Real]; 2],
     description: &'static str,
 ) -> Field {
-    Field { id, name, unit, description, place, components: 2, source: Source::Stored(source) }
+    Field { id, name, unit, description, location, components: 2, source: Source::Stored(source) }
 }
 
 const fn computed(
     id: u32,
     name: &'static str,
     unit: &'static str,
-    place: Place,
+    location: Location,
     components: usize,
     source: fn(&Model, &StateView, usize, usize, usize) -> Option<Real>,
     description: &'static str,
 ) -> Field {
-    Field { id, name, unit, description, place, components, source: Source::Computed(source) }
+    Field { id, name, unit, description, location, components, source: Source::Computed(source) }
 }
 
 /// Ids of fields that are no more, which no other field gets.
@@ -102,25 +102,32 @@ pub static FIELDS: [Field; 12] = [
         0,
         "node.reference_position",
         "m",
-        Place::Node,
+        Location::Node,
         |model, _| [model.nodes.reference_x, model.nodes.reference_y],
         "position at rest, x outwards from the centre line and y upwards from the centre of the core",
     ),
-    computed(1, "node.position", "m", Place::Node, 2, position, "current position, x and y"),
+    computed(1, "node.position", "m", Location::Node, 2, position, "current position, x and y"),
     stored(
         2,
         "node.displacement",
         "m",
-        Place::Node,
+        Location::Node,
         |_, state| state.displacement(),
         "displacement from rest, x and y",
     ),
-    stored(3, "node.velocity", "m/s", Place::Node, |_, state| state.velocity(), "velocity half a step back, x and y"),
+    stored(
+        3,
+        "node.velocity",
+        "m/s",
+        Location::Node,
+        |_, state| state.velocity(),
+        "velocity half a step back, x and y",
+    ),
     stored(
         4,
         "node.force",
         "N",
-        Place::Node,
+        Location::Node,
         |_, state| state.force(),
         "force in the last step on the meshed section, contact and friction included, x and y",
     ),
@@ -128,7 +135,7 @@ pub static FIELDS: [Field; 12] = [
         5,
         "surface.contact_force",
         "N",
-        Place::Surface,
+        Location::Surface,
         |_, state| state.contact_force(),
         "force of the face in the last step on the meshed section, pressing and, outwards, by friction",
     ),
@@ -136,7 +143,7 @@ pub static FIELDS: [Field; 12] = [
         6,
         "surface.contact_pressure",
         "Pa",
-        Place::Surface,
+        Location::Surface,
         1,
         |model, state, _, column, _| surface::contact_pressure(model, state, column),
         "contact pressure in the last step, over the area halfway to the neighbouring nodes",
@@ -145,7 +152,7 @@ pub static FIELDS: [Field; 12] = [
         7,
         "element.pressure",
         "Pa",
-        Place::Element,
+        Location::Element,
         1,
         |model, state, row, column, _| Stress::of(model, state, row, column).map(|stress| -stress.mean),
         "hydrostatic pressure of the last step, positive in compression",
@@ -154,7 +161,7 @@ pub static FIELDS: [Field; 12] = [
         8,
         "element.von_mises_stress",
         "Pa",
-        Place::Element,
+        Location::Element,
         1,
         |model, state, row, column, _| Stress::of(model, state, row, column).map(|stress| stress.von_mises()),
         "von Mises stress of the last step, viscous and damping parts included",
@@ -163,7 +170,7 @@ pub static FIELDS: [Field; 12] = [
         9,
         "element.principal_stress",
         "Pa",
-        Place::Element,
+        Location::Element,
         3,
         |model, state, row, column, c| Stress::of(model, state, row, column)?.principal().get(c).copied(),
         "principal Cauchy stresses of the last step: larger and smaller in the section, then out of its plane",
@@ -172,7 +179,7 @@ pub static FIELDS: [Field; 12] = [
         10,
         "element.cauchy_stress",
         "Pa",
-        Place::Element,
+        Location::Element,
         4,
         |model, state, row, column, c| cauchy_stress(model, state, row, column)?.get(c).copied(),
         "Cauchy stress of the last step, positive in tension: xx, yy, xy, and zz out of the section",
@@ -181,7 +188,7 @@ pub static FIELDS: [Field; 12] = [
         11,
         "element.principal_stretch",
         "1",
-        Place::Element,
+        Location::Element,
         3,
         |model, state, row, column, c| principal_stretch(model, state, row, column)?.get(c).copied(),
         "principal stretches of the last step: larger and smaller in the section, then out of its plane",
@@ -192,10 +199,10 @@ impl Field {
     /// Rows and columns of the field in `model`.
     pub fn shape(&self, model: &Model) -> [usize; 2] {
         let grid = &model.constants.grid;
-        match self.place {
-            Place::Node => [grid.n_v + 1, grid.n_u + 1],
-            Place::Surface => [1, grid.n_u + 1],
-            Place::Element => [grid.n_v, 2 * grid.n_u],
+        match self.location {
+            Location::Node => [grid.n_v + 1, grid.n_u + 1],
+            Location::Surface => [1, grid.n_u + 1],
+            Location::Element => [grid.n_v, 2 * grid.n_u],
         }
     }
 

@@ -4,5 +4,5 @@ mod field;
 mod output;
 pub mod stress;
 
-pub use field::{FIELDS, Field, Place, RETIRED_FIELDS, Source, Strided};
+pub use field::{FIELDS, Field, Location, RETIRED_FIELDS, Source, Strided};
 pub use output::{OUTPUTS, Output, RETIRED_OUTPUTS};

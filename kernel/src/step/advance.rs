@@ -148,7 +148,7 @@ fn internal_forces<S: Simd>(
         let block = Block { laws: model.constants.laws_of(index), constants, hoop: model.hoops.get(index) };
         let viscous = viscous.unwrap_or_default();
         let rows = state.nodes.rows(nodes);
-        // Written twice, so that a copy knows whether there are rings and need not ask all over the element; processors
+        // Written twice, so that a copy knows whether it is axisymmetric and need not ask all over the element; processors
         // without vectors have less room for it.
         let force = if S::WIDTH == 1 || block.hoop.is_some() {
             block_force(simd, &block, &rows, history, viscous, energy)

@@ -40,7 +40,7 @@ impl Kinematics<Real> {
 
 impl<V: Vector> Kinematics<V> {
     /// Deformation of one triangle of each cell from the gradients of two edges, 1/m, the differences of displacement along
-    /// them, m, and, in rings, its hoop stretch: F = I + sum (difference) (x) gradient.
+    /// them, m, and, if axisymmetric, its hoop stretch: F = I + sum (difference) (x) gradient.
     ///
     /// With the plane as complex numbers, F z = a z + b z*, where 2 a = (F11 + F22) + i (F21 - F12) and
     /// 2 b = (F11 - F22) + i (F21 + F12). Then R is a / |a|, U z = |a| z + (R* b) z*, and det F = |a|^2 - |b|^2.

@@ -2,9 +2,9 @@
 // The plots: force over time, force over deformation, energy over time.
 
 const HEIGHT = 380;
-const colours = data.films.map(film => film.colour);
-/** What the page shows: number of the film, frame, number of the quantity. */
-const shown = { film: 0, frame: 0, shade: 0 };
+const colours = data.animations.map(animation => animation.colour);
+/** What the page shows: number of the animation, frame, number of the quantity. */
+const shown = { animation: 0, frame: 0, shade: 0 };
 
 const axis = (label, size) => ({
   label, size, labelSize: 24, labelFont: "14px system-ui, sans-serif", font: "13px system-ui, sans-serif",
@@ -42,7 +42,7 @@ function inside(u, draw) {
 function drawMarks(u) {
   inside(u, (ctx, x, y) => {
     ctx.setLineDash([6 * uPlot.pxRatio, 4 * uPlot.pxRatio]);
-    data.films.filter(film => film.measured).forEach(({ colour, measured }) => {
+    data.animations.filter(animation => animation.measured).forEach(({ colour, measured }) => {
       ctx.strokeStyle = colour;
       ctx.beginPath();
       ctx.moveTo(x(measured.over[0]), y(measured.force));
@@ -50,7 +50,7 @@ function drawMarks(u) {
       ctx.stroke();
     });
     ctx.setLineDash([]);
-    const film = data.films[shown.film], time = at(film.time, shown.frame);
+    const animation = data.animations[shown.animation], time = at(animation.time, shown.frame);
     ctx.strokeStyle = css("--soft");
     ctx.lineWidth = uPlot.pxRatio;
     ctx.beginPath();
@@ -60,40 +60,40 @@ function drawMarks(u) {
   });
 }
 
-const longest = data.films.reduce((a, b) => a.curve.time.length > b.curve.time.length ? a : b).curve.time;
+const longest = data.animations.reduce((a, b) => a.curve.time.length > b.curve.time.length ? a : b).curve.time;
 const forceTime = plot("force-time", {
   axes: axes("time since contact (ms)", "contact force (N)"),
   scales: { x: { time: false } },
   cursor: { drag: { x: true, y: true, uni: 30 } },
-  series: [{ label: "time (ms)", value: (u, v) => digits(v, 2) }, ...data.films.map(film => ({
-    label: film.label + " (N)", stroke: film.colour, width: 2, points: { show: false }, value: (u, v) => digits(v, 0),
+  series: [{ label: "time (ms)", value: (u, v) => digits(v, 2) }, ...data.animations.map(animation => ({
+    label: animation.label + " (N)", stroke: animation.colour, width: 2, points: { show: false }, value: (u, v) => digits(v, 0),
   }))],
   hooks: { draw: [drawMarks] },
-}, [longest, ...data.films.map(({ curve }) => longest.map((_, i) => curve.force[i] ?? null))]);
+}, [longest, ...data.animations.map(({ curve }) => longest.map((_, i) => curve.force[i] ?? null))]);
 /** Says in the legend of a chart how the experiment is drawn, if there was one. */
 function explain(chart, textContent) {
-  if (!data.films.some(film => film.measured)) return;
+  if (!data.animations.some(animation => animation.measured)) return;
   chart.root.querySelector(".u-legend").append(Object.assign(document.createElement("span"), { textContent }));
 }
 explain(forceTime, "dashed: peak of the experiment");
 
 /** A loop, point by point: the deformation goes and comes back. */
 function drawLoop(u, number) {
-  const [deformation, force] = u.data[number], film = data.films[number - 1];
+  const [deformation, force] = u.data[number], animation = data.animations[number - 1];
   inside(u, (ctx, x, y) => {
-    ctx.strokeStyle = film.colour;
+    ctx.strokeStyle = animation.colour;
     ctx.beginPath();
     deformation.forEach((d, i) => i === 0 ? ctx.moveTo(x(d), y(force[i])) : ctx.lineTo(x(d), y(force[i])));
     ctx.stroke();
-    if (!film.measured) return;
+    if (!animation.measured) return;
     ctx.beginPath();
-    ctx.arc(x(film.measured.deformation), y(film.measured.force), 5 * uPlot.pxRatio, 0, 2 * Math.PI);
+    ctx.arc(x(animation.measured.deformation), y(animation.measured.force), 5 * uPlot.pxRatio, 0, 2 * Math.PI);
     ctx.stroke();
   });
   return null;
 }
 
-const largest = key => Math.max(0, ...data.films.flatMap(film => [film.measured?.[key] ?? 0, ...film.curve[key]]));
+const largest = key => Math.max(0, ...data.animations.flatMap(animation => [animation.measured?.[key] ?? 0, ...animation.curve[key]]));
 // Axes of some length even where nothing was touched.
 const [widest, highest] = [largest("deformation") || 1, largest("force") || 1];
 const whole = { x: [0, 1.04 * widest], y: [0, 1.06 * highest] };
@@ -105,8 +105,8 @@ const forceDeformation = plot("force-deformation", {
   }])),
   cursor: { drag: { x: true, y: true, uni: 30, setScale: false }, dataIdx: () => null, points: { show: false } },
   legend: { live: false },
-  series: [{}, ...data.films.map(film => ({
-    label: film.label, stroke: film.colour, paths: drawLoop, facets: [{ scale: "x", auto: true }, { scale: "y", auto: true }],
+  series: [{}, ...data.animations.map(animation => ({
+    label: animation.label, stroke: animation.colour, paths: drawLoop, facets: [{ scale: "x", auto: true }, { scale: "y", auto: true }],
   }))],
   hooks: {
     setSelect: [u => {
@@ -120,15 +120,15 @@ const forceDeformation = plot("force-deformation", {
       u.setData(u.data);
     }],
   },
-}, [null, ...data.films.map(({ curve }) => [curve.deformation, curve.force])]);
+}, [null, ...data.animations.map(({ curve }) => [curve.deformation, curve.force])]);
 forceDeformation.over.addEventListener("dblclick", () => { forceDeformation.zoomed = null; forceDeformation.setData(forceDeformation.data); });
 document.querySelector("#force-deformation .tools button").onclick = () => forceDeformation.over.dispatchEvent(new MouseEvent("dblclick"));
 explain(forceDeformation, "circles: maxima of the experiment");
 
 /** Sums of the terms up to each, the whole first. */
-const stacked = film => data.terms.map((_, i) => film.energy.time.map((_, k) =>
-  film.energy.terms.slice(0, data.terms.length - i).reduce((sum, term) => sum + term[k], 0)));
-const energyData = film => [film.energy.time, ...stacked(film), film.energy.external];
+const stacked = animation => data.terms.map((_, i) => animation.energy.time.map((_, k) =>
+  animation.energy.terms.slice(0, data.terms.length - i).reduce((sum, term) => sum + term[k], 0)));
+const energyData = animation => [animation.energy.time, ...stacked(animation), animation.energy.external];
 const termOf = number => data.terms.length - number;
 const energy = plot("energy", {
   axes: axes("time since contact (ms)", "energy (J)"),
@@ -136,7 +136,7 @@ const energy = plot("energy", {
   cursor: { drag: { x: true, y: true, uni: 30 }, points: { show: false } },
   series: [{ label: "time (ms)", value: (u, v) => digits(v, 2) }, ...data.terms.map((_, i) => {
     const { label, colour } = data.terms[termOf(i + 1)];
-    const own = (u, v, number, k) => digits(k == null ? null : data.films[shown.film].energy.terms[termOf(number)][k], 3);
+    const own = (u, v, number, k) => digits(k == null ? null : data.animations[shown.animation].energy.terms[termOf(number)][k], 3);
     return { label: label + " (J)", stroke: colour, fill: colour, width: 0, points: { show: false }, value: own };
   }), { label: "brought in (J)", stroke: () => css("--ink"), width: 2, points: { show: false }, value: (u, v) => digits(v, 3) }],
-}, energyData(data.films[0]));
+}, energyData(data.animations[0]));

@@ -6,24 +6,24 @@ const slider = element("time"), play = element("play");
 let playing = !matchMedia("(prefers-reduced-motion: reduce)").matches;
 let clock = null;
 
-const film = () => data.films[shown.film];
+const animation = () => data.animations[shown.animation];
 
 function draw() {
-  drawSection(element("section"), film(), shown.frame, shown.shade, element("mesh").checked);
+  drawSection(element("section"), animation(), shown.frame, shown.shade, element("mesh").checked);
   slider.value = shown.frame;
-  element("readout").textContent = `${digits(at(film().time, shown.frame), 2)} ms, ` +
-    `${digits(at(film().deformation, shown.frame), 2)} mm, ${digits(at(film().force, shown.frame), 0)} N`;
+  element("readout").textContent = `${digits(at(animation().time, shown.frame), 2)} ms, ` +
+    `${digits(at(animation().deformation, shown.frame), 2)} mm, ${digits(at(animation().force, shown.frame), 0)} N`;
   forceTime.redraw(false, false);
 }
 
 function drawMoments() {
-  const place = element("moments");
-  place.replaceChildren(...film().moments.map(({ label, frame }) => {
+  const place = element("instants");
+  place.replaceChildren(...animation().instants.map(({ label, frame }) => {
     const button = Object.assign(document.createElement("button"), { type: "button", onclick: () => goTo(frame) });
     button.append(document.createElement("canvas"), label);
     return button;
   }));
-  film().moments.forEach(({ frame }, i) => drawSection(place.children[i].firstChild, film(), frame, shown.shade, false));
+  animation().instants.forEach(({ frame }, i) => drawSection(place.children[i].firstChild, animation(), frame, shown.shade, false));
 }
 
 function setPlaying(on) {
@@ -35,17 +35,17 @@ function setPlaying(on) {
 
 function goTo(frame) {
   setPlaying(false);
-  shown.frame = Math.min(Math.max(frame, 0), film().time.length - 1);
+  shown.frame = Math.min(Math.max(frame, 0), animation().time.length - 1);
   draw();
 }
 
 function tick(now) {
   if (!playing) return;
   if (clock !== null) {
-    // Times of the film are in ms, at equal intervals.
-    const interval = film().time[1] - film().time[0];
+    // Times of the animation are in ms, at equal intervals.
+    const interval = animation().time[1] - animation().time[0];
     shown.frame += (now - clock) / 1000 * element("speed").value / interval;
-    if (shown.frame > film().time.length - 1) shown.frame = 0;
+    if (shown.frame > animation().time.length - 1) shown.frame = 0;
     draw();
   }
   clock = now;
@@ -64,10 +64,10 @@ function choice(id, labels, key, changed) {
 }
 
 function showFilm() {
-  slider.max = film().time.length - 1;
+  slider.max = animation().time.length - 1;
   shown.frame = Math.min(shown.frame, slider.max);
-  document.querySelectorAll(".case").forEach(span => { span.textContent = film().label; });
-  energy.setData(energyData(film()));
+  document.querySelectorAll(".case").forEach(span => { span.textContent = animation().label; });
+  energy.setData(energyData(animation()));
   showAll();
 }
 
@@ -77,7 +77,7 @@ function showAll() {
   draw();
 }
 
-choice("cases", data.films.map(({ label }) => label), "film", showFilm);
+choice("cases", data.animations.map(({ label }) => label), "animation", showFilm);
 choice("shades", data.shades.map(({ label }) => label), "shade", showAll);
 element("mesh").onchange = draw;
 slider.oninput = () => goTo(Number(slider.value));
@@ -95,7 +95,7 @@ function showTheme() {
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", showTheme);
 forceTime.over.addEventListener("click", event => {
   if (forceTime.select.width > 2) return;
-  const times = film().time;
+  const times = animation().time;
   goTo((forceTime.posToVal(event.offsetX, "x") - times[0]) / (times[1] - times[0]));
 });
 onWidth(document.body, showAll);

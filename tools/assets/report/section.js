@@ -11,9 +11,9 @@ function integers(text) {
   return Int16Array.from({ length: bytes.length / 2 }, (_, i) => view.getInt16(2 * i, true));
 }
 
-for (const film of data.films) {
-  film.displacement = integers(film.displacement);
-  film.shades = film.shades.map(integers);
+for (const animation of data.animations) {
+  animation.displacement = integers(animation.displacement);
+  animation.shades = animation.shades.map(integers);
 }
 
 /** Numbers of a packed array at a time between two frames, `count` a frame. */
@@ -47,8 +47,8 @@ function addRegion(path, x, y, value, nodes, level, sign) {
   if (begun) path.closePath();
 }
 
-/** Draws the section of a film at a frame, over the whole canvas. */
-function drawSection(canvas, film, frame, shade, showMesh) {
+/** Draws the section of a animation at a frame, over the whole canvas. */
+function drawSection(canvas, animation, frame, shade, showMesh) {
   const ratio = window.devicePixelRatio || 1, width = canvas.clientWidth, mesh = data.mesh;
   const widest = 2 * mesh.reach * 1.03, scale = width / widest;
   const height = Math.round(scale * (mesh.top + data.impactor.gap + data.impactor.slab) + 4);
@@ -58,11 +58,11 @@ function drawSection(canvas, film, frame, shade, showMesh) {
   const context = canvas.getContext("2d");
   context.setTransform(scale * ratio, 0, 0, -scale * ratio, 0.5 * width * ratio, (height - 2) * ratio);
   context.lineWidth = 1 / scale;
-  const count = mesh.x.length, moved = between(film.displacement, data.displacement_quantum, 2 * count, frame);
+  const count = mesh.x.length, moved = between(animation.displacement, data.displacement_quantum, 2 * count, frame);
   const x = mesh.x.map((rest, i) => rest + moved[2 * i]), y = mesh.y.map((rest, i) => rest + moved[2 * i + 1]);
   const sides = mesh.half ? [1, -1] : [1];
   fillCore(context, sides);
-  const value = between(film.shades[shade], data.shades[shade].quantum, count, frame);
+  const value = between(animation.shades[shade], data.shades[shade].quantum, count, frame);
   data.shades[shade].colours.forEach((colour, band) => {
     const level = band === 0 ? -Infinity : data.shades[shade].bounds[band];
     const path = new Path2D();
@@ -71,7 +71,7 @@ function drawSection(canvas, film, frame, shade, showMesh) {
     context.fill(path);
   });
   strokeLayer(context, x, y, sides, showMesh);
-  const face = mesh.top + at(film.face, frame), { left, right, slab } = data.impactor;
+  const face = mesh.top + at(animation.face, frame), { left, right, slab } = data.impactor;
   context.fillStyle = css("--steel");
   context.strokeStyle = css("--ink");
   context.fillRect(left, face, right - left, slab);

@@ -18,7 +18,7 @@ use crate::paper::TABLE_1;
 use crate::paper::validation::Validation;
 use crate::plot::picture_format::PictureFormat;
 use crate::report::{self, Content};
-use crate::section::Film;
+use crate::section::Animation;
 
 /// Where the report goes.
 #[derive(Debug, Args)]
@@ -48,10 +48,10 @@ pub struct OwnOptions {
 /// A folder that is not ours to replace, a simulation that failed, or a file that cannot be written.
 pub fn carry_out(options: &Options) -> Result<String, Failure> {
     let place = OwnFolder::new(&options.out, &report::KIND, options.overwrite.overwrite)?;
-    let mut films: [Film; TABLE_1.len()] = Default::default();
-    let watch = |number: usize, simulation: &mut Simulation| Ok(films[number].take(simulation)?);
+    let mut animations: [Animation; TABLE_1.len()] = Default::default();
+    let watch = |number: usize, simulation: &mut Simulation| Ok(animations[number].take(simulation)?);
     let validation = Validation::watched(&PRESETS[0], Reading::PLAIN, watch)?;
-    options.write(&Content::of_validation(&validation, &films), place)
+    options.write(&Content::of_validation(&validation, &animations), place)
 }
 
 /// Runs one drop and writes the report; returns its numbers and where the report is.
@@ -61,9 +61,9 @@ pub fn carry_out(options: &Options) -> Result<String, Failure> {
 pub fn carry_out_own(options: &OwnOptions) -> Result<String, Failure> {
     let subject = options.drop.subject()?;
     let place = OwnFolder::new(&options.report.out, &report::KIND, options.report.overwrite.overwrite)?;
-    let mut film = Film::default();
-    let run = simulate_watched(&subject, |simulation| Ok(film.take(simulation)?))?;
-    options.report.write(&Content::of_run(&subject, load(&run), &run, &film), place)
+    let mut animation = Animation::default();
+    let run = simulate_watched(&subject, |simulation| Ok(animation.take(simulation)?))?;
+    options.report.write(&Content::of_run(&subject, load(&run), &run, &animation), place)
 }
 
 impl Options {

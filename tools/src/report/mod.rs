@@ -22,7 +22,7 @@ use crate::run;
 use crate::run::Run;
 use crate::scenario_file;
 use crate::section::picture::{self, Shot};
-use crate::section::{Film, SHADES};
+use crate::section::{Animation, SHADES};
 
 /// The file that lists the others, and by which a report is known.
 const SUMMARY: &str = "summary.json";
@@ -64,7 +64,7 @@ pub struct Reported<'a> {
     /// The run.
     pub run: &'a Run,
     /// Its section.
-    pub film: &'a Film,
+    pub animation: &'a Animation,
     /// What was measured, if it is one of the paper's drops.
     pub paper: Option<&'static paper::Case>,
 }
@@ -80,20 +80,20 @@ pub enum About<'a> {
 
 impl<'a> Content<'a> {
     /// The drops of the paper with their sections.
-    pub fn of_validation(validation: &'a Validation, films: &'a [Film]) -> Self {
-        let drops = validation.cases.iter().zip(films).map(|(case, film)| Reported {
+    pub fn of_validation(validation: &'a Validation, animations: &'a [Animation]) -> Self {
+        let drops = validation.cases.iter().zip(animations).map(|(case, animation)| Reported {
             label: format!("{} J", case.paper.energy),
             trace: format!("trace-{}J.csv", case.paper.energy),
             run: &case.run,
-            film,
+            animation,
             paper: Some(case.paper),
         });
         Self { drops: drops.collect(), about: About::Validation(validation) }
     }
 
     /// One drop with its section.
-    pub fn of_run(subject: &'a Subject, label: String, run: &'a Run, film: &'a Film) -> Self {
-        let drop = Reported { label, trace: "trace.csv".into(), run, film, paper: None };
+    pub fn of_run(subject: &'a Subject, label: String, run: &'a Run, animation: &'a Animation) -> Self {
+        let drop = Reported { label, trace: "trace.csv".into(), run, animation, paper: None };
         Self { drops: vec![drop], about: About::Own(subject) }
     }
 
@@ -180,7 +180,7 @@ fn shown<'a>(content: &'a Content) -> Vec<Shown<'a>> {
 /// Names and SVG of the pictures.
 fn pictures(content: &Content) -> Result<Vec<(&'static str, String)>, Failure> {
     let shown = shown(content);
-    let shots = content.drops.iter().map(|drop| Shot { label: drop.label.clone(), film: drop.film });
+    let shots = content.drops.iter().map(|drop| Shot { label: drop.label.clone(), animation: drop.animation });
     let shots: Vec<Shot> = shots.collect();
     let mut pictures = vec![
         ("force-time", plot::force_time("Drops on the soft anvil: force over time", &shown)?),
@@ -190,7 +190,7 @@ fn pictures(content: &Content) -> Result<Vec<(&'static str, String)>, Failure> {
         ("deformed-mesh", picture::deformed_mesh(&shots)),
     ];
     if let Some(hardest) = shots.first() {
-        pictures.extend(SHADES.iter().map(|shade| (shade.key, picture::moments(hardest, shade))));
+        pictures.extend(SHADES.iter().map(|shade| (shade.key, picture::instants(hardest, shade))));
     }
     Ok(pictures)
 }

@@ -1,7 +1,7 @@
 //! The section as it deforms: recorded from a simulation, as a series for ParaView, and as pictures.
 
+pub mod animation;
 mod contour;
-pub mod film;
 mod frame;
 mod levels;
 mod mesh;
@@ -9,8 +9,8 @@ pub mod paraview;
 pub mod picture;
 mod vtu;
 
+pub use animation::{Animation, Instant, SHADES, Shade};
 pub use contour::nodal_means;
-pub use film::{Film, Moment, SHADES, Shade};
 pub use frame::Frame;
 pub use levels::Levels;
 pub use mesh::Mesh;

@@ -157,11 +157,11 @@ fn section(mesh: &Mesh, frame: &Frame) -> Grid {
     let (mut point_data, mut cell_data) = (Vec::new(), Vec::new());
     for field in fields() {
         let (mut values, components) = in_space(field, frame.values(field.name));
-        if field.place == result::Place::Surface {
+        if field.location == result::Location::Surface {
             // Inside the layer there is no contact.
             values.splice(..0, vec![0.0; mesh.first_of_surface() * components]);
         }
-        let data = if field.place == result::Place::Element { &mut cell_data } else { &mut point_data };
+        let data = if field.location == result::Location::Element { &mut cell_data } else { &mut point_data };
         data.push(Array { name: short(field), components, values });
     }
     Grid {

@@ -6,8 +6,8 @@ mod panel;
 use svg::Document;
 use svg::node::element::{Group, Rectangle, Text};
 
-use super::film::{Film, SHADES, Shade};
-use super::{Frame, Levels, Moment};
+use super::animation::{Animation, SHADES, Shade};
+use super::{Frame, Instant, Levels};
 pub use canvas::SLAB;
 use canvas::{BACKGROUND, FONT, INK};
 use panel::{PANEL, Panel};
@@ -17,7 +17,7 @@ pub struct Shot<'a> {
     /// What its panels are called.
     pub label: String,
     /// Its frames.
-    pub film: &'a Film,
+    pub animation: &'a Animation,
 }
 
 /// Margin around a picture and between its parts, px.
@@ -27,11 +27,12 @@ const TITLE: f64 = 40.0;
 /// Height of a colour bar with its ticks, px.
 const BAR: f64 = 76.0;
 
-/// The contours of `quantity` at the moments of a run.
-pub fn moments(shot: &Shot, quantity: &Shade) -> String {
-    let film = shot.film;
-    let levels = Levels::new(film.range(quantity));
-    let panels = film.moments().iter().filter_map(|moment| panel_of(film, moment, quantity, &levels)).collect();
+/// The contours of `quantity` at the instants of a run.
+pub fn instants(shot: &Shot, quantity: &Shade) -> String {
+    let animation = shot.animation;
+    let levels = Levels::new(animation.range(quantity));
+    let panels =
+        animation.instants().iter().filter_map(|instant| panel_of(animation, instant, quantity, &levels)).collect();
     let title = format!("{}: {}", shot.label, quantity.label);
     compose(&title, panels, 2, &[(quantity, levels)])
 }
@@ -40,7 +41,7 @@ pub fn moments(shot: &Shot, quantity: &Shade) -> String {
 pub fn maximum_compression(shots: &[Shot]) -> String {
     let scales = SHADES.each_ref().map(|shade| {
         let ranges = shots.iter().filter_map(|shot| {
-            let values = shot.film.shaded(shot.film.deepest()?, shade);
+            let values = shot.animation.shaded(shot.animation.deepest()?, shade);
             Some(values.into_iter().fold([0.0, 0.0], |[a, b]: [f64; 2], v| [a.min(v), b.max(v)]))
         });
         Levels::new(ranges.fold([0.0, 0.0], |[a, b]: [f64; 2], [low, high]| [a.min(low), b.max(high)]))
@@ -48,9 +49,9 @@ pub fn maximum_compression(shots: &[Shot]) -> String {
     let mut panels = Vec::new();
     for shot in shots {
         for (shade, levels) in SHADES.iter().zip(&scales) {
-            let Some((mesh, frame)) = shot.film.mesh().zip(shot.film.deepest()) else { continue };
-            let caption = format!("{}, {}", shot.label, numbers(shot.film, frame));
-            panels.push(Panel::contours(mesh, frame, &shot.film.shaded(frame, shade), levels).titled(caption));
+            let Some((mesh, frame)) = shot.animation.mesh().zip(shot.animation.deepest()) else { continue };
+            let caption = format!("{}, {}", shot.label, numbers(shot.animation, frame));
+            panels.push(Panel::contours(mesh, frame, &shot.animation.shaded(frame, shade), levels).titled(caption));
         }
     }
     let [first, second] = &SHADES;
@@ -61,23 +62,23 @@ pub fn maximum_compression(shots: &[Shot]) -> String {
 /// The mesh of every run at its maximum compression, over its outline at rest.
 pub fn deformed_mesh(shots: &[Shot]) -> String {
     let panels = shots.iter().filter_map(|shot| {
-        let (mesh, frame) = shot.film.mesh().zip(shot.film.deepest())?;
-        Some(Panel::mesh(mesh, frame).titled(format!("{}, {}", shot.label, numbers(shot.film, frame))))
+        let (mesh, frame) = shot.animation.mesh().zip(shot.animation.deepest())?;
+        Some(Panel::mesh(mesh, frame).titled(format!("{}, {}", shot.label, numbers(shot.animation, frame))))
     });
     compose("Deformed mesh at maximum compression", panels.collect(), 1, &[])
 }
 
-fn panel_of(film: &Film, moment: &Moment, quantity: &Shade, levels: &Levels) -> Option<Panel> {
-    let (mesh, frame) = film.mesh().zip(film.frames().get(moment.frame))?;
-    let caption = format!("{}: {}", moment.label, numbers(film, frame));
-    Some(Panel::contours(mesh, frame, &film.shaded(frame, quantity), levels).titled(caption))
+fn panel_of(animation: &Animation, instant: &Instant, quantity: &Shade, levels: &Levels) -> Option<Panel> {
+    let (mesh, frame) = animation.mesh().zip(animation.frames().get(instant.frame))?;
+    let caption = format!("{}: {}", instant.label, numbers(animation, frame));
+    Some(Panel::contours(mesh, frame, &animation.shaded(frame, quantity), levels).titled(caption))
 }
 
 /// Time since contact, deformation and force of a frame.
-fn numbers(film: &Film, frame: &Frame) -> String {
+fn numbers(animation: &Animation, frame: &Frame) -> String {
     format!(
         "{:.2} ms, {:.2} mm, {:.0} N",
-        film.since_contact(frame) * 1e3,
+        animation.since_contact(frame) * 1e3,
         frame.scalars.impactor.deformation() * 1e3,
         frame.scalars.sampler.last.contact_force
     )

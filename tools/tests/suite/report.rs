@@ -91,16 +91,19 @@ fn the_page_needs_nothing_but_itself() {
     let start = page.find("id=\"data\">").unwrap() + "id=\"data\">".len();
     let data = &page[start..start + page[start..].find("</script>").unwrap()];
     let data: Value = serde_json::from_str(data).unwrap();
-    assert_eq!(data["films"].as_array().unwrap().len(), TABLE_1.len());
-    for film in data["films"].as_array().unwrap() {
-        let frames = film["time"].as_array().unwrap().len();
+    assert_eq!(data["animations"].as_array().unwrap().len(), TABLE_1.len());
+    for animation in data["animations"].as_array().unwrap() {
+        let frames = animation["time"].as_array().unwrap().len();
         // Two bytes a number, four characters for three bytes.
         let numbers = 2 * frames * data["mesh"]["x"].as_array().unwrap().len();
-        assert_eq!(film["displacement"].as_str().unwrap().len(), (2 * numbers).div_ceil(3) * 4);
-        let last =
-            film["energy"]["terms"].as_array().unwrap().iter().map(|term| term.as_array().unwrap().last().unwrap());
+        assert_eq!(animation["displacement"].as_str().unwrap().len(), (2 * numbers).div_ceil(3) * 4);
+        let last = animation["energy"]["terms"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|term| term.as_array().unwrap().last().unwrap());
         let sum: f64 = last.map(|energy| energy.as_f64().unwrap()).sum();
-        let brought_in = film["energy"]["external"].as_array().unwrap().last().unwrap().as_f64().unwrap();
+        let brought_in = animation["energy"]["external"].as_array().unwrap().last().unwrap().as_f64().unwrap();
         assert!((sum - brought_in).abs() < 1e-3 * brought_in, "{sum} of {brought_in} J");
     }
 }

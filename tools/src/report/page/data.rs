@@ -12,9 +12,9 @@ use crate::plot::curve::{self, Curve, Measured};
 use crate::plot::{self, Term, style};
 use crate::report::{Content, Reported, shown};
 use crate::run;
-use crate::section::film::DISPLACEMENT;
+use crate::section::animation::DISPLACEMENT;
 use crate::section::picture::SLAB;
-use crate::section::{Film, Frame, Levels, Mesh, SHADES};
+use crate::section::{Animation, Frame, Levels, Mesh, SHADES};
 
 /// Milliseconds in a second, millimetres in a metre.
 const MILLI: f64 = 1e3;
@@ -23,13 +23,13 @@ const AROUND: usize = 10;
 
 /// Everything that the scripts need.
 pub fn of(content: &Content) -> Value {
-    let Some(mesh) = content.drops.first().and_then(|drop| drop.film.mesh()) else { return Value::Null };
+    let Some(mesh) = content.drops.first().and_then(|drop| drop.animation.mesh()) else { return Value::Null };
     let impactor = &mesh.constants.scenario.impactor;
-    let films = || content.drops.iter().map(|drop| drop.film);
-    let displacements = films().flat_map(Film::frames).flat_map(|frame| frame.values(DISPLACEMENT));
+    let animations = || content.drops.iter().map(|drop| drop.animation);
+    let displacements = animations().flat_map(Animation::frames).flat_map(|frame| frame.values(DISPLACEMENT));
     let displacement = quantum(displacements.copied());
     let ranges = SHADES.each_ref().map(|shade| {
-        let ranges = films().map(|film| film.range(shade));
+        let ranges = animations().map(|animation| animation.range(shade));
         ranges.fold([0.0, 0.0], |[a, b]: [f64; 2], [low, high]| [a.min(low), b.max(high)])
     });
     let stresses = ranges.map(|[low, high]| quantum([low, high].into_iter()));
@@ -61,8 +61,8 @@ pub fn of(content: &Content) -> Value {
         "terms": terms.iter().map(|term| json!({
             "label": term.label, "colour": hex(term.colour)
         })).collect::<Vec<_>>(),
-        "films": drops.map(|(number, (drop, (time, path)))| {
-            let mut value = film_data(drop.film, displacement, &stresses);
+        "animations": drops.map(|(number, (drop, (time, path)))| {
+            let mut value = animation_data(drop.animation, displacement, &stresses);
             value["label"] = format!("{}{}", drop.label, run::suffix(drop.run)).into();
             value["colour"] = hex({ let c = style::colour(number); [c.0, c.1, c.2] }).into();
             value["curve"] = curve_data(time, path);
@@ -92,32 +92,33 @@ fn mesh_data(mesh: &Mesh) -> Value {
 }
 
 /// Numbers of the frames that are shown: those in contact, and some around them.
-fn range(film: &Film) -> Range<usize> {
-    let loaded = film.frames().iter().rposition(|frame| frame.scalars.sampler.last.contact_force > 0.0).unwrap_or(0);
-    film.contact().saturating_sub(AROUND)..film.frames().len().min(loaded + 1 + AROUND)
+fn range(animation: &Animation) -> Range<usize> {
+    let loaded =
+        animation.frames().iter().rposition(|frame| frame.scalars.sampler.last.contact_force > 0.0).unwrap_or(0);
+    animation.contact().saturating_sub(AROUND)..animation.frames().len().min(loaded + 1 + AROUND)
 }
 
 /// Time since contact, ms.
-fn since_contact(film: &Film, frame: &Frame) -> f64 {
-    round(MILLI * film.since_contact(frame), 4)
+fn since_contact(animation: &Animation, frame: &Frame) -> f64 {
+    round(MILLI * animation.since_contact(frame), 4)
 }
 
-fn film_data(film: &Film, displacement: f64, stresses: &[f64; 2]) -> Value {
-    let range = range(film);
-    let frames = film.frames().get(range.clone()).unwrap_or_default();
+fn animation_data(animation: &Animation, displacement: f64, stresses: &[f64; 2]) -> Value {
+    let range = range(animation);
+    let frames = animation.frames().get(range.clone()).unwrap_or_default();
     let each = |value: &dyn Fn(&Frame) -> f64| frames.iter().map(value).collect::<Vec<_>>();
-    let moments = film.moments().into_iter().filter(|moment| range.contains(&moment.frame));
+    let instants = animation.instants().into_iter().filter(|instant| range.contains(&instant.frame));
     json!({
-        "time": each(&|frame| since_contact(film, frame)),
+        "time": each(&|frame| since_contact(animation, frame)),
         "force": each(&|frame| round(frame.scalars.sampler.last.contact_force, 2)),
         "deformation": each(&|frame| round(MILLI * frame.scalars.impactor.deformation(), 4)),
         "face": each(&|frame| round(MILLI * frame.face(), 4)),
         "displacement": packed(frames.iter().flat_map(|frame| frame.values(DISPLACEMENT).to_vec()), displacement),
         "shades": SHADES.iter().zip(stresses).map(|(shade, quantum)| {
-            packed(frames.iter().flat_map(|frame| film.shaded(frame, shade)), *quantum)
+            packed(frames.iter().flat_map(|frame| animation.shaded(frame, shade)), *quantum)
         }).collect::<Vec<_>>(),
-        "moments": moments.map(|moment| json!({
-            "label": moment.label, "frame": moment.frame - range.start
+        "instants": instants.map(|instant| json!({
+            "label": instant.label, "frame": instant.frame - range.start
         })).collect::<Vec<_>>(),
     })
 }
@@ -151,10 +152,10 @@ fn terms(content: &Content) -> Vec<&'static Term> {
 }
 
 fn energy(drop: &Reported, terms: &[&Term]) -> Value {
-    let film = drop.film;
+    let animation = drop.animation;
     let numbers = |name: &str| plot::of_output(drop.run, name).into_iter().map(|e| round(e, 5)).collect::<Vec<_>>();
     json!({
-        "time": film.frames().iter().map(|frame| since_contact(film, frame)).collect::<Vec<_>>(),
+        "time": animation.frames().iter().map(|frame| since_contact(animation, frame)).collect::<Vec<_>>(),
         "terms": terms.iter().map(|term| numbers(term.output)).collect::<Vec<_>>(),
         "external": numbers(plot::BROUGHT_IN),
     })

@@ -3,8 +3,8 @@
 use svg::node::element::{Group, Text};
 
 use super::canvas::{INK, SLAB, STEEL, closed, open};
+use crate::section::animation::DISPLACEMENT;
 use crate::section::contour::region;
-use crate::section::film::DISPLACEMENT;
 use crate::section::{Frame, Levels, Mesh};
 
 /// Width and height of a panel, px.

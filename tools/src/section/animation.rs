@@ -26,26 +26,26 @@ pub static SHADES: [Shade; 2] = [
 
 /// Frames of a run at every sample.
 #[derive(Debug, Default)]
-pub struct Film {
+pub struct Animation {
     mesh: Option<Mesh>,
     frames: Vec<Frame>,
 }
 
 /// A time worth looking at.
 #[derive(Clone, Debug)]
-pub struct Moment {
+pub struct Instant {
     /// What it is.
     pub label: String,
     /// Number of its frame.
     pub frame: usize,
 }
 
-/// Time after the contact of the first moment, s.
+/// Time after the contact of the first instant, s.
 const EARLY: f64 = 0.5e-3;
-/// Part of the peak force at the last moment.
+/// Part of the peak force at the last instant.
 const FAINT: f64 = 0.1;
 
-impl Film {
+impl Animation {
     /// Takes the present of `simulation`.
     ///
     /// # Errors
@@ -94,7 +94,7 @@ impl Film {
     }
 
     /// Times worth looking at, in their order.
-    pub fn moments(&self) -> Vec<Moment> {
+    pub fn instants(&self) -> Vec<Instant> {
         let depth = |frame: &Frame| frame.scalars.impactor.deformation();
         let largest = |value: &dyn Fn(&Frame) -> f64| {
             let numbered = self.frames.iter().enumerate();
@@ -107,14 +107,14 @@ impl Film {
         let hardest = largest(&force);
         let faint = FAINT * self.frames.get(hardest).map_or(0.0, force);
         let released = self.frames.iter().skip(deepest).position(|frame| force(frame) <= faint);
-        let mut moments = vec![
+        let mut instants = vec![
             (early, format!("{} ms after contact", EARLY * 1e3)),
             (hardest, "peak force".into()),
             (deepest, "maximum compression".into()),
         ];
-        moments.extend(released.map(|after| (deepest + after, "force down to a tenth".into())));
-        moments.sort_by_key(|(frame, _)| *frame);
-        moments.into_iter().map(|(frame, label)| Moment { label, frame }).collect()
+        instants.extend(released.map(|after| (deepest + after, "force down to a tenth".into())));
+        instants.sort_by_key(|(frame, _)| *frame);
+        instants.into_iter().map(|(frame, label)| Instant { label, frame }).collect()
     }
 
     /// The frame of largest deformation; none if there is none.
