@@ -308,88 +308,96 @@ enum SoftanvilLayer {
     SOFTANVIL_LAYER_LAW = 3,
     /** layer.moduli, a SoftanvilLayerModuli: what the elastic coefficients are: after full relaxation, or before any. */
     SOFTANVIL_LAYER_MODULI = 4,
-    /** layer.c10, Pa, from -1e9 to 1e9: coefficient of (I1 - 3) in all laws but ogden. */
-    SOFTANVIL_LAYER_C10 = 5,
-    /** layer.c01, Pa, from -1e9 to 1e9: mooney_rivlin coefficient of (I2 - 3). */
-    SOFTANVIL_LAYER_C01 = 6,
-    /** layer.c11, Pa, from -1e9 to 1e9: mooney_rivlin coefficient of (I1 - 3)(I2 - 3). */
-    SOFTANVIL_LAYER_C11 = 7,
-    /** layer.c20, Pa, from -1e9 to 1e9: mooney_rivlin and yeoh coefficient of (I1 - 3)^2. */
-    SOFTANVIL_LAYER_C20 = 8,
-    /** layer.c02, Pa, from -1e9 to 1e9: mooney_rivlin coefficient of (I2 - 3)^2. */
-    SOFTANVIL_LAYER_C02 = 9,
-    /** layer.c30, Pa, from -1e9 to 1e9: yeoh coefficient of (I1 - 3)^3. */
-    SOFTANVIL_LAYER_C30 = 10,
-    /** layer.ogden_mu_1, Pa, from -1e9 to 1e9: ogden coefficient, W = sum mu/alpha (l1^alpha + l2^alpha + l3^alpha - 3); 0 switches the term off. */
-    SOFTANVIL_LAYER_OGDEN_MU_1 = 11,
-    /** layer.ogden_alpha_1, from -30 to 30: ogden exponent; the shear modulus at rest is sum mu alpha / 2. */
-    SOFTANVIL_LAYER_OGDEN_ALPHA_1 = 12,
-    /** layer.ogden_mu_2, Pa, from -1e9 to 1e9: ogden coefficient, W = sum mu/alpha (l1^alpha + l2^alpha + l3^alpha - 3); 0 switches the term off. */
-    SOFTANVIL_LAYER_OGDEN_MU_2 = 13,
-    /** layer.ogden_alpha_2, from -30 to 30: ogden exponent; the shear modulus at rest is sum mu alpha / 2. */
-    SOFTANVIL_LAYER_OGDEN_ALPHA_2 = 14,
-    /** layer.ogden_mu_3, Pa, from -1e9 to 1e9: ogden coefficient, W = sum mu/alpha (l1^alpha + l2^alpha + l3^alpha - 3); 0 switches the term off. */
-    SOFTANVIL_LAYER_OGDEN_MU_3 = 15,
-    /** layer.ogden_alpha_3, from -30 to 30: ogden exponent; the shear modulus at rest is sum mu alpha / 2. */
-    SOFTANVIL_LAYER_OGDEN_ALPHA_3 = 16,
     /** layer.volumetric_law, a SoftanvilLayerVolumetricLaw: energy of volume change: K/2 (J-1)^2, or K/4 (J^2 - 1 - 2 ln J), which no compression brings to J = 0. */
-    SOFTANVIL_LAYER_VOLUMETRIC_LAW = 17,
+    SOFTANVIL_LAYER_VOLUMETRIC_LAW = 5,
     /** layer.volumetric_by, a SoftanvilLayerVolumetricBy: which of the next two states the compressibility. */
-    SOFTANVIL_LAYER_VOLUMETRIC_BY = 18,
+    SOFTANVIL_LAYER_VOLUMETRIC_BY = 6,
     /** layer.bulk_modulus, Pa, from 100 to 1e12: bulk modulus. */
-    SOFTANVIL_LAYER_BULK_MODULUS = 19,
+    SOFTANVIL_LAYER_BULK_MODULUS = 7,
     /** layer.poissons_ratio, from 0 to 0.4999: Poisson's ratio of the long-term law. */
-    SOFTANVIL_LAYER_POISSONS_RATIO = 20,
+    SOFTANVIL_LAYER_POISSONS_RATIO = 8,
     /** layer.prony_g_1, from 0 to 0.9999: Prony coefficient, normalised on the instantaneous modulus; 0 switches the term off. */
-    SOFTANVIL_LAYER_PRONY_G_1 = 21,
+    SOFTANVIL_LAYER_PRONY_G_1 = 9,
     /** layer.prony_tau_1, s, from 1e-7 to 1e6: relaxation time of the Prony term. */
-    SOFTANVIL_LAYER_PRONY_TAU_1 = 22,
+    SOFTANVIL_LAYER_PRONY_TAU_1 = 10,
     /** layer.prony_g_2, from 0 to 0.9999: Prony coefficient, normalised on the instantaneous modulus; 0 switches the term off. */
-    SOFTANVIL_LAYER_PRONY_G_2 = 23,
+    SOFTANVIL_LAYER_PRONY_G_2 = 11,
     /** layer.prony_tau_2, s, from 1e-7 to 1e6: relaxation time of the Prony term. */
-    SOFTANVIL_LAYER_PRONY_TAU_2 = 24,
+    SOFTANVIL_LAYER_PRONY_TAU_2 = 12,
     /** layer.prony_g_3, from 0 to 0.9999: Prony coefficient, normalised on the instantaneous modulus; 0 switches the term off. */
-    SOFTANVIL_LAYER_PRONY_G_3 = 25,
+    SOFTANVIL_LAYER_PRONY_G_3 = 13,
     /** layer.prony_tau_3, s, from 1e-7 to 1e6: relaxation time of the Prony term. */
-    SOFTANVIL_LAYER_PRONY_TAU_3 = 26,
+    SOFTANVIL_LAYER_PRONY_TAU_3 = 14,
     /** layer.prony_g_4, from 0 to 0.9999: Prony coefficient, normalised on the instantaneous modulus; 0 switches the term off. */
-    SOFTANVIL_LAYER_PRONY_G_4 = 27,
+    SOFTANVIL_LAYER_PRONY_G_4 = 15,
     /** layer.prony_tau_4, s, from 1e-7 to 1e6: relaxation time of the Prony term. */
-    SOFTANVIL_LAYER_PRONY_TAU_4 = 28,
+    SOFTANVIL_LAYER_PRONY_TAU_4 = 16,
     /** layer.prony_g_5, from 0 to 0.9999: Prony coefficient, normalised on the instantaneous modulus; 0 switches the term off. */
-    SOFTANVIL_LAYER_PRONY_G_5 = 29,
+    SOFTANVIL_LAYER_PRONY_G_5 = 17,
     /** layer.prony_tau_5, s, from 1e-7 to 1e6: relaxation time of the Prony term. */
-    SOFTANVIL_LAYER_PRONY_TAU_5 = 30,
+    SOFTANVIL_LAYER_PRONY_TAU_5 = 18,
     /** layer.maxwell_g_1, Pa, from 0 to 1e11: shear modulus of an additive Maxwell term; 0 switches the term off. */
-    SOFTANVIL_LAYER_MAXWELL_G_1 = 31,
+    SOFTANVIL_LAYER_MAXWELL_G_1 = 19,
     /** layer.maxwell_beta_1, 1/s, from 1e-6 to 1e7: decay constant of the Maxwell term, one over its relaxation time. */
-    SOFTANVIL_LAYER_MAXWELL_BETA_1 = 32,
+    SOFTANVIL_LAYER_MAXWELL_BETA_1 = 20,
     /** layer.maxwell_g_2, Pa, from 0 to 1e11: shear modulus of an additive Maxwell term; 0 switches the term off. */
-    SOFTANVIL_LAYER_MAXWELL_G_2 = 33,
+    SOFTANVIL_LAYER_MAXWELL_G_2 = 21,
     /** layer.maxwell_beta_2, 1/s, from 1e-6 to 1e7: decay constant of the Maxwell term, one over its relaxation time. */
-    SOFTANVIL_LAYER_MAXWELL_BETA_2 = 34,
+    SOFTANVIL_LAYER_MAXWELL_BETA_2 = 22,
     /** layer.maxwell_g_3, Pa, from 0 to 1e11: shear modulus of an additive Maxwell term; 0 switches the term off. */
-    SOFTANVIL_LAYER_MAXWELL_G_3 = 35,
+    SOFTANVIL_LAYER_MAXWELL_G_3 = 23,
     /** layer.maxwell_beta_3, 1/s, from 1e-6 to 1e7: decay constant of the Maxwell term, one over its relaxation time. */
-    SOFTANVIL_LAYER_MAXWELL_BETA_3 = 36,
+    SOFTANVIL_LAYER_MAXWELL_BETA_3 = 24,
     /** layer.maxwell_g_4, Pa, from 0 to 1e11: shear modulus of an additive Maxwell term; 0 switches the term off. */
-    SOFTANVIL_LAYER_MAXWELL_G_4 = 37,
+    SOFTANVIL_LAYER_MAXWELL_G_4 = 25,
     /** layer.maxwell_beta_4, 1/s, from 1e-6 to 1e7: decay constant of the Maxwell term, one over its relaxation time. */
-    SOFTANVIL_LAYER_MAXWELL_BETA_4 = 38,
+    SOFTANVIL_LAYER_MAXWELL_BETA_4 = 26,
     /** layer.maxwell_g_5, Pa, from 0 to 1e11: shear modulus of an additive Maxwell term; 0 switches the term off. */
-    SOFTANVIL_LAYER_MAXWELL_G_5 = 39,
+    SOFTANVIL_LAYER_MAXWELL_G_5 = 27,
     /** layer.maxwell_beta_5, 1/s, from 1e-6 to 1e7: decay constant of the Maxwell term, one over its relaxation time. */
-    SOFTANVIL_LAYER_MAXWELL_BETA_5 = 40,
+    SOFTANVIL_LAYER_MAXWELL_BETA_5 = 28,
     /** layer.slider_stiffness, Pa, from 0 to 1e11: shear modulus G of the damping spring; 0 switches the spring-slider off. */
-    SOFTANVIL_LAYER_SLIDER_STIFFNESS = 41,
+    SOFTANVIL_LAYER_SLIDER_STIFFNESS = 29,
     /** layer.slider_yield_stress, Pa, from 0 to 1e10: von Mises stress SIGF at which the slider slips. */
-    SOFTANVIL_LAYER_SLIDER_YIELD_STRESS = 42,
+    SOFTANVIL_LAYER_SLIDER_YIELD_STRESS = 30,
     /** layer.tear_stretch, from 0 to 100: largest principal stretch at which the material begins to tear, at least 1; 0 switches tearing off. */
-    SOFTANVIL_LAYER_TEAR_STRETCH = 43,
+    SOFTANVIL_LAYER_TEAR_STRETCH = 31,
     /** layer.tear_width, from 0.001 to 10: stretch over which the deviatoric stress falls. */
-    SOFTANVIL_LAYER_TEAR_WIDTH = 44,
+    SOFTANVIL_LAYER_TEAR_WIDTH = 32,
     /** layer.tear_residual, from 0 to 1: part of the deviatoric stress that remains after the tear. */
-    SOFTANVIL_LAYER_TEAR_RESIDUAL = 45
+    SOFTANVIL_LAYER_TEAR_RESIDUAL = 33,
+    /** layer.c10, Pa, from -1e9 to 1e9: coefficient of (I1 - 3) in neo_hookean, mooney_rivlin and yeoh. */
+    SOFTANVIL_LAYER_C10 = 48,
+    /** layer.c01, Pa, from -1e9 to 1e9: mooney_rivlin coefficient of (I2 - 3). */
+    SOFTANVIL_LAYER_C01 = 49,
+    /** layer.c11, Pa, from -1e9 to 1e9: mooney_rivlin coefficient of (I1 - 3)(I2 - 3). */
+    SOFTANVIL_LAYER_C11 = 50,
+    /** layer.c20, Pa, from -1e9 to 1e9: mooney_rivlin and yeoh coefficient of (I1 - 3)^2. */
+    SOFTANVIL_LAYER_C20 = 51,
+    /** layer.c02, Pa, from -1e9 to 1e9: mooney_rivlin coefficient of (I2 - 3)^2. */
+    SOFTANVIL_LAYER_C02 = 52,
+    /** layer.c30, Pa, from -1e9 to 1e9: yeoh coefficient of (I1 - 3)^3. */
+    SOFTANVIL_LAYER_C30 = 53,
+    /** layer.ogden_mu_1, Pa, from -1e9 to 1e9: ogden coefficient, W = sum mu/alpha (l1^alpha + l2^alpha + l3^alpha - 3); 0 switches the term off. */
+    SOFTANVIL_LAYER_OGDEN_MU_1 = 54,
+    /** layer.ogden_alpha_1, from -30 to 30: ogden exponent; the shear modulus at rest is sum mu alpha / 2. */
+    SOFTANVIL_LAYER_OGDEN_ALPHA_1 = 55,
+    /** layer.ogden_mu_2, Pa, from -1e9 to 1e9: ogden coefficient, W = sum mu/alpha (l1^alpha + l2^alpha + l3^alpha - 3); 0 switches the term off. */
+    SOFTANVIL_LAYER_OGDEN_MU_2 = 56,
+    /** layer.ogden_alpha_2, from -30 to 30: ogden exponent; the shear modulus at rest is sum mu alpha / 2. */
+    SOFTANVIL_LAYER_OGDEN_ALPHA_2 = 57,
+    /** layer.ogden_mu_3, Pa, from -1e9 to 1e9: ogden coefficient, W = sum mu/alpha (l1^alpha + l2^alpha + l3^alpha - 3); 0 switches the term off. */
+    SOFTANVIL_LAYER_OGDEN_MU_3 = 58,
+    /** layer.ogden_alpha_3, from -30 to 30: ogden exponent; the shear modulus at rest is sum mu alpha / 2. */
+    SOFTANVIL_LAYER_OGDEN_ALPHA_3 = 59,
+    /** layer.gent_mu, Pa, from 0 to 1e9: gent shear modulus at rest, W = -mu Jm/2 ln(1 - (I1 - 3)/Jm). */
+    SOFTANVIL_LAYER_GENT_MU = 60,
+    /** layer.gent_jm, from 0.01 to 1e6: gent limit Jm of I1 - 3. */
+    SOFTANVIL_LAYER_GENT_JM = 61,
+    /** layer.arruda_boyce_mu, Pa, from 0 to 1e9: arruda_boyce modulus; that of shear at rest is mu (1 + 3/5 lambda_m^-2 + ...), series of five terms. */
+    SOFTANVIL_LAYER_ARRUDA_BOYCE_MU = 62,
+    /** layer.arruda_boyce_lambda_m, from 1 to 100: arruda_boyce stretch at which the chains are fully extended, the root of their number of links. */
+    SOFTANVIL_LAYER_ARRUDA_BOYCE_LAMBDA_M = 63
 };
 
 /** Number of a parameter of a layer, 0 next to the core: SOFTANVIL_PARAMETER_OF_LAYER(1, SOFTANVIL_LAYER_C10). */
@@ -446,7 +454,9 @@ enum SoftanvilLayerLaw {
     SOFTANVIL_LAYER_LAW_NEO_HOOKEAN = 0,
     SOFTANVIL_LAYER_LAW_MOONEY_RIVLIN = 1,
     SOFTANVIL_LAYER_LAW_YEOH = 2,
-    SOFTANVIL_LAYER_LAW_OGDEN = 3
+    SOFTANVIL_LAYER_LAW_OGDEN = 3,
+    SOFTANVIL_LAYER_LAW_GENT = 4,
+    SOFTANVIL_LAYER_LAW_ARRUDA_BOYCE = 5
 };
 
 /** layer.moduli: what the elastic coefficients are: after full relaxation, or before any. */
@@ -690,10 +700,10 @@ SoftanvilStatus softanvil_output_info(uint32_t output, SoftanvilOutputInfo *info
 #define SOFTANVIL_LAYERS_BEGIN 64
 
 /** Numbers for the parameters of a layer, those of future versions included. */
-#define SOFTANVIL_LAYER_NUMBERS 80
+#define SOFTANVIL_LAYER_NUMBERS 96
 
 /** Room for parameters in a `SoftanvilScenario`, those of future versions included. */
-#define SOFTANVIL_PARAMETER_SLOTS 384
+#define SOFTANVIL_PARAMETER_SLOTS 448
 
 /**
  * Description of a drop test. It always comes from `softanvil_scenario_default`; its values may then be changed by
@@ -756,7 +766,7 @@ SoftanvilStatus softanvil_scenario_set(SoftanvilScenario *scenario,
  * As `softanvil_scenario_set`, by the parameter's name.
  *
  * @param scenario The scenario to change.
- * @param name Name, such as "impactor.mass" or "layers[0].c10".
+ * @param name Name, such as "impactor.mass", or `layers[0].c10` of a layer.
  * @param value Value in the parameter's SI unit; a choice as its number.
  * @param error Details of a failure, or NULL.
  * @return NULL_POINTER, MISALIGNED, UNINITIALISED, UNKNOWN_NAME, ILLEGAL_VALUE.
@@ -782,7 +792,7 @@ SoftanvilStatus softanvil_scenario_get(const SoftanvilScenario *scenario,
  * As `softanvil_scenario_get`, by the parameter's name.
  *
  * @param scenario The scenario.
- * @param name Name, such as "impactor.mass" or "layers[0].c10".
+ * @param name Name, such as "impactor.mass", or `layers[0].c10` of a layer.
  * @param value Value in the parameter's SI unit; a choice as its number.
  * @return NULL_POINTER, MISALIGNED, UNINITIALISED, UNKNOWN_NAME.
  */
