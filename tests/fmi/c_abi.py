@@ -2,10 +2,12 @@
 
 import ctypes
 import os
+import re
 from pathlib import Path
 
+HEADER = Path(__file__).parents[2] / "include" / "softanvil.h"
 # Bytes of a SoftanvilScenario: a header of six words, and the slots of the parameters.
-SCENARIO_BYTES = 24 + 384 * 8
+SCENARIO_BYTES = 24 + 8 * int(re.search(r"#define SOFTANVIL_PARAMETER_SLOTS (\d+)", HEADER.read_text())[1])
 
 
 class Input(ctypes.Structure):
