@@ -36,6 +36,17 @@ pub(super) struct Placed {
 }
 
 impl Placed {
+    /// The condition at a place among those of the parameters of a layer, or of none.
+    #[inline(never)]
+    fn at(layer: Option<usize>, place: usize) -> Option<Self> {
+        let condition = match (layer, place.checked_sub(COEFFICIENT.len())) {
+            (None, _) => TEST.get(place)?,
+            (Some(_), None) => COEFFICIENT.get(place)?,
+            (Some(_), Some(place)) => LAYER.get(place)?,
+        };
+        Some(Self { condition, layer })
+    }
+
     /// The parameter that has to act.
     pub(super) fn of(&self) -> Name {
         self.name(self.condition.of)
@@ -52,7 +63,7 @@ impl Placed {
 
     /// The parameter that decides.
     pub(super) fn decider(&self) -> Option<Parameter> {
-        beside(self.layer).find(|parameter| parameter.name() == self.by())
+        Parameter::named(self.by())
     }
 
     /// Whether giving the parameter makes a choice.
@@ -87,12 +98,6 @@ impl Placed {
     }
 }
 
-/// The parameters of a layer, or of none.
-fn beside(layer: Option<usize>) -> impl Iterator<Item = Parameter> {
-    let test = Parameter::all().filter(move |parameter| layer.is_none() && parameter.layer().is_none());
-    layer.into_iter().flat_map(Parameter::of_layer).chain(test)
-}
-
 impl Parameter {
     /// Why the value of this parameter has no effect in `scenario`; none if it acts.
     pub fn without_effect(&self, scenario: &Scenario) -> Option<NoEffect> {
@@ -122,13 +127,13 @@ impl Parameter {
 
 /// Every condition, those first that stand above others.
 pub(super) fn conditions() -> impl Iterator<Item = Placed> + Clone {
-    conditions_of(None).chain((0..MAX_LAYERS).flat_map(|layer| conditions_of(Some(layer))))
+    (0..=MAX_LAYERS).flat_map(|place| conditions_of(place.checked_sub(1)))
 }
 
 /// The conditions of the parameters of a layer, or of those of none.
 fn conditions_of(layer: Option<usize>) -> impl Iterator<Item = Placed> + Clone {
-    let lists: [&[Condition]; 2] = if layer.is_some() { [&COEFFICIENT, LAYER] } else { [TEST, &[]] };
-    lists.into_iter().flatten().map(move |condition| Placed { condition, layer })
+    let count = if layer.is_some() { COEFFICIENT.len() + LAYER.len() } else { TEST.len() };
+    (0..count).filter_map(move |place| Placed::at(layer, place))
 }
 
 fn is_modulus(place: usize) -> bool {

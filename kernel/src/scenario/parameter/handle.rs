@@ -85,16 +85,37 @@ impl Parameter {
         Self::with_layers(scenario.layers.len())
     }
 
-    pub(super) fn with_layers(count: usize) -> impl Iterator<Item = Self> {
-        let test = |row| Self { place: Place::Test(row) };
-        let before = TEST.iter().map(test).chain([Self { place: Place::LayerCount(&LAYER_COUNT) }]);
-        before.chain((0..count).flat_map(Self::of_layer)).chain(NUMERICS.iter().map(test))
+    pub(super) fn with_layers(layers: usize) -> impl Iterator<Item = Self> + Clone {
+        let count = TEST.len() + 1 + layers * layer::COUNT + NUMERICS.len();
+        (0..count).filter_map(move |place| Self::at(place, layers))
+    }
+
+    /// The parameter at a place among those of `layers` layers and of all else. Apart, so that a walk over parameters, of which
+    /// there are many, is little code.
+    #[inline(never)]
+    fn at(place: usize, layers: usize) -> Option<Self> {
+        if let Some(row) = TEST.get(place) {
+            return Some(Self { place: Place::Test(row) });
+        }
+        let Some(place) = place.checked_sub(TEST.len() + 1) else {
+            return Some(Self { place: Place::LayerCount(&LAYER_COUNT) });
+        };
+        match place.checked_sub(layers * layer::COUNT) {
+            None => Self::in_layer(place / layer::COUNT, place % layer::COUNT),
+            Some(place) => NUMERICS.get(place).map(|row| Self { place: Place::Test(row) }),
+        }
+    }
+
+    /// The parameter at a place among those of a layer.
+    #[inline(never)]
+    fn in_layer(layer: usize, place: usize) -> Option<Self> {
+        let row = layer::row(place)?;
+        if layer < MAX_LAYERS { Some(Self { place: Place::Layer(layer, row) }) } else { None }
     }
 
     /// Those of a layer, counted from the core; none of one that there cannot be.
-    pub fn of_layer(layer: usize) -> impl Iterator<Item = Self> {
-        let rows = layer::rows().filter(move |_| layer < MAX_LAYERS);
-        rows.map(move |row| Self { place: Place::Layer(layer, row) })
+    pub fn of_layer(layer: usize) -> impl Iterator<Item = Self> + Clone {
+        (0..layer::COUNT).filter_map(move |place| Self::in_layer(layer, place))
     }
 
     /// Those of the material of a layer: all of the layer's but thickness and rows.
@@ -104,10 +125,24 @@ impl Parameter {
 
     /// The parameter called `name`, such as `impactor.mass` or `layers[1].c10`.
     pub fn find(name: &str) -> Option<Self> {
-        if let Some((layer, field)) = Name::split_layer(name) {
-            return Self::of_layer(layer).find(|parameter| parameter.name().field() == field);
+        match Name::split_layer(name) {
+            Some((layer, field)) => Self::find_in_layer(layer, field),
+            None => Self::with_layers(0).find(|parameter| parameter.name() == name),
         }
-        Self::with_layers(0).find(|parameter| parameter.name() == name)
+    }
+
+    /// The parameter with this name.
+    pub(super) fn named(name: Name) -> Option<Self> {
+        match name.layer() {
+            Some(layer) => Self::find_in_layer(layer, name.field()),
+            None => Self::with_layers(0).find(|parameter| parameter.name() == name),
+        }
+    }
+
+    /// The parameter of a layer whose name is `field` within it.
+    #[inline(never)]
+    fn find_in_layer(layer: usize, field: &str) -> Option<Self> {
+        Self::of_layer(layer).find(|parameter| parameter.name().field() == field)
     }
 
     /// The parameter that `name` means in `scenario`: its name, or that of a layer and a field of it, such as `skin.c10`.
@@ -115,7 +150,7 @@ impl Parameter {
         Self::find(name).or_else(|| {
             let (layer, field) = split_dot(name)?;
             let place = scenario.layers.iter().position(|known| !layer.is_empty() && known.name == layer)?;
-            Self::of_layer(place).find(|parameter| parameter.name().field() == field)
+            Self::find_in_layer(place, field)
         })
     }
 

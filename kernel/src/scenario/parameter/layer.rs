@@ -11,9 +11,13 @@ const MAX_ROWS: u32 = 10_000;
 /// How many parameters a layer has.
 pub(super) const COUNT: usize = BEFORE.len() + N_COEFFICIENT + AFTER.len();
 
-/// The parameters of a layer, in the order in which users meet them.
-pub(super) fn rows() -> impl Iterator<Item = &'static Row<Layer>> {
-    BEFORE.iter().chain(&COEFFICIENT).chain(AFTER)
+/// The parameter of a layer at a place in the order in which users meet them.
+pub(super) fn row(place: usize) -> Option<&'static Row<Layer>> {
+    let Some(place) = place.checked_sub(BEFORE.len()) else { return BEFORE.get(place) };
+    match place.checked_sub(N_COEFFICIENT) {
+        None => COEFFICIENT.get(place),
+        Some(place) => AFTER.get(place),
+    }
 }
 
 static BEFORE: &[Row<Layer>] = &[
