@@ -1,13 +1,13 @@
 //! The monitor of the step's stability: what tells in time that a step was too large.
 
 use crate::element::Block;
-use crate::element::cell_bound::{limit_squared, unstable};
+use crate::element::cell_bound::unstable;
 use crate::error::StepError;
 use crate::model::Model;
 use crate::number::math;
 use crate::number::pack::{LANES, ZERO};
 use crate::number::real::Real;
-use crate::number::vector::{Scalar, Simd};
+use crate::number::vector::Simd;
 use crate::state::{EnergyBalance, State};
 use crate::step::stable_step::{critical_time_step, current_matrix};
 
@@ -22,7 +22,7 @@ const MIN_GROUP: usize = 4;
 /// same number in every step, so that all have had their turn after [`MONITOR_PERIOD`] steps at most.
 ///
 /// # Errors
-/// The first cell whose limit is below the step.
+/// The cell with the smallest limit, where that of one of them is below the step.
 #[inline(always)]
 pub(crate) fn check<S: Simd>(simd: S, model: &Model, state: &State) -> Result<(), StepError> {
     let share = MonitorWindow::new(model.cells.len() * LANES, state.scalars.step_index);
@@ -36,9 +36,8 @@ pub(crate) fn check<S: Simd>(simd: S, model: &Model, state: &State) -> Result<()
             let mut lost = ZERO;
             simd.store(unstable(simd, &matrix, step_squared), &mut lost, chunk);
             let (first, end) = (start.max(chunk * S::WIDTH), (start + share.group).min((chunk + 1) * S::WIDTH));
-            let visited = lost.get(first..end).unwrap_or_default();
-            if let Some(l) = visited.iter().position(|lost| *lost > 0.0) {
-                return Err(failure(model, state, block, first + l));
+            if lost.get(first..end).unwrap_or_default().iter().any(|lost| *lost > 0.0) {
+                return Err(failure(model, state));
             }
         }
     }
@@ -77,25 +76,11 @@ impl MonitorWindow {
     }
 }
 
-/// The error of the cell in lane `l` of a block, with its limit.
+/// The error of the cell with the smallest limit.
 #[cold]
 #[inline(never)]
-fn failure(model: &Model, state: &State, block: usize, l: usize) -> StepError {
-    let element = model.constants.grid.element_index(block, l, 0);
-    let mut limits = ZERO;
-    if let (Some(constants), Some(history)) = (model.cells.get(block), state.cells.get(block)) {
-        let block_of = Block { laws: model.constants.laws_of(block), constants, hoop: model.hoops.get(block) };
-        let step_squared = model.constants.dt * model.constants.dt;
-        Scalar.store(
-            limit_squared(Scalar, &current_matrix(Scalar, l, &block_of, history), step_squared),
-            &mut limits,
-            l,
-        );
-    }
-    unstable_at(model, state, element, math::sqrt(limits.get(l).copied().unwrap_or_default()))
-}
-
-fn unstable_at(model: &Model, state: &State, element: u32, limit: Real) -> StepError {
+fn failure(model: &Model, state: &State) -> StepError {
+    let (limit, element) = critical_time_step(model, state);
     let constants = &model.constants;
     StepError::Unstable { element, time: constants.time(state.scalars.step_index), limit, step: constants.dt }
 }
@@ -115,8 +100,7 @@ const NEGATIVE_PART: Real = 0.01;
 #[inline(always)]
 pub(crate) fn guard(model: &Model, state: &State, layer_kinetic: Real) -> Result<(), StepError> {
     if is_unstable(&state.scalars.energy, layer_kinetic) {
-        let (limit, element) = critical_time_step(model, state);
-        return Err(unstable_at(model, state, element, limit));
+        return Err(failure(model, state));
     }
     Ok(())
 }
