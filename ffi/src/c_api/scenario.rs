@@ -236,8 +236,8 @@ impl SoftanvilScenario {
             return Err(Failure::ReservedSlot { array: "reserved_word", slot: 0, value });
         }
         for (number, value) in (0..).zip(self.value) {
-            let is_known = Parameter::by_number(number).is_some_and(|parameter| self.knows(parameter));
-            if value != 0.0 && !is_known {
+            let is_known = || Parameter::by_number(number).is_some_and(|parameter| self.knows(parameter));
+            if value != 0.0 && !is_known() {
                 return Err(Failure::ReservedSlot { array: "value", slot: number as usize, value });
             }
         }

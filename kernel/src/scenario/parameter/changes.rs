@@ -41,13 +41,7 @@ impl Changes {
 
     /// What `values` say over `base`, where no more is known: those that differ.
     pub fn between(base: &Scenario, values: &Values) -> Self {
-        let mut given = Given::default();
-        for parameter in Parameter::all() {
-            if parameter.get(base).to_bits() != values.get(parameter).to_bits() {
-                given.add(parameter);
-            }
-        }
-        Self { values: values.clone(), given }
+        Self { values: values.clone(), given: Given::between(base, values) }
     }
 
     /// Gives a value.
@@ -143,6 +137,18 @@ struct Given([u32; NUMBERS.div_ceil(WORD)]);
 const WORD: usize = u32::BITS as usize;
 
 impl Given {
+    /// The parameters whose values differ. Apart, so that the values of `base` leave the stack.
+    #[inline(never)]
+    fn between(base: &Scenario, values: &Values) -> Self {
+        let (base, mut given) = (Values::of(base), Self::default());
+        for parameter in Parameter::all() {
+            if base.get(parameter).to_bits() != values.get(parameter).to_bits() {
+                given.add(parameter);
+            }
+        }
+        given
+    }
+
     fn add(&mut self, parameter: Parameter) {
         let number = parameter.number() as usize;
         if let Some(word) = self.0.get_mut(number / WORD) {
