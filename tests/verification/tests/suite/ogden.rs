@@ -7,6 +7,7 @@ use softanvil_kernel::material::Elastic;
 use softanvil_kernel::number::vector::Scalar;
 use softanvil_kernel::tensor::deviator::Deviator;
 use softanvil_kernel::tensor::kinematics::Kinematics;
+use softanvil_kernel::tensor::stretch::IsochoricStretch;
 use softanvil_verification::scenes::{self, elastic};
 use softanvil_verification::tolerance::{COINCIDENCE, relative_error};
 
@@ -122,5 +123,26 @@ fn a_stretch_that_is_not_a_number_has_no_stress() {
     ] {
         let [(stress, _)] = law.stress(Scalar, &[broken], true);
         assert!(components(&stress).iter().all(|part| part.is_nan()), "{broken:?}: {stress:?}");
+    }
+}
+
+/// Turning the principal directions of a term with a small exponent meets more than strain along them: the tangent covers it.
+///
+/// Source: the stiffness against turning of isotropic materials, (tau_i - tau_j)(l_i^2 + l_j^2) / (2 (l_i^2 - l_j^2)), with
+/// tau_i = mu l_i^alpha (Ogden, Non-linear elastic deformations, 1984).
+#[test]
+fn the_tangent_covers_a_turn_of_the_principal_directions() {
+    for alpha in [0.1_f64, 0.3, 1.0, 1.7, -0.3, -1.5] {
+        let law = ogden([1e5 * alpha.signum(), 0.0, 0.0], [alpha, 2.0, 2.0]);
+        for h in [0.2_f64, 1.0, 2.0, 3.0] {
+            let (long, short) = ((0.5 * h).exp(), (-0.5 * h).exp());
+            let stress = |stretch: f64| 1e5 * alpha.signum() * stretch.powf(alpha);
+            let squares = [long * long, short * short];
+            let turning =
+                (stress(long) - stress(short)) * (squares[0] + squares[1]) / (2.0 * (squares[0] - squares[1]));
+            let stretch = IsochoricStretch { u11: long, u22: short, u12: 0.0, u33: 1.0 };
+            let tangent = law.shear_tangent(Scalar, &stretch);
+            assert!(tangent >= turning * (1.0 - 1e-12), "alpha = {alpha}, h = {h}: {tangent} Pa below {turning} Pa");
+        }
     }
 }
