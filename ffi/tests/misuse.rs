@@ -255,6 +255,22 @@ fn text(characters: &[std::ffi::c_char]) -> &str {
     unsafe { CStr::from_ptr(characters.as_ptr()) }.to_str().unwrap()
 }
 
+/// A refusal by several parameters tells value and range as that of one does.
+#[test]
+fn an_offset_in_half_a_section_is_told_with_its_range() {
+    let mut scenario = coarse();
+    scenario.value[Parameter::find("impactor.offset").unwrap().number() as usize] = 0.01;
+    let (mut size, mut alignment) = (0, 0);
+    let mut error = MaybeUninit::<SoftanvilError>::zeroed();
+    // SAFETY: the arguments are initialised and outlive the call; a failure fills the error, which zeros are a value of.
+    unsafe {
+        let status = softanvil_memory_size(&scenario, &mut size, &mut alignment, error.as_mut_ptr());
+        assert_eq!(status, Status::OffsetOfHalf);
+        let error = error.assume_init();
+        assert_eq!([error.value, error.min, error.max], [0.01, 0.0, 0.0]);
+    }
+}
+
 #[test]
 fn a_wrong_marker_is_refused_and_a_moved_block_is_not() {
     let scenario = coarse();

@@ -148,24 +148,12 @@ pub const N_COEFFICIENT: usize = n_distinct(LISTS);
 /// Every coefficient of a law, once, in the order of the laws.
 pub static COEFFICIENTS: [Coefficient; N_COEFFICIENT] = distinct(LISTS);
 
-/// Which of [`COEFFICIENTS`] are moduli.
-const IS_MODULUS: [bool; N_COEFFICIENT] = {
-    let coefficients: [Coefficient; N_COEFFICIENT] = distinct(LISTS);
-    let mut is_modulus = [false; N_COEFFICIENT];
-    let mut i = 0;
-    while i < N_COEFFICIENT {
-        is_modulus[i] = coefficients[i].is_modulus();
-        i += 1;
-    }
-    is_modulus
-};
-
 /// A law by the `places` of its values, the moduli times `scale`.
 fn select<L: IsochoricLaw>(places: &[usize], values: &[Real; N_COEFFICIENT], scale: Real) -> L {
     let mut own = L::Values::default();
     for (own, place) in own.as_mut().iter_mut().zip(places) {
-        if let (Some(value), Some(is_modulus)) = (values.get(*place), IS_MODULUS.get(*place)) {
-            *own = if *is_modulus { scale * value } else { *value };
+        if let (Some(value), Some(coefficient)) = (values.get(*place), COEFFICIENTS.get(*place)) {
+            *own = if coefficient.is_modulus() { scale * value } else { *value };
         }
     }
     L::from_values(own)
