@@ -26,14 +26,23 @@ struct View<'a> {
     scale: f64,
 }
 
+/// Height of the ground above the lower edge, px.
+const GROUND: f64 = 2.0;
+
+/// Pixels per metre at which the section fits, and the impactor on it stays below the caption.
+fn scale(mesh: &Mesh) -> f64 {
+    let across = PANEL[0] / (2.0 * mesh.reach() * (1.0 + 2.0 * ROOM));
+    let upwards = (PANEL[1] - GROUND - CAPTION) / (mesh.constants.top_height + SLAB);
+    across.min(upwards)
+}
+
 impl View<'_> {
     fn new<'a>(mesh: &'a Mesh, frame: &'a Frame) -> View<'a> {
-        let widest = 2.0 * mesh.reach();
-        View { mesh, frame, scale: PANEL[0] / (widest * (1.0 + 2.0 * ROOM)) }
+        View { mesh, frame, scale: scale(mesh) }
     }
 
     fn pixel(&self, [x, y]: [f64; 2]) -> [f64; 2] {
-        [0.5 * PANEL[0] + self.scale * x, PANEL[1] - 2.0 - self.scale * y]
+        [0.5 * PANEL[0] + self.scale * x, PANEL[1] - GROUND - self.scale * y]
     }
 
     /// Current position of a node.
@@ -114,5 +123,29 @@ impl Panel {
     /// The panel, its upper left corner at the origin.
     pub fn draw(self) -> Group {
         self.group
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use softanvil_kernel::scenario::Layer;
+    use softanvil_kernel::{Simulation, preset};
+
+    /// A stack on the anvil is higher than the layer that the panel was drawn for.
+    #[test]
+    fn the_impactor_stays_below_the_caption_on_any_stack() {
+        for pad in [0.0, 10e-3, 40e-3] {
+            let mut scenario = preset::study();
+            if pad > 0.0 {
+                let layer = Layer { thickness: pad, ..preset::spare_layer() };
+                scenario.add_layer(layer).unwrap();
+            }
+            // As small as the section lets it be, which makes the scale across large.
+            scenario.impactor.face_diameter = 2.05 * (scenario.geometry.core_radius + scenario.thickness());
+            let mesh = Mesh::of(&mut Simulation::new(&scenario).unwrap()).unwrap();
+            let top = PANEL[1] - GROUND - scale(&mesh) * (mesh.constants.top_height + SLAB);
+            assert!(top >= CAPTION - 1e-9, "{pad} m: the impactor ends {top} px below the edge");
+        }
     }
 }
