@@ -51,7 +51,9 @@ pub(crate) fn bytes(size: &Size) -> usize {
     parts.into_iter().fold(0, |sum: usize, part| sum.saturating_add(part.unwrap_or(usize::MAX)))
 }
 
-/// Builds a simulation of `scenario` at the start of its drop in zeroed memory of [`bytes`], and gives its address.
+/// Builds a simulation of `scenario` at the start of its drop in zeroed memory of [`bytes`], and gives its address. Apart, so that
+/// the constants are on the stack only when the scenario has been read.
+#[inline(never)]
 pub(crate) fn build(scenario: &Scenario, size: &Size, mut region: Region) -> Result<*mut SoftanvilSimulation, Failure> {
     let short = Failure::Short { argument: "memory", given: 0, needed: bytes(size) };
     let slot = region.slot::<SoftanvilSimulation>().ok_or(short)?;

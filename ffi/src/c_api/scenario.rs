@@ -2,7 +2,7 @@
 
 use core::ffi::c_char;
 
-use softanvil_kernel::parameter::{LAYER_NUMBERS, NUMBERS, TEST_NUMBERS, Values};
+use softanvil_kernel::parameter::{LAYER_NUMBERS, NUMBERS, TEST_NUMBERS};
 use softanvil_kernel::scenario::MAX_LAYERS;
 use softanvil_kernel::{Changes, Parameter, Scenario};
 
@@ -244,22 +244,23 @@ impl SoftanvilScenario {
         Ok(())
     }
 
-    /// The scenario that this describes: every value is legal, and each that differs from the preset's acts.
-    pub(crate) fn kernel(&self) -> Result<Scenario, Failure> {
-        self.changes()?.apply().map_err(Failure::Scenario)
-    }
-
-    /// What differs from the preset. Apart, so that the preset leaves the stack.
+    /// The scenario that this describes: every value is legal, and each that differs from the preset's acts. Apart, so that what
+    /// it goes through leaves the stack.
     #[inline(never)]
-    fn changes(&self) -> Result<Changes, Failure> {
+    pub(crate) fn kernel(&self) -> Result<Scenario, Failure> {
         self.check()?;
         self.check_reserved()?;
-        let preset = self.preset()?;
-        let mut values = Values::of(&preset);
+        let mut changes = self.start()?;
         for parameter in Parameter::all().filter(|parameter| self.knows(*parameter)) {
-            values.set(parameter, self.slot(parameter))?;
+            changes.set_if_other(parameter, self.slot(parameter))?;
         }
-        Ok(Changes::between(&preset, &values))
+        changes.apply().map_err(Failure::Scenario)
+    }
+
+    /// Nothing changed of the preset. Apart, so that the preset leaves the stack.
+    #[inline(never)]
+    fn start(&self) -> Result<Changes, Failure> {
+        self.preset().map(|preset| Changes::of(&preset))
     }
 }
 

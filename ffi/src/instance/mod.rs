@@ -13,7 +13,7 @@ mod values;
 use core::fmt::{self, Display};
 
 use softanvil_kernel::parameter::Values;
-use softanvil_kernel::{Changes, MemoryError, ModelError, Simulation, preset};
+use softanvil_kernel::{Changes, MemoryError, ModelError, Parameter, ParameterError, Simulation, preset};
 
 use crate::variables::{Inputs, Table, Version, profile, same_bits};
 
@@ -142,7 +142,7 @@ impl Instance {
     /// # Errors
     /// A scenario that cannot be simulated; it can be corrected.
     pub fn exit_initialization(&mut self) -> Result<Changes, Error> {
-        let changes = self.changes();
+        let changes = self.changes()?;
         let scenario = self.prepare()?.constants().scenario.clone();
         self.values.update(&scenario);
         self.mode = if self.event_mode_used { Mode::Event } else { Mode::Step };
@@ -154,8 +154,10 @@ impl Instance {
         &self.values
     }
 
-    fn changes(&self) -> Changes {
-        Changes::between(&preset::study(), &self.values)
+    fn changes(&self) -> Result<Changes, ParameterError> {
+        let mut changes = Changes::of(&preset::study());
+        Parameter::all().try_for_each(|parameter| changes.set_if_other(parameter, self.values.get(parameter)))?;
+        Ok(changes)
     }
 
     /// Ends the simulation; its results stay readable.
@@ -193,7 +195,7 @@ impl Instance {
     /// The simulation at the start of the current scenario's drop.
     #[inline(never)]
     fn prepare(&mut self) -> Result<&mut Simulation, Error> {
-        let scenario = self.changes().resolve().map_err(ModelError::Scenario).map_err(Error::Model)?;
+        let scenario = self.changes()?.resolve().map_err(ModelError::Scenario).map_err(Error::Model)?;
         let kept = self.simulation.take().filter(|kept| same_bits(&kept.constants().scenario, &scenario));
         let simulation = match kept {
             Some(mut kept) => {

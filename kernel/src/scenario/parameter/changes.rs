@@ -39,11 +39,6 @@ impl Changes {
         Self { values: Values::of(base), given: Given::default() }
     }
 
-    /// What `values` say over `base`, where no more is known: those that differ.
-    pub fn between(base: &Scenario, values: &Values) -> Self {
-        Self { values: values.clone(), given: Given::between(base, values) }
-    }
-
     /// Gives a value.
     ///
     /// # Errors
@@ -52,6 +47,15 @@ impl Changes {
         self.values.set(parameter, value)?;
         self.given.add(parameter);
         Ok(())
+    }
+
+    /// Gives a value of which no more is known than that it stands there: it counts as given if it differs.
+    ///
+    /// # Errors
+    /// A value that differs and is not legal is refused and changes nothing.
+    pub fn set_if_other(&mut self, parameter: Parameter, value: Real) -> Result<(), ParameterError> {
+        let same = value.to_bits() == self.values.get(parameter).to_bits();
+        if same { Ok(()) } else { self.set(parameter, value) }
     }
 
     /// Calls a layer `name`; see [`Values::name_layer`].
@@ -137,18 +141,6 @@ struct Given([u32; NUMBERS.div_ceil(WORD)]);
 const WORD: usize = u32::BITS as usize;
 
 impl Given {
-    /// The parameters whose values differ. Apart, so that the values of `base` leave the stack.
-    #[inline(never)]
-    fn between(base: &Scenario, values: &Values) -> Self {
-        let (base, mut given) = (Values::of(base), Self::default());
-        for parameter in Parameter::all() {
-            if base.get(parameter).to_bits() != values.get(parameter).to_bits() {
-                given.add(parameter);
-            }
-        }
-        given
-    }
-
     fn add(&mut self, parameter: Parameter) {
         let number = parameter.number() as usize;
         if let Some(word) = self.0.get_mut(number / WORD) {
@@ -252,10 +244,16 @@ mod tests {
     #[test]
     fn what_differs_counts_as_given() {
         let study = preset::study();
-        let mut other = Values::of(&study);
-        other.set(Parameter::find("impactor.drop_height").unwrap(), 0.1).unwrap();
-        assert_eq!(Changes::between(&study, &other).apply().unwrap().impactor.drop_by, crate::scenario::DropBy::Height);
-        assert_eq!(Changes::between(&study, &Values::of(&study)).apply().unwrap(), study);
+        let height = Parameter::find("impactor.drop_height").unwrap();
+        let mut changes = Changes::of(&study);
+        for parameter in Parameter::all() {
+            let value = changes.values().get(parameter);
+            changes.set_if_other(parameter, value).unwrap();
+        }
+        assert_eq!(changes.apply().unwrap(), study);
+        changes.set_if_other(height, 0.1).unwrap();
+        assert_eq!(changes.apply().unwrap().impactor.drop_by, crate::scenario::DropBy::Height);
+        assert!(changes.set_if_other(height, -1.0).is_err());
     }
 
     #[test]

@@ -31,9 +31,9 @@ pub struct Values {
 impl Values {
     /// Those of `scenario`, with spare layers behind its own.
     pub fn of(scenario: &Scenario) -> Self {
-        let (mut whole, layers) = (scenario.clone(), scenario.layers.len());
-        whole.set_layer_count(MAX_LAYERS);
-        Self { whole, layers }
+        let mut values = Self { whole: scenario.clone(), layers: scenario.layers.len() };
+        values.whole.set_layer_count(MAX_LAYERS);
+        values
     }
 
     /// Takes over those of `scenario`; of the layers that it does not have they stay.
