@@ -117,6 +117,8 @@ fn scenario_status(error: &ScenarioError) -> Status {
         ScenarioError::FullAxisymmetric => Status::FullAxisymmetric,
         ScenarioError::OffsetOfHalf { .. } => Status::OffsetOfHalf,
         ScenarioError::TearStretch { .. } => Status::TearStretch,
+        ScenarioError::Softening { .. } => Status::Softening,
+        ScenarioError::BulkModulus { .. } => Status::BulkModulus,
         // From C a scenario has the interfaces that its layers need.
         ScenarioError::Interfaces { .. } => Status::IllegalValue,
     }
@@ -168,6 +170,8 @@ impl Failure {
             Self::Scenario(ScenarioError::FaceTooSmall { diameter, minimum }) => [diameter, minimum, NAN],
             Self::Scenario(ScenarioError::OffsetOfHalf { offset }) => [offset, 0.0, 0.0],
             Self::Scenario(ScenarioError::TearStretch { stretch, .. }) => [stretch, 1.0, NAN],
+            Self::Scenario(ScenarioError::Softening { r, .. }) => [r, 1.0, NAN],
+            Self::Scenario(ScenarioError::BulkModulus { modulus, .. }) => [modulus, 0.0, NAN],
             Self::Model(ModelError::TooManyCells { cells, max }) => [cells, 1.0, max as f64],
             Self::Model(ModelError::StepTooSmall { step, smallest }) => [step, smallest, NAN],
             Self::Model(ModelError::StepTooLarge { step, limit }) => [step, 0.0, limit],
@@ -194,6 +198,7 @@ impl Failure {
             Self::Scenario(ScenarioError::Contradiction { names: [_, other] }) => other,
             Self::Scenario(ScenarioError::LayerThickness { layer, .. }) => Name::of_layer(layer, "thickness"),
             Self::Scenario(ScenarioError::TearStretch { layer, .. }) => Name::of_layer(layer, "tear_stretch"),
+            Self::Scenario(ScenarioError::Softening { layer, .. }) => Name::of_layer(layer, "softening_r"),
             Self::Scenario(ScenarioError::FaceTooSmall { .. }) => "impactor.face_diameter".into(),
             Self::Scenario(ScenarioError::FullAxisymmetric) => "geometry.section".into(),
             Self::Scenario(ScenarioError::OffsetOfHalf { .. }) => "impactor.offset".into(),

@@ -53,6 +53,10 @@ pub enum SoftanvilStatus {
     NoEffect = 213,
     /// Two values that state the same thing differ from the preset's.
     Contradiction = 214,
+    /// The r of a layer's softening is below 1.
+    Softening = 220,
+    /// The coefficients of a compressible law give no positive bulk modulus at rest.
+    BulkModulus = 221,
     /// An element turned inside out or is no longer finite.
     Inverted = 300,
     /// The time step is above the current stability limit of an element.
@@ -75,7 +79,7 @@ use SoftanvilStatus as S;
 
 impl SoftanvilStatus {
     /// Every status.
-    pub const ALL: [Self; 30] = [
+    pub const ALL: [Self; 32] = [
         S::Ok,
         S::NullPointer,
         S::Misaligned,
@@ -98,6 +102,8 @@ impl SoftanvilStatus {
         S::NoArea,
         S::NoEffect,
         S::Contradiction,
+        S::Softening,
+        S::BulkModulus,
         S::Inverted,
         S::Unstable,
         S::IllegalInput,
@@ -133,6 +139,8 @@ impl SoftanvilStatus {
             S::NoArea => c"element without area",
             S::NoEffect => c"value without effect",
             S::Contradiction => c"two values that state the same thing",
+            S::Softening => c"r of a softening below 1",
+            S::BulkModulus => c"elastic coefficients give no positive bulk modulus",
             S::Inverted => c"element inverted or not finite",
             S::Unstable => c"time step above the current stability limit",
             S::IllegalInput => c"input of a step not finite",

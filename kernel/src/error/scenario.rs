@@ -66,6 +66,14 @@ pub enum ScenarioError {
         /// Its shear modulus at rest, Pa.
         modulus: Real,
     },
+    /// A compressible law has no positive bulk modulus at rest.
+    #[error("layers[{layer}]: the coefficients of the law give a bulk modulus of {} Pa: expected above 0 Pa", Decimal(*modulus))]
+    BulkModulus {
+        /// The layer, counted from the core.
+        layer: usize,
+        /// Its bulk modulus at rest, Pa.
+        modulus: Real,
+    },
     /// The material would be torn before the test.
     #[error("layers[{layer}].tear_stretch = {} is refused: expected 0 (off) or at least 1", Decimal(*stretch))]
     TearStretch {
@@ -73,6 +81,14 @@ pub enum ScenarioError {
         layer: usize,
         /// Stretch at which it begins to tear.
         stretch: Real,
+    },
+    /// The stress would turn round in softening.
+    #[error("layers[{layer}].softening_r = {} is refused: expected 0 (off) or at least 1", Decimal(*r))]
+    Softening {
+        /// The layer, counted from the core.
+        layer: usize,
+        /// r of the softening.
+        r: Real,
     },
     /// The face does not cover the anvil, so the chord thickness ends inside the section.
     #[error("impactor.face_diameter = {} m is refused: expected at least {} m over this anvil", Decimal(*diameter), Decimal(*minimum))]

@@ -77,8 +77,8 @@ impl Constants {
     }
 
     /// Entries of viscous history per triangle: those of the layer that has more.
-    pub fn n_term(&self) -> usize {
-        self.laws.iter().fold(0, |most, laws| most.max(laws.n_term()))
+    pub fn n_history_entry(&self) -> usize {
+        self.laws.iter().fold(0, |most, laws| most.max(laws.n_history_entry()))
     }
 
     /// Simulated time after `step_index` steps, s: whole sampling intervals and the steps beyond them.

@@ -56,14 +56,14 @@ impl Size {
 
     /// What a legal `scenario` needs on its `grid`.
     pub(crate) fn of_grid(scenario: &Scenario, grid: &Grid) -> Self {
-        let terms = scenario.layers.iter().fold(0, |most, layer| most.max(layer.material.n_viscous_term()));
+        let entries = scenario.layers.iter().fold(0, |most, layer| most.max(layer.material.n_history_entry()));
         Self {
             model_nodes: MODEL_NODE_FIELDS * grid.n_node(),
             model_cells: grid.n_block(),
             model_hoops: if grid.axisymmetric { grid.n_block() } else { 0 },
             state_nodes: STATE_NODE_FIELDS * grid.n_node() + SURFACE_FIELDS * grid.stride(),
             state_cells: grid.n_block(),
-            state_viscous: 2 * terms * grid.n_block(),
+            state_viscous: 2 * entries * grid.n_block(),
         }
     }
 }

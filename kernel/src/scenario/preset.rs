@@ -254,6 +254,9 @@ pub fn elastic_silicone() -> Material {
         tear_stretch: 0.0,
         tear_width: 0.1,
         tear_residual: 0.0,
+        softening_r: 0.0,
+        softening_m: 1e3,
+        softening_beta: 0.1,
     }
 }
 

@@ -55,6 +55,14 @@ impl Layer {
         if modulus <= 0.0 {
             return Err(ScenarioError::ShearModulus { layer, coefficients: material.law.modulus_at_rest(), modulus });
         }
+        let bulk_modulus = material.effective_bulk_modulus();
+        if material.law.description().compressible && bulk_modulus <= 0.0 {
+            return Err(ScenarioError::BulkModulus { layer, modulus: bulk_modulus });
+        }
+        let r = material.softening_r;
+        if r > 0.0 && r < 1.0 {
+            return Err(ScenarioError::Softening { layer, r });
+        }
         let stretch = material.tear_stretch;
         if stretch > 0.0 && stretch < 1.0 {
             return Err(ScenarioError::TearStretch { layer, stretch });

@@ -27,7 +27,7 @@ use crate::number::real::Real;
 use crate::scenario::Motion;
 
 /// Numbers of an [`EnergyBalance`] in a snapshot.
-pub(crate) const ENERGY_WORDS: usize = 16;
+pub(crate) const ENERGY_WORDS: usize = 18;
 
 /// Energies of the whole anvil and impactor at the end of the last step, J.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,6 +46,8 @@ pub struct EnergyBalance {
     pub slider_dissipation: Real,
     /// Energy dissipated by tearing.
     pub tear: Real,
+    /// Energy dissipated by softening.
+    pub softening: Real,
     /// Energy dissipated by friction under the face and on the core.
     pub friction: Real,
     /// Energy lost in catching nodes at the face and on the core.
@@ -67,6 +69,7 @@ pub(crate) struct AtForces {
     slider_stored: Real,
     slider_dissipation: Real,
     tear: Real,
+    softening: Real,
 }
 
 impl EnergyBalance {
@@ -79,6 +82,7 @@ impl EnergyBalance {
         slider_stored: 0.0,
         slider_dissipation: 0.0,
         tear: 0.0,
+        softening: 0.0,
         friction: 0.0,
         contact: 0.0,
         external: 0.0,
@@ -89,6 +93,7 @@ impl EnergyBalance {
             slider_stored: 0.0,
             slider_dissipation: 0.0,
             tear: 0.0,
+            softening: 0.0,
         },
     };
 
@@ -111,6 +116,7 @@ impl EnergyBalance {
             + self.slider_stored
             + self.slider_dissipation
             + self.tear
+            + self.softening
             + self.friction
             + self.contact;
         self.external - found
@@ -118,7 +124,8 @@ impl EnergyBalance {
 
     /// Every number, for snapshots.
     pub(crate) fn words_mut(&mut self) -> [&mut Real; ENERGY_WORDS] {
-        let AtForces { kinetic, elastic, viscous, slider_stored, slider_dissipation, tear } = &mut self.at_forces;
+        let AtForces { kinetic, elastic, viscous, slider_stored, slider_dissipation, tear, softening } =
+            &mut self.at_forces;
         [
             &mut self.impactor_kinetic,
             &mut self.layer_kinetic,
@@ -127,6 +134,7 @@ impl EnergyBalance {
             &mut self.slider_stored,
             &mut self.slider_dissipation,
             &mut self.tear,
+            &mut self.softening,
             &mut self.friction,
             &mut self.contact,
             &mut self.external,
@@ -136,6 +144,7 @@ impl EnergyBalance {
             slider_stored,
             slider_dissipation,
             tear,
+            softening,
         ]
     }
 }
@@ -178,6 +187,7 @@ impl EnergyBalance {
             slider_stored: factor * sum(&element.slider_stored),
             slider_dissipation: before.slider_dissipation + factor * sum(&element.slider_increment),
             tear: before.tear + factor * sum(&element.tear_increment),
+            softening: before.softening + factor * sum(&element.softening_increment),
         };
         self.at_forces = now;
         self.layer_kinetic = factor * work.layer_kinetic[1];
@@ -187,6 +197,7 @@ impl EnergyBalance {
         let slid = carried(before.slider_dissipation, now.slider_dissipation);
         self.slider_dissipation = math::max(self.slider_dissipation, slid);
         self.tear = math::max(self.tear, carried(before.tear, now.tear));
+        self.softening = math::max(self.softening, carried(before.softening, now.softening));
         self.friction += factor * (work.face.frictional_dissipation + work.core.frictional_dissipation);
         self.contact += factor * (work.face.contact_dissipation + work.core.contact_dissipation);
         self.external += external_work(model, work);

@@ -17,7 +17,7 @@ use crate::tensor::deviator::Deviator;
 /// "SOFTANVL" in ASCII, least significant byte first.
 const MAGIC: u64 = u64::from_le_bytes(*b"SOFTANVL");
 /// Changes with the format.
-const VERSION: u64 = 6;
+const VERSION: u64 = 7;
 const HEADER_WORDS: usize = 4;
 const CHECKSUM_WORDS: usize = 1;
 /// Words of the scalars that are whole numbers.

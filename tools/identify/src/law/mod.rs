@@ -131,7 +131,8 @@ pub static LAWS: LazyLock<Vec<Law>> = LazyLock::new(|| {
             parameters: &description.coefficients[..variant.n_coefficient],
         })
     };
-    ElasticLaw::ALL.iter().flat_map(of_law).collect()
+    // A specimen is taken to keep its volume.
+    ElasticLaw::ALL.iter().filter(|law| !law.description().compressible).flat_map(of_law).collect()
 });
 
 impl Law {
