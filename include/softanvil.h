@@ -97,7 +97,7 @@ enum SoftanvilStatus
     SOFTANVIL_STATUS_PRONY_SUM = 201,
     /** The elastic coefficients give no positive shear modulus at rest. */
     SOFTANVIL_STATUS_SHEAR_MODULUS = 202,
-    /** The impactor's face does not reach past the sides of the anvil. */
+    /** The impactor's face is narrower than two cells of the mesh. */
     SOFTANVIL_STATUS_FACE_TOO_SMALL = 203,
     /** The element size asks for more cells than a mesh may have. */
     SOFTANVIL_STATUS_TOO_MANY_CELLS = 204,
@@ -125,6 +125,8 @@ enum SoftanvilStatus
     SOFTANVIL_STATUS_SOFTENING = 220,
     /** The coefficients of a compressible law give no positive bulk modulus at rest. */
     SOFTANVIL_STATUS_BULK_MODULUS = 221,
+    /** The formulation of the section cannot have a face of this shape. */
+    SOFTANVIL_STATUS_FACE_OF_FORMULATION = 215,
     /** An element turned inside out or is no longer finite. */
     SOFTANVIL_STATUS_INVERTED = 300,
     /** The time step is above the current stability limit of an element. */
@@ -252,7 +254,7 @@ enum SoftanvilParameter {
     SOFTANVIL_PARAMETER_IMPACTOR_MOTION = 6,
     /** impactor.mass, kg, from 0.001 to 10000: mass of the impactor. */
     SOFTANVIL_PARAMETER_IMPACTOR_MASS = 7,
-    /** impactor.face_diameter, m, from 0.001 to 10: diameter of the flat face; its chord is the thickness of a round section in plane strain. */
+    /** impactor.face_diameter, m, from 0.001 to 10: diameter of a round face, a sphere or a bar; the chord of a round face that covers a round section is its thickness in plane strain, and a narrower one counts as a rectangle of its area and width. */
     SOFTANVIL_PARAMETER_IMPACTOR_FACE_DIAMETER = 8,
     /** impactor.offset, m, from -1 to 1: distance of the face's centre from the centre line, to the right (full section). */
     SOFTANVIL_PARAMETER_IMPACTOR_OFFSET = 9,
@@ -297,7 +299,17 @@ enum SoftanvilParameter {
     /** measurement.force_threshold, N, from 0 to 1e5: force that begins and ends the impact duration. */
     SOFTANVIL_PARAMETER_MEASUREMENT_FORCE_THRESHOLD = 29,
     /** measurement.channel_class, Hz, from 1 to 2000: channel frequency class (SAE J211, ISO 6487) of contact.force_filtered, such as 60, 180, 600 or 1000. */
-    SOFTANVIL_PARAMETER_MEASUREMENT_CHANNEL_CLASS = 30
+    SOFTANVIL_PARAMETER_MEASUREMENT_CHANNEL_CLASS = 30,
+    /** impactor.shape, a SoftanvilImpactorShape: a flat disc, a flat rectangle, a ball (axisymmetric) or a round bar along the anvil (plane strain). */
+    SOFTANVIL_PARAMETER_IMPACTOR_SHAPE = 31,
+    /** impactor.face_width, m, from 0.001 to 10: width of a rectangular face across the section. */
+    SOFTANVIL_PARAMETER_IMPACTOR_FACE_WIDTH = 32,
+    /** impactor.face_length, m, from 0.001 to 10: length of a rectangular face or of a bar along the anvil: the thickness of the section in plane strain, up to geometry.length; over a dome a rectangular face counts as a disc of its area. */
+    SOFTANVIL_PARAMETER_IMPACTOR_FACE_LENGTH = 33,
+    /** impactor.rail_friction, N, from 0 to 1e5: friction of the rails that guide the falling mass: against its motion, and what holds it at rest. */
+    SOFTANVIL_PARAMETER_IMPACTOR_RAIL_FRICTION = 34,
+    /** impactor.rail_damping, N.s/m, from 0 to 1e6: force of the rails against the motion, over the speed. */
+    SOFTANVIL_PARAMETER_IMPACTOR_RAIL_DAMPING = 35
 };
 
 /** Parameters of a layer, to be given to SOFTANVIL_PARAMETER_OF_LAYER: name, unit, legal range, meaning. */
@@ -457,6 +469,14 @@ enum SoftanvilImpactorMotion {
     SOFTANVIL_IMPACTOR_MOTION_PRESCRIBED = 2
 };
 
+/** impactor.shape: a flat disc, a flat rectangle, a ball (axisymmetric) or a round bar along the anvil (plane strain). */
+enum SoftanvilImpactorShape {
+    SOFTANVIL_IMPACTOR_SHAPE_ROUND = 0,
+    SOFTANVIL_IMPACTOR_SHAPE_RECTANGULAR = 1,
+    SOFTANVIL_IMPACTOR_SHAPE_SPHERE = 2,
+    SOFTANVIL_IMPACTOR_SHAPE_BAR = 3
+};
+
 /** impactor.drop_by: which of the next three states the drop. */
 enum SoftanvilImpactorDropBy {
     SOFTANVIL_IMPACTOR_DROP_BY_HEIGHT = 0,
@@ -570,6 +590,8 @@ enum SoftanvilOutput {
     SOFTANVIL_OUTPUT_RESULT_COMPLETE = 30,
     /** energy.softening, J: energy dissipated by softening. */
     SOFTANVIL_OUTPUT_ENERGY_SOFTENING = 100
+    /** energy.guide, J: energy dissipated on the rails of the impactor. */
+    SOFTANVIL_OUTPUT_ENERGY_GUIDE = 120
 };
 
 /** Fields of a simulation: name, unit, components, meaning. */

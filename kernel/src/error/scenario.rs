@@ -90,13 +90,25 @@ pub enum ScenarioError {
         /// r of the softening.
         r: Real,
     },
-    /// The face does not cover the anvil, so the chord thickness ends inside the section.
-    #[error("impactor.face_diameter = {} m is refused: expected at least {} m over this anvil", Decimal(*diameter), Decimal(*minimum))]
+    /// The face is narrower than two cells, of which none may be under it.
+    #[error("{name} = {} m is refused: expected at least {} m on this mesh", Decimal(*width), Decimal(*minimum))]
     FaceTooSmall {
-        /// Diameter of the face, m.
-        diameter: Real,
-        /// Smallest legal diameter for this anvil, m.
+        /// Name of the parameter that says how wide it is.
+        name: &'static str,
+        /// What that says, m.
+        width: Real,
+        /// Smallest legal value, m.
         minimum: Real,
+    },
+    /// A face that the formulation cannot have.
+    #[error("impactor.shape = {shape} is refused: expected {expected} with geometry.formulation = {formulation}")]
+    FaceOfFormulation {
+        /// Label of the face's shape.
+        shape: &'static str,
+        /// What the formulation can have instead.
+        expected: &'static str,
+        /// Label of the formulation.
+        formulation: &'static str,
     },
     /// A full section of a body of revolution.
     #[error("geometry.section = full is refused: expected half with an axisymmetric formulation")]

@@ -7,7 +7,7 @@ use crate::model::Size;
 use crate::number::math;
 use crate::number::real::{self, Real};
 use crate::sampling::SAMPLING_RATE;
-use crate::scenario::{MAX_LAYERS, Scenario};
+use crate::scenario::{MAX_LAYERS, Outline, Scenario};
 
 /// The scalar constants of a model.
 ///
@@ -43,6 +43,8 @@ pub struct Constants {
     pub laws: [MaterialModel; MAX_LAYERS],
     /// Forces of the whole anvil per force of the meshed section: 2 in plane strain, which meshes one half.
     pub symmetry_factor: Real,
+    /// The face of the impactor in the section.
+    pub outline: Outline,
     /// Height of the undeformed anvil's top above the origin, m.
     pub top_height: Real,
     /// Fingerprint of the scenario and of the positions of the nodes at rest, which a snapshot must match.
@@ -63,6 +65,13 @@ impl Constants {
     /// Mass of the impactor that belongs to the meshed section, kg.
     pub fn section_mass(&self) -> Real {
         self.scenario.impactor.mass / self.symmetry_factor
+    }
+
+    /// Mass that a force on a falling impactor moves within a step, kg: with the damping of its rails, which takes the velocity
+    /// at the end of it.
+    pub(crate) fn moved_mass(&self) -> Real {
+        let impactor = &self.scenario.impactor;
+        impactor.mass + self.dt * impactor.rail_damping
     }
 
     /// Material model of a block of cells.

@@ -8,7 +8,7 @@ pub use chosen::*;
 #[cfg(not(feature = "single"))]
 mod chosen {
     pub use core::f64::consts;
-    pub use libm::{ceil, cos, exp, expm1 as exp_m1, log as ln, round, sin, sqrt};
+    pub use libm::{asin, ceil, cos, exp, expm1 as exp_m1, log as ln, round, sin, sqrt};
 
     /// A floating-point number.
     pub type Real = f64;
@@ -107,8 +107,8 @@ mod chosen {
 mod chosen {
     pub use core::f32::consts;
     pub use libm::{
-        ceilf as ceil, cosf as cos, expf as exp, expm1f as exp_m1, logf as ln, roundf as round, sinf as sin,
-        sqrtf as sqrt,
+        asinf as asin, ceilf as ceil, cosf as cos, expf as exp, expm1f as exp_m1, logf as ln, roundf as round,
+        sinf as sin, sqrtf as sqrt,
     };
 
     /// A floating-point number.

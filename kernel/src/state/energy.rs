@@ -26,7 +26,7 @@ use crate::number::pack::sum;
 use crate::number::real::Real;
 use crate::scenario::Motion;
 
-/// Numbers of an [`EnergyBalance`] in a snapshot.
+/// Numbers of an [`EnergyBalance`] in every snapshot; [`EnergyBalance::guide`] is in those of a mass on rails.
 pub(crate) const ENERGY_WORDS: usize = 18;
 
 /// Energies of the whole anvil and impactor at the end of the last step, J.
@@ -52,6 +52,8 @@ pub struct EnergyBalance {
     pub friction: Real,
     /// Energy lost in catching nodes at the face and on the core.
     pub contact: Real,
+    /// Energy dissipated on the rails of a falling impactor.
+    pub guide: Real,
     /// Energy brought in: kinetic energy at the start, work of gravity and of the external force, or the work of the
     /// drive.
     pub external: Real,
@@ -85,6 +87,7 @@ impl EnergyBalance {
         softening: 0.0,
         friction: 0.0,
         contact: 0.0,
+        guide: 0.0,
         external: 0.0,
         at_forces: AtForces {
             kinetic: 0.0,
@@ -118,11 +121,12 @@ impl EnergyBalance {
             + self.tear
             + self.softening
             + self.friction
-            + self.contact;
+            + self.contact
+            + self.guide;
         self.external - found
     }
 
-    /// Every number, for snapshots.
+    /// Every number but that of the rails, for snapshots.
     pub(crate) fn words_mut(&mut self) -> [&mut Real; ENERGY_WORDS] {
         let AtForces { kinetic, elastic, viscous, slider_stored, slider_dissipation, tear, softening } =
             &mut self.at_forces;
@@ -158,6 +162,8 @@ pub(crate) struct ContactWork {
     pub contact_dissipation: Real,
     /// Energy lost in sliding, likewise, J.
     pub frictional_dissipation: Real,
+    /// Force of the rails on the whole impactor, N, upwards.
+    pub rail_force: Real,
 }
 
 /// What one step did, on the section.
@@ -200,6 +206,8 @@ impl EnergyBalance {
         self.softening = math::max(self.softening, carried(before.softening, now.softening));
         self.friction += factor * (work.face.frictional_dissipation + work.core.frictional_dissipation);
         self.contact += factor * (work.face.contact_dissipation + work.core.contact_dissipation);
+        let [before, after] = work.impactor_velocity;
+        self.guide -= work.face.rail_force * (0.5 * model.constants.dt * (before + after));
         self.external += external_work(model, work);
         if work.prediction.free {
             let velocity = work.impactor.velocity;
