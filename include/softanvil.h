@@ -121,12 +121,12 @@ enum SoftanvilStatus
     SOFTANVIL_STATUS_NO_EFFECT = 213,
     /** Two values that state the same thing differ from the preset's. */
     SOFTANVIL_STATUS_CONTRADICTION = 214,
+    /** The formulation of the section cannot have a face of this shape. */
+    SOFTANVIL_STATUS_FACE_OF_FORMULATION = 215,
     /** The r of a layer's softening is below 1. */
     SOFTANVIL_STATUS_SOFTENING = 220,
     /** The coefficients of a compressible law give no positive bulk modulus at rest. */
     SOFTANVIL_STATUS_BULK_MODULUS = 221,
-    /** The formulation of the section cannot have a face of this shape. */
-    SOFTANVIL_STATUS_FACE_OF_FORMULATION = 215,
     /** An element turned inside out or is no longer finite. */
     SOFTANVIL_STATUS_INVERTED = 300,
     /** The time step is above the current stability limit of an element. */
@@ -589,7 +589,7 @@ enum SoftanvilOutput {
     /** result.complete: 1 once the face has touched and is clear of the layer for a whole sampling interval; at 0 the other results are those so far. */
     SOFTANVIL_OUTPUT_RESULT_COMPLETE = 30,
     /** energy.softening, J: energy dissipated by softening. */
-    SOFTANVIL_OUTPUT_ENERGY_SOFTENING = 100
+    SOFTANVIL_OUTPUT_ENERGY_SOFTENING = 100,
     /** energy.guide, J: energy dissipated on the rails of the impactor. */
     SOFTANVIL_OUTPUT_ENERGY_GUIDE = 120
 };
