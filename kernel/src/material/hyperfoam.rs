@@ -299,5 +299,5 @@ const fn alpha(name: &'static str, of: &'static str, start: Real, plausible: (Re
 
 const fn nu(name: &'static str, of: &'static str) -> Coefficient {
     const MEANING: &str = "hyperfoam Poisson's ratio of the term, beta = nu/(1 - 2 nu)";
-    Coefficient::shape(name, of, (0.0, 0.45), 0.0, (0.0, 0.3), MEANING)
+    Coefficient::shape(name, of, (0.0, 0.499), 0.0, (0.0, 0.3), MEANING)
 }

@@ -1,7 +1,8 @@
 //! The hyperelastic laws, and what they answer in the three tests.
 //!
 //! The stress of a law is the kernel's ([`stress`]), and so is what it says of its coefficients: a law stands once. [`linear`]
-//! fits those that are linear in all of them, [`separable`] those that are not, but for [`ogden`], whose exponents have many minima;
+//! fits those that are linear in all of them, [`separable`] those that are not, but for [`ogden`], whose exponents have many minima,
+//! and [`foam`], which changes its volume; [`parts`] tells the tests apart that residuals are told for,
 //! [`statistics`] says how well, [`profile`] whether its errors can be believed, [`degeneracy`] whether the coefficients mean
 //! anything, [`stability`] over which stretches they are stable; [`fit`] does all of it for every law, and [`ranking`]
 //! compares. [`volume`] is what a specimen does that the laws are fitted without.
@@ -12,6 +13,7 @@ pub mod foam;
 pub mod interval;
 pub mod linear;
 pub mod ogden;
+pub mod parts;
 pub mod profile;
 pub mod ranking;
 pub mod separable;
@@ -120,8 +122,13 @@ pub struct Law {
     pub parameters: &'static [Coefficient],
 }
 
-/// Every law, by its family and number of parameters, as the kernel describes them.
-pub static LAWS: LazyLock<Vec<Law>> = LazyLock::new(|| {
+/// Every law of a constant volume, by its family and number of parameters, as the kernel describes them.
+pub static LAWS: LazyLock<Vec<Law>> = LazyLock::new(|| listed(false));
+
+/// Every law that says how the volume changes, likewise.
+pub static FOAMS: LazyLock<Vec<Law>> = LazyLock::new(|| listed(true));
+
+fn listed(compressible: bool) -> Vec<Law> {
     let of_law = |family: &'static ElasticLaw| {
         let description = family.description();
         description.variants.iter().map(|variant| Law {
@@ -131,14 +138,18 @@ pub static LAWS: LazyLock<Vec<Law>> = LazyLock::new(|| {
             parameters: &description.coefficients[..variant.n_coefficient],
         })
     };
-    // A specimen is taken to keep its volume.
-    ElasticLaw::ALL.iter().filter(|law| !law.description().compressible).flat_map(of_law).collect()
-});
+    ElasticLaw::ALL.iter().filter(|law| law.description().compressible == compressible).flat_map(of_law).collect()
+}
 
 impl Law {
     /// The law called `name`.
     pub fn find(name: &str) -> Option<&'static Self> {
-        LAWS.iter().find(|law| law.name == name)
+        LAWS.iter().chain(FOAMS.iter()).find(|law| law.name == name)
+    }
+
+    /// Whether it says how the volume changes.
+    pub fn is_compressible(&self) -> bool {
+        self.family.description().compressible
     }
 
     /// Whether the stress is linear in every parameter.

@@ -1,6 +1,6 @@
 //! Nominal stress of the kernel's laws in the tests.
 //!
-//! The free direction carries no stress, so the loaded one carries P = (tau_loaded - tau_free) / l, in which the
+//! Of a law of constant volume the free direction carries no stress, so the loaded one carries P = (tau_loaded - tau_free) / l, in which the
 //! pressure of the incompressible specimen drops out.
 
 use softanvil_kernel::material::Elastic;
@@ -44,12 +44,52 @@ pub fn kirchhoff(elastic: &Elastic, [x, y, z]: [f64; 3]) -> [f64; 3] {
 
 /// Nominal stress, Pa, at each of `points` (stretches of the loaded direction, or amounts of shear).
 pub fn nominal(elastic: &Elastic, mode: Mode, points: &[f64]) -> Vec<f64> {
+    if elastic.is_compressible() {
+        return points.iter().map(|l| whole(elastic, mode, *l)).collect();
+    }
     // The free direction, or the short one of a shear, is the second in all tests.
     let at = |&l: &f64| {
         let tau = kirchhoff(elastic, stretches(mode, l));
         (tau[0] - tau[1]) / divisor(mode, l)
     };
     points.iter().map(at).collect()
+}
+
+/// Nominal stress, Pa, of a law that says how the volume changes; NaN where no free stretch is found.
+fn whole(elastic: &Elastic, mode: Mode, l: f64) -> f64 {
+    let Some(stretches) = free_stretches(elastic, mode, l) else { return f64::NAN };
+    let tau = elastic.principal_stress(stretches);
+    (tau[0] - tau[1]) / divisor(mode, l)
+}
+
+/// Halvings of the strains between which a free one is looked for: to the last digit.
+const HALVINGS: usize = 64;
+/// By how much these strains reach further than those of any isotropic solid.
+const BEYOND: f64 = 0.01;
+
+/// The principal stretches of the test at `l`, the free ones such that they carry no stress.
+///
+/// A free strain is between that of a constant volume and, with a negative Poisson's ratio, that of an alike direction.
+fn free_stretches(elastic: &Elastic, mode: Mode, l: f64) -> Option<[f64; 3]> {
+    let incompressible = stretches(mode, l);
+    if mode == Mode::SimpleShear {
+        return Some(incompressible);
+    }
+    let at = |strain: f64| {
+        let free = strain.exp();
+        [l, free, if mode == Mode::Uniaxial { free } else { incompressible[2] }]
+    };
+    let stress = |strain: f64| elastic.principal_stress(at(strain))[1];
+    let ends = [incompressible[1].ln(), l.ln()];
+    let [mut low, mut high] = [ends[0].min(ends[1]) - BEYOND, ends[0].max(ends[1]) + BEYOND];
+    if !(stress(low) < 0.0 && stress(high) > 0.0) {
+        return None;
+    }
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (low + high);
+        if stress(middle) < 0.0 { low = middle } else { high = middle }
+    }
+    Some(at(0.5 * (low + high)))
 }
 
 /// Nominal stress of the law at every point of `data`, Pa.

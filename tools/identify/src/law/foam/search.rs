@@ -40,11 +40,11 @@ const NUS: [f64; 4] = [0.02, 0.25, 0.5, 0.8];
 /// Exponents of a term that is added to the law of one term less.
 const ADDED: [f64; 3] = [-4.0, 4.0, 16.0];
 /// Starts that are refined.
-const REFINED: usize = 24;
+const REFINED: usize = 16;
 /// Refined starts that are finished on all points.
-const FINISHED: usize = 5;
+const FINISHED: usize = 3;
 /// Points of which starts are judged, at most.
-const START_POINTS: usize = 150;
+const START_POINTS: usize = 100;
 /// A state without a free stretch counts as a residual of so many times the largest stress.
 const LOST: f64 = 10.0;
 

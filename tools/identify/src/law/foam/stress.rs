@@ -117,7 +117,9 @@ impl State {
         match self.free {
             Free::Known(strain) => Some((strain, 0.0)),
             Free::Stressless(count) => {
-                Some((stressless(terms, self.held, count, -mean_ratio(terms) * self.loaded)?, count))
+                // That of a constant volume, and that of a loaded direction.
+                let ends = [-self.held / count, self.loaded];
+                Some((stressless(terms, self.held, count, ends)?, count))
             }
         }
     }
@@ -159,38 +161,50 @@ impl State {
     }
 }
 
-/// Poisson's ratio of the whole at rest, about: a start.
-fn mean_ratio(terms: &[Term]) -> f64 {
-    let sum: f64 = terms.iter().map(|term| term.mu.abs()).sum();
-    let weighted: f64 = terms.iter().map(|term| term.mu.abs() * term.nu).sum();
-    if sum > 0.0 { weighted / sum } else { 0.0 }
+/// Steps at most of a search whose halvings alone come to the last digit.
+const STEPS: usize = 120;
+/// Change of a logarithmic strain that ends the search.
+const TOLERANCE: f64 = 1e-14;
+/// By how much the search reaches beyond the strains between which that of any isotropic solid is.
+const BEYOND: f64 = 0.01;
+
+/// Newton's next change at the end of a search that found a strain without stress, at most.
+const SOLVED: f64 = 1e-9;
+
+/// A strain between those of a constant volume and of a loaded direction, as far from 0 as Poisson's ratios say.
+fn start(terms: &[Term], [constant, _]: [f64; 2]) -> f64 {
+    let sum = |of: fn(&Term) -> f64| terms.iter().map(of).sum::<f64>();
+    let (whole, weighted) = (sum(|term| term.mu), sum(|term| term.mu * term.nu));
+    if whole > 0.0 { 2.0 * weighted / whole * constant } else { 0.5 * constant }
 }
 
-/// Newton steps at most; of a stable law some five are enough.
-const STEPS: usize = 60;
-/// Change of a logarithmic strain that ends the search, and the largest that a step makes.
-const TOLERANCE: f64 = 1e-13;
-/// See [`TOLERANCE`].
-const LARGEST_STEP: f64 = 0.5;
-/// A free direction is not looked for beyond this logarithmic strain.
-const FARTHEST: f64 = 8.0;
-
-/// The logarithmic strain at which `count` alike directions carry no stress beside the volume `held`; none if the search, which
-/// begins at `start`, does not end.
-fn stressless(terms: &[Term], held: f64, count: f64, start: f64) -> Option<f64> {
-    let mut strain = start;
-    for _ in 0..STEPS {
+/// The logarithmic strain at which `count` alike directions carry no stress beside the volume `held`, between `ends`, where a
+/// stress rises with its strain, as with positive moduli; none where it has one sign. By Newton's method, with a halving where
+/// that leaves the bounds or comes on slowly.
+fn stressless(terms: &[Term], held: f64, count: f64, ends: [f64; 2]) -> Option<f64> {
+    let stress = |strain: f64| {
         let slopes = terms.iter().map(|term| term.stress(strain, held + count * strain));
-        let (stress, stiffness) = slopes.fold((0.0, 0.0), |(stress, stiffness), s| {
+        slopes.fold((0.0, 0.0), |(stress, stiffness), s| {
             (stress + s.stress, stiffness + s.by_strain + count * s.by_volume)
-        });
-        let step = (-stress / stiffness).clamp(-LARGEST_STEP, LARGEST_STEP);
-        strain += step;
-        if !(strain.abs() < FARTHEST) {
-            return None;
+        })
+    };
+    let [mut low, mut high] = [ends[0].min(ends[1]) - BEYOND, ends[0].max(ends[1]) + BEYOND];
+    let (mut strain, mut last) = (start(terms, ends), high - low);
+    for _ in 0..STEPS {
+        let (excess, stiffness) = stress(strain);
+        if excess < 0.0 {
+            low = strain
+        } else {
+            high = strain
         }
-        if step.abs() <= TOLERANCE * (1.0 + strain.abs()) {
-            return Some(strain);
+        let newton = strain - excess / stiffness;
+        let goes = newton > low && newton < high && (newton - strain).abs() < 0.5 * last;
+        let next = if goes { newton } else { 0.5 * (low + high) };
+        last = (next - strain).abs();
+        strain = next;
+        if last <= TOLERANCE * (1.0 + strain.abs()) {
+            // At a bound the stress may have one sign.
+            return Some(strain).filter(|_| (newton - strain).abs() < SOLVED);
         }
     }
     None
