@@ -254,7 +254,7 @@ impl SoftanvilScenario {
         for parameter in Parameter::all().filter(|parameter| self.knows(*parameter)) {
             changes.set_if_other(parameter, self.slot(parameter))?;
         }
-        changes.apply().map_err(Failure::Scenario)
+        changes.into_scenario().map_err(Failure::Scenario)
     }
 
     /// Nothing changed of the preset. Apart, so that the preset leaves the stack.
