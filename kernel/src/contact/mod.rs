@@ -2,6 +2,8 @@
 
 pub(crate) mod face;
 mod friction;
+mod node;
 mod node_row;
 pub(crate) mod rigid_core;
+mod rounded_face;
 pub mod surface;

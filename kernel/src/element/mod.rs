@@ -7,6 +7,9 @@ mod history;
 pub mod internal_force;
 mod reference_triangle;
 mod response;
+mod viscous_history;
+pub(crate) mod whole_bound;
+mod whole_response;
 
 pub(crate) use cell::Edges;
 pub use cell::{Block, CellConstants, Corners, HoopConstants, TriangleConstants};

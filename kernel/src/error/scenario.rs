@@ -66,6 +66,14 @@ pub enum ScenarioError {
         /// Its shear modulus at rest, Pa.
         modulus: Real,
     },
+    /// A compressible law has no positive bulk modulus at rest.
+    #[error("layers[{layer}]: the coefficients of the law give a bulk modulus of {} Pa: expected above 0 Pa", Decimal(*modulus))]
+    BulkModulus {
+        /// The layer, counted from the core.
+        layer: usize,
+        /// Its bulk modulus at rest, Pa.
+        modulus: Real,
+    },
     /// The material would be torn before the test.
     #[error("layers[{layer}].tear_stretch = {} is refused: expected 0 (off) or at least 1", Decimal(*stretch))]
     TearStretch {
@@ -74,13 +82,33 @@ pub enum ScenarioError {
         /// Stretch at which it begins to tear.
         stretch: Real,
     },
-    /// The face does not cover the anvil, so the chord thickness ends inside the section.
-    #[error("impactor.face_diameter = {} m is refused: expected at least {} m over this anvil", Decimal(*diameter), Decimal(*minimum))]
+    /// The stress would turn round in softening.
+    #[error("layers[{layer}].softening_r = {} is refused: expected 0 (off) or at least 1", Decimal(*r))]
+    Softening {
+        /// The layer, counted from the core.
+        layer: usize,
+        /// r of the softening.
+        r: Real,
+    },
+    /// The face is narrower than two cells, of which none may be under it.
+    #[error("{name} = {} m is refused: expected at least {} m on this mesh", Decimal(*width), Decimal(*minimum))]
     FaceTooSmall {
-        /// Diameter of the face, m.
-        diameter: Real,
-        /// Smallest legal diameter for this anvil, m.
+        /// Name of the parameter that says how wide it is.
+        name: &'static str,
+        /// What that says, m.
+        width: Real,
+        /// Smallest legal value, m.
         minimum: Real,
+    },
+    /// A face that the formulation cannot have.
+    #[error("impactor.shape = {shape} is refused: expected {expected} with geometry.formulation = {formulation}")]
+    FaceOfFormulation {
+        /// Label of the face's shape.
+        shape: &'static str,
+        /// What the formulation can have instead.
+        expected: &'static str,
+        /// Label of the formulation.
+        formulation: &'static str,
     },
     /// A full section of a body of revolution.
     #[error("geometry.section = full is refused: expected half with an axisymmetric formulation")]

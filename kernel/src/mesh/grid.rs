@@ -9,16 +9,17 @@
 use core::ops::Range;
 
 use crate::error::ModelError;
+use crate::mesh::columns::{MAX_PIECES, Piece, pieces};
 use crate::number::math;
 use crate::number::pack::LANES;
 use crate::number::real::Real;
-use crate::scenario::{Formulation, Layer, MAX_LAYERS, Scenario, Section, Shape};
+use crate::scenario::{Formulation, Layer, MAX_LAYERS, Scenario, Section};
 
 /// Largest number of cells of a mesh.
 pub const MAX_CELLS: usize = 1 << 20;
 
 /// Counts and strides of the structured mesh.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Grid {
     /// Cells along a row, outwards from the centre line or, in a full section, from left to right.
     pub n_u: usize,
@@ -28,6 +29,8 @@ pub struct Grid {
     pub n_v: usize,
     /// Row that ends each layer: the first of the next one. Layers that the scenario does not have end with the last.
     pub layer_end: [usize; MAX_LAYERS],
+    /// How the columns of half the section are spread, from the centre line to the side; the last ones are alike.
+    pub pieces: [Piece; MAX_PIECES],
     /// Whether the section turns about its centre line.
     pub axisymmetric: bool,
 }
@@ -39,19 +42,15 @@ impl Grid {
     /// An element size that asks for more than [`MAX_CELLS`] cells.
     pub fn new(scenario: &Scenario) -> Result<Self, ModelError> {
         let geometry = &scenario.geometry;
-        let width = match geometry.shape {
-            Shape::Round => HALF_PI * (geometry.core_radius + 0.5 * scenario.thickness()),
-            Shape::Block => 0.5 * geometry.block_width,
-        };
         let element_size = scenario.mesh.element_size;
-        let columns = cells_along(width, element_size);
+        let pieces = pieces(scenario);
+        let half = pieces[MAX_PIECES - 1].end;
         let rows = scenario.layers.iter().fold(0.0, |sum, layer| sum + layer_rows(layer, element_size) as Real);
         let halves = if geometry.section == Section::Full { 2.0 } else { 1.0 };
-        let cells = halves * columns * rows;
+        let cells = halves * half as Real * rows;
         if cells > MAX_CELLS as Real {
             return Err(ModelError::TooManyCells { cells, max: MAX_CELLS });
         }
-        let half = columns as usize;
         let mut n_v = 0;
         let mut layers = scenario.layers.iter();
         let layer_end = [(); MAX_LAYERS].map(|()| {
@@ -60,8 +59,8 @@ impl Grid {
         });
         let axisymmetric = geometry.formulation == Formulation::Axisymmetric;
         Ok(match geometry.section {
-            Section::Half => Self { n_u: half, centre: 0, n_v, layer_end, axisymmetric },
-            Section::Full => Self { n_u: 2 * half, centre: half, n_v, layer_end, axisymmetric },
+            Section::Half => Self { n_u: half, centre: 0, n_v, layer_end, pieces, axisymmetric },
+            Section::Full => Self { n_u: 2 * half, centre: half, n_v, layer_end, pieces, axisymmetric },
         })
     }
 
@@ -91,6 +90,33 @@ impl Grid {
     pub fn layer_of_block(&self, block: usize) -> usize {
         let per_row = self.blocks_per_row();
         self.layer_end.iter().take(MAX_LAYERS - 1).filter(|end| per_row * **end <= block).count()
+    }
+
+    /// The node of column `u` that is at the surface.
+    pub fn surface_node(&self, u: usize) -> usize {
+        self.n_v * self.stride() + u
+    }
+
+    /// Where the column `u` of nodes stands: 0 on the centre line, 1 at the right side, -1 at the left one.
+    pub fn across(&self, u: usize) -> Real {
+        let column = u as Real - self.centre as Real;
+        let from_centre = u.abs_diff(self.centre);
+        let mut start = Piece { end: 0, across: 0.0 };
+        for piece in self.pieces {
+            if from_centre <= piece.end {
+                let (columns, width) = ((piece.end - start.end) as Real, piece.across - start.across);
+                let within = math::abs(column) - start.end as Real;
+                // Of one piece a part of its columns and no more, which rounds once.
+                let across = if start.end == 0 && piece.across == 1.0 {
+                    within / columns
+                } else {
+                    start.across + width * (within / columns)
+                };
+                return if column < 0.0 { -across } else { across };
+            }
+            start = piece;
+        }
+        1.0
     }
 
     /// Nodes from one row to the next, padding included: whole lanes, and one node more than cells.
@@ -128,10 +154,8 @@ impl Grid {
     }
 }
 
-const HALF_PI: Real = crate::number::real::consts::FRAC_PI_2;
-
 /// Cells of about `size` m along `length` m, at least one.
-fn cells_along(length: Real, size: Real) -> Real {
+pub(super) fn cells_along(length: Real, size: Real) -> Real {
     math::max(1.0, math::round(length / size))
 }
 

@@ -7,7 +7,7 @@ use crate::model::Size;
 use crate::number::math;
 use crate::number::real::{self, Real};
 use crate::sampling::SAMPLING_RATE;
-use crate::scenario::{MAX_LAYERS, Scenario};
+use crate::scenario::{MAX_LAYERS, Outline, Scenario};
 
 /// The scalar constants of a model.
 ///
@@ -43,6 +43,8 @@ pub struct Constants {
     pub laws: [MaterialModel; MAX_LAYERS],
     /// Forces of the whole anvil per force of the meshed section: 2 in plane strain, which meshes one half.
     pub symmetry_factor: Real,
+    /// The face of the impactor in the section.
+    pub outline: Outline,
     /// Height of the undeformed anvil's top above the origin, m.
     pub top_height: Real,
     /// Fingerprint of the scenario and of the positions of the nodes at rest, which a snapshot must match.
@@ -65,6 +67,13 @@ impl Constants {
         self.scenario.impactor.mass / self.symmetry_factor
     }
 
+    /// Mass that a force on a falling impactor moves within a step, kg: with the damping of its rails, which takes the velocity
+    /// at the end of it.
+    pub(crate) fn moved_mass(&self) -> Real {
+        let impactor = &self.scenario.impactor;
+        impactor.mass + self.dt * impactor.rail_damping
+    }
+
     /// Material model of a block of cells.
     pub fn laws_of(&self, block: usize) -> &MaterialModel {
         let [first, second, third, fourth] = &self.laws;
@@ -77,8 +86,8 @@ impl Constants {
     }
 
     /// Entries of viscous history per triangle: those of the layer that has more.
-    pub fn n_term(&self) -> usize {
-        self.laws.iter().fold(0, |most, laws| most.max(laws.n_term()))
+    pub fn n_history_entry(&self) -> usize {
+        self.laws.iter().fold(0, |most, laws| most.max(laws.n_history_entry()))
     }
 
     /// Simulated time after `step_index` steps, s: whole sampling intervals and the steps beyond them.

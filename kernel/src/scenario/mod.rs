@@ -1,15 +1,19 @@
 //! The description of a test: what a user says, the table of its parameters, ready-made ones.
 
 mod description;
+mod impactor;
 mod layer;
 mod layers;
+mod outline;
 pub mod parameter;
 pub mod prescribed;
 pub mod preset;
 mod validation;
 
 pub use description::{
-    CoreInterface, DropBy, FaceInterface, Formulation, Geometry, Impactor, Interface, MAX_INTERFACES, Measurement,
-    Mesh, Motion, Scenario, Section, Shape, StepBy, Time,
+    CoreInterface, FaceInterface, Formulation, Geometry, Interface, MAX_INTERFACES, Measurement, Mesh, Scenario,
+    Section, Shape, StepBy, Time,
 };
+pub use impactor::{DropBy, FaceShape, Impactor, Motion};
 pub use layer::{Layer, LayerInterface, MAX_LAYER_NAME, MAX_LAYERS};
+pub use outline::{EDGE_RADIUS, Outline};

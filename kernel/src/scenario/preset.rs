@@ -8,8 +8,8 @@ use crate::material::{
 use crate::number::real::Real;
 use crate::sampling::SAMPLING_INTERVAL;
 use crate::scenario::{
-    CoreInterface, DropBy, FaceInterface, Formulation, Geometry, Impactor, Interface, Layer, MAX_LAYERS, Measurement,
-    Mesh, Motion, Scenario, Section, Shape, StepBy, Time,
+    CoreInterface, DropBy, FaceInterface, FaceShape, Formulation, Geometry, Impactor, Interface, Layer, MAX_LAYERS,
+    Measurement, Mesh, Motion, Scenario, Section, Shape, StepBy, Time,
 };
 
 /// A scenario with a name.
@@ -141,10 +141,15 @@ pub fn study() -> Scenario {
         impactor: Impactor {
             motion: Motion::Drop,
             mass: 5.0,
+            shape: FaceShape::Round,
             face_diameter: 130e-3,
+            face_width: 40e-3,
+            face_length: 30e-3,
             offset: 0.0,
             gap: 2e-3,
             gravity: 9.81,
+            rail_friction: 0.0,
+            rail_damping: 0.0,
             drop_by: DropBy::Energy,
             drop_height: 0.0,
             drop_energy: 14.7,
@@ -254,6 +259,9 @@ pub fn elastic_silicone() -> Material {
         tear_stretch: 0.0,
         tear_width: 0.1,
         tear_residual: 0.0,
+        softening_r: 0.0,
+        softening_m: 1e3,
+        softening_beta: 0.1,
     }
 }
 

@@ -1,10 +1,10 @@
 //! What a scenario has to be: each value in its range, and all of them together.
 
 use crate::error::ScenarioError;
-use crate::number::math;
 use crate::number::real::Real;
+use crate::number::real::consts::PI;
 use crate::scenario::parameter::Parameter;
-use crate::scenario::{Formulation, Layer, Scenario, Section, Shape};
+use crate::scenario::{FaceShape, Formulation, Layer, Scenario, Section};
 
 impl Scenario {
     /// Checks every parameter against its legal range, then what several parameters say together.
@@ -25,20 +25,41 @@ impl Scenario {
 
     fn validate_geometry(&self) -> Result<(), ScenarioError> {
         let geometry = &self.geometry;
-        let outer = geometry.core_radius + self.thickness();
-        let chord_ends = geometry.shape == Shape::Round && geometry.formulation == Formulation::PlaneStrain;
-        let reach = FACE_MARGIN * outer + math::abs(self.impactor.offset);
         if geometry.section == Section::Full && geometry.formulation == Formulation::Axisymmetric {
             return Err(ScenarioError::FullAxisymmetric);
         }
         if geometry.section == Section::Half && self.impactor.offset != 0.0 {
             return Err(ScenarioError::OffsetOfHalf { offset: self.impactor.offset });
         }
-        if chord_ends && 0.5 * self.impactor.face_diameter < reach {
-            let minimum = 2.0 * reach;
-            return Err(ScenarioError::FaceTooSmall { diameter: self.impactor.face_diameter, minimum });
+        self.validate_face()
+    }
+
+    fn validate_face(&self) -> Result<(), ScenarioError> {
+        let (impactor, size) = (&self.impactor, self.mesh.element_size);
+        let refused =
+            |shape, expected, formulation| Err(ScenarioError::FaceOfFormulation { shape, expected, formulation });
+        match (self.geometry.formulation, impactor.shape) {
+            (Formulation::PlaneStrain, FaceShape::Sphere) => {
+                return refused("sphere", "round, rectangular or bar", "plane_strain");
+            }
+            (Formulation::Axisymmetric, FaceShape::Bar) => {
+                return refused("bar", "round, rectangular or sphere", "axisymmetric");
+            }
+            _ => {}
         }
-        Ok(())
+        if self.face_half_width() >= size {
+            return Ok(());
+        }
+        let (name, width, minimum) = match (impactor.shape, self.geometry.formulation) {
+            (FaceShape::Rectangular, Formulation::PlaneStrain) => {
+                ("impactor.face_width", impactor.face_width, 2.0 * size)
+            }
+            (FaceShape::Rectangular, Formulation::Axisymmetric) => {
+                ("impactor.face_width", impactor.face_width, PI * size * size / impactor.face_length)
+            }
+            _ => ("impactor.face_diameter", impactor.face_diameter, 2.0 * size),
+        };
+        Err(ScenarioError::FaceTooSmall { name, width, minimum })
     }
 }
 
@@ -55,6 +76,14 @@ impl Layer {
         if modulus <= 0.0 {
             return Err(ScenarioError::ShearModulus { layer, coefficients: material.law.modulus_at_rest(), modulus });
         }
+        let bulk_modulus = material.effective_bulk_modulus();
+        if material.law.description().compressible && bulk_modulus <= 0.0 {
+            return Err(ScenarioError::BulkModulus { layer, modulus: bulk_modulus });
+        }
+        let r = material.softening_r;
+        if r > 0.0 && r < 1.0 {
+            return Err(ScenarioError::Softening { layer, r });
+        }
         let stretch = material.tear_stretch;
         if stretch > 0.0 && stretch < 1.0 {
             return Err(ScenarioError::TearStretch { layer, stretch });
@@ -65,6 +94,3 @@ impl Layer {
 
 /// Thinnest layer, m: as thin as the smallest element.
 const MIN_THICKNESS: Real = 1e-5;
-
-/// The face's chord is the thickness of the section, so the face must reach past the anvil's side by this factor.
-const FACE_MARGIN: Real = 1.02;

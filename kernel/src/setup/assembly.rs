@@ -12,7 +12,7 @@ use crate::number::real::Real;
 use crate::sampling::SAMPLING_INTERVAL;
 use crate::scenario::parameter::Parameter;
 use crate::scenario::preset::elastic_silicone;
-use crate::scenario::{Formulation, Interface, Scenario, Section};
+use crate::scenario::{Formulation, Interface, Outline, Scenario, Section};
 
 /// Fills `arrays` with the model of `scenario` whose nodes rest at `position(u, v)`, m, and `place` with its constants, for steps
 /// of a sampling interval until [`Constants::set_step`] says otherwise; without a [`fingerprint`]. Apart, so that what it needs leaves the stack.
@@ -44,6 +44,7 @@ pub(crate) fn assemble<'c>(
         channel: channel.map_err(ScenarioError::Parameter)?,
         laws: core::array::from_fn(|_| none.clone()),
         symmetry_factor: symmetry_factor(scenario),
+        outline: Outline::of(scenario),
         top_height: position(grid.centre, grid.n_v)[1],
         fingerprint: 0,
     });

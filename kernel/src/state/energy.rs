@@ -26,8 +26,8 @@ use crate::number::pack::sum;
 use crate::number::real::Real;
 use crate::scenario::Motion;
 
-/// Numbers of an [`EnergyBalance`] in a snapshot.
-pub(crate) const ENERGY_WORDS: usize = 16;
+/// Numbers of an [`EnergyBalance`] in every snapshot; [`EnergyBalance::guide`] is in those of a mass on rails.
+pub(crate) const ENERGY_WORDS: usize = 18;
 
 /// Energies of the whole anvil and impactor at the end of the last step, J.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,10 +46,14 @@ pub struct EnergyBalance {
     pub slider_dissipation: Real,
     /// Energy dissipated by tearing.
     pub tear: Real,
+    /// Energy dissipated by softening.
+    pub softening: Real,
     /// Energy dissipated by friction under the face and on the core.
     pub friction: Real,
     /// Energy lost in catching nodes at the face and on the core.
     pub contact: Real,
+    /// Energy dissipated on the rails of a falling impactor.
+    pub guide: Real,
     /// Energy brought in: kinetic energy at the start, work of gravity and of the external force, or the work of the
     /// drive.
     pub external: Real,
@@ -67,6 +71,7 @@ pub(crate) struct AtForces {
     slider_stored: Real,
     slider_dissipation: Real,
     tear: Real,
+    softening: Real,
 }
 
 impl EnergyBalance {
@@ -79,8 +84,10 @@ impl EnergyBalance {
         slider_stored: 0.0,
         slider_dissipation: 0.0,
         tear: 0.0,
+        softening: 0.0,
         friction: 0.0,
         contact: 0.0,
+        guide: 0.0,
         external: 0.0,
         at_forces: AtForces {
             kinetic: 0.0,
@@ -89,6 +96,7 @@ impl EnergyBalance {
             slider_stored: 0.0,
             slider_dissipation: 0.0,
             tear: 0.0,
+            softening: 0.0,
         },
     };
 
@@ -111,14 +119,17 @@ impl EnergyBalance {
             + self.slider_stored
             + self.slider_dissipation
             + self.tear
+            + self.softening
             + self.friction
-            + self.contact;
+            + self.contact
+            + self.guide;
         self.external - found
     }
 
-    /// Every number, for snapshots.
+    /// Every number but that of the rails, for snapshots.
     pub(crate) fn words_mut(&mut self) -> [&mut Real; ENERGY_WORDS] {
-        let AtForces { kinetic, elastic, viscous, slider_stored, slider_dissipation, tear } = &mut self.at_forces;
+        let AtForces { kinetic, elastic, viscous, slider_stored, slider_dissipation, tear, softening } =
+            &mut self.at_forces;
         [
             &mut self.impactor_kinetic,
             &mut self.layer_kinetic,
@@ -127,6 +138,7 @@ impl EnergyBalance {
             &mut self.slider_stored,
             &mut self.slider_dissipation,
             &mut self.tear,
+            &mut self.softening,
             &mut self.friction,
             &mut self.contact,
             &mut self.external,
@@ -136,6 +148,7 @@ impl EnergyBalance {
             slider_stored,
             slider_dissipation,
             tear,
+            softening,
         ]
     }
 }
@@ -149,6 +162,8 @@ pub(crate) struct ContactWork {
     pub contact_dissipation: Real,
     /// Energy lost in sliding, likewise, J.
     pub frictional_dissipation: Real,
+    /// Force of the rails on the whole impactor, N, upwards.
+    pub rail_force: Real,
 }
 
 /// What one step did, on the section.
@@ -178,6 +193,7 @@ impl EnergyBalance {
             slider_stored: factor * sum(&element.slider_stored),
             slider_dissipation: before.slider_dissipation + factor * sum(&element.slider_increment),
             tear: before.tear + factor * sum(&element.tear_increment),
+            softening: before.softening + factor * sum(&element.softening_increment),
         };
         self.at_forces = now;
         self.layer_kinetic = factor * work.layer_kinetic[1];
@@ -187,8 +203,11 @@ impl EnergyBalance {
         let slid = carried(before.slider_dissipation, now.slider_dissipation);
         self.slider_dissipation = math::max(self.slider_dissipation, slid);
         self.tear = math::max(self.tear, carried(before.tear, now.tear));
+        self.softening = math::max(self.softening, carried(before.softening, now.softening));
         self.friction += factor * (work.face.frictional_dissipation + work.core.frictional_dissipation);
         self.contact += factor * (work.face.contact_dissipation + work.core.contact_dissipation);
+        let [before, after] = work.impactor_velocity;
+        self.guide -= work.face.rail_force * (0.5 * model.constants.dt * (before + after));
         self.external += external_work(model, work);
         if work.prediction.free {
             let velocity = work.impactor.velocity;

@@ -1,6 +1,7 @@
 //! The arrays of the nodes.
 
 use crate::element::Corners;
+use crate::model::NodeArrays;
 use crate::number::pack::{LANES, Pack};
 use crate::number::real::Real;
 use crate::number::vector::{Simd, Vector};
@@ -17,25 +18,29 @@ pub(crate) struct StateNodes<R> {
     pub force: [R; 2],
     /// Contact force on the surface nodes, downwards, N, then friction on them, outwards.
     pub contact: [R; 2],
+    /// Of every surface node under a face that is round or has edges, its depth in it at the end of the step without contact,
+    /// m, and the direction out of the face, to the right and downwards.
+    pub rounding: R,
 }
 
 impl<R> StateNodes<R> {
-    /// The arrays that `row` gives by their lengths, in the order of storage: `n` for one number per node, then `surface`;
-    /// none if there is one that it does not give.
+    /// The arrays that `row` gives by their `lengths`, in the order of storage; none if there is one that it does not give.
     #[inline(always)]
-    pub(crate) fn of(n: usize, surface: usize, mut row: impl FnMut(usize) -> Option<R>) -> Option<Self> {
+    pub(crate) fn of(lengths: &NodeArrays, mut row: impl FnMut(usize) -> Option<R>) -> Option<Self> {
+        let NodeArrays { nodes: n, surface, rounding } = *lengths;
         Some(Self {
             displacement: [row(n)?, row(n)?],
             velocity: [row(n)?, row(n)?],
             force: [row(n)?, row(n)?],
             contact: [row(surface)?, row(surface)?],
+            rounding: row(rounding)?,
         })
     }
 
     /// Every array, in the order of storage.
-    pub(crate) fn all(&mut self) -> [&mut R; 8] {
-        let Self { displacement: [a, b], velocity: [c, d], force: [e, f], contact: [g, h] } = self;
-        [a, b, c, d, e, f, g, h]
+    pub(crate) fn all(&mut self) -> [&mut R; 9] {
+        let Self { displacement: [a, b], velocity: [c, d], force: [e, f], contact: [g, h], rounding } = self;
+        [a, b, c, d, e, f, g, h, rounding]
     }
 }
 
@@ -48,6 +53,7 @@ impl StateNodes<&mut [Real]> {
             velocity: self.velocity.each_ref().map(|row| &**row),
             force: self.force.each_ref().map(|row| &**row),
             contact: self.contact.each_ref().map(|row| &**row),
+            rounding: &*self.rounding,
         }
     }
 

@@ -17,7 +17,7 @@ use crate::tensor::deviator::Deviator;
 /// "SOFTANVL" in ASCII, least significant byte first.
 const MAGIC: u64 = u64::from_le_bytes(*b"SOFTANVL");
 /// Changes with the format.
-const VERSION: u64 = 6;
+const VERSION: u64 = 7;
 const HEADER_WORDS: usize = 4;
 const CHECKSUM_WORDS: usize = 1;
 /// Words of the scalars that are whole numbers.
@@ -36,7 +36,12 @@ pub fn snapshot_size(constants: &Constants) -> usize {
 
 fn payload_words(constants: &Constants) -> usize {
     let size = &constants.size;
-    SCALAR_WORDS + size.state_nodes + size.state_cells * 2 * HISTORY_LANES * LANES + size.state_viscous * 3 * LANES
+    let rails = usize::from(constants.scenario.impactor.has_rails());
+    SCALAR_WORDS
+        + rails
+        + size.state_nodes
+        + size.state_cells * 2 * HISTORY_LANES * LANES
+        + size.state_viscous * 3 * LANES
 }
 
 /// Writes `state` into `bytes`, which has exactly [`snapshot_size`].
@@ -70,7 +75,7 @@ pub fn write_words(model: &Model, state: &StateView, put: &mut dyn FnMut(u64)) -
         put(word);
     };
     [MAGIC, VERSION, model.constants.fingerprint, payload].into_iter().for_each(&mut put_and_digest);
-    read(state, &mut put_and_digest);
+    read(state, model.constants.scenario.impactor.has_rails(), &mut put_and_digest);
     put(digest.value());
     Ok(())
 }
@@ -83,7 +88,7 @@ pub fn restore(model: &Model, state: &mut State, bytes: &[u8]) -> Result<(), Sna
     check_length(model, bytes.len())?;
     check_content(model, bytes)?;
     let mut words = bytes.chunks_exact(8).skip(HEADER_WORDS).map(word_of);
-    visit(state, &mut |word| {
+    visit(state, model.constants.scenario.impactor.has_rails(), &mut |word| {
         if let Some(saved) = words.next() {
             *word = saved;
         }
@@ -136,14 +141,14 @@ fn word_of(chunk: &[u8]) -> u64 {
 /// Digest of everything that a snapshot holds.
 pub fn state_digest(state: &State) -> u64 {
     let mut digest = Digest::new();
-    read(&state.as_view(), &mut |word| digest.word(word));
+    read(&state.as_view(), state.scalars.energy.guide != 0.0, &mut |word| digest.word(word));
     digest.value()
 }
 
 /// Shows every word of the state to `f`, in the order of [`visit`], of which it changes only copies.
-fn read(state: &StateView, f: &mut dyn FnMut(u64)) {
+fn read(state: &StateView, rails: bool, f: &mut dyn FnMut(u64)) {
     let mut scalars = *state.scalars;
-    visit_scalars(&mut scalars, &mut |word| f(*word));
+    visit_scalars(&mut scalars, rails, &mut |word| f(*word));
     let mut nodes = state.nodes;
     for number in nodes.all().into_iter().flat_map(|row| *row) {
         f(real::to_word(*number));
@@ -158,9 +163,10 @@ fn read(state: &StateView, f: &mut dyn FnMut(u64)) {
     }
 }
 
-/// Shows every word of the state to `f`, always in the same order, and takes back what `f` makes of it.
-fn visit(state: &mut State, f: &mut dyn FnMut(&mut u64)) {
-    visit_scalars(state.scalars, f);
+/// Shows every word of the state to `f`, always in the same order, and takes back what `f` makes of it: that of the energy on
+/// `rails` where there are any.
+fn visit(state: &mut State, rails: bool, f: &mut dyn FnMut(&mut u64)) {
+    visit_scalars(state.scalars, rails, f);
     let mut number = |value: &mut Real| {
         let mut bits = real::to_word(*value);
         f(&mut bits);
@@ -191,7 +197,7 @@ fn visit_deviator(deviator: &mut Deviator, number: &mut impl FnMut(&mut Real)) {
     }
 }
 
-fn visit_scalars(scalars: &mut Scalars, f: &mut dyn FnMut(&mut u64)) {
+fn visit_scalars(scalars: &mut Scalars, rails: bool, f: &mut dyn FnMut(&mut u64)) {
     let Scalars { step_index, impactor, force, contact_half_width, sampler, metrics, energy, failure: _ } = scalars;
     let mut steps = u64::from(sampler.steps);
     for word in [
@@ -230,9 +236,12 @@ fn visit_scalars(scalars: &mut Scalars, f: &mut dyn FnMut(&mut u64)) {
         &mut metrics.rebound_speed,
         &mut metrics.contact_time,
     ];
-    for number in numbers.into_iter().chain(energy.words_mut()) {
+    let guide = &mut { energy.guide };
+    let of_rails = if rails { Some(&mut *guide) } else { None };
+    for number in numbers.into_iter().chain(energy.words_mut()).chain(of_rails) {
         let mut bits = real::to_word(*number);
         f(&mut bits);
         *number = real::from_word(bits);
     }
+    energy.guide = *guide;
 }

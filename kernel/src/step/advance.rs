@@ -137,11 +137,11 @@ fn internal_forces<S: Simd>(
     energy: &mut ElementEnergy,
 ) -> Result<(), StepError> {
     let grid = &model.constants.grid;
-    let terms = (2 * model.constants.n_term()).max(1);
+    let entries = (2 * model.constants.n_history_entry()).max(1);
     for force in &mut state.nodes.force {
         force.fill(0.0);
     }
-    let viscous = state.viscous.chunks_exact_mut(terms).map(Some).chain(core::iter::repeat_with(|| None));
+    let viscous = state.viscous.chunks_exact_mut(entries).map(Some).chain(core::iter::repeat_with(|| None));
     let blocks = model.cells.iter().zip(state.cells.iter_mut()).zip(viscous).enumerate();
     let (per_row, mut place, mut nodes) = (grid.blocks_per_row(), 0, grid.first_nodes([0, 0]));
     for (index, ((constants, history), viscous)) in blocks {

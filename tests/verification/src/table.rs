@@ -4,7 +4,8 @@ use std::fmt::Write;
 
 use crate::problems::{
     bar_wave, bonded_strip, checkerboard, closed_forms, contact_convergence, cook, coulomb_block, cylinder, harmonic,
-    hertz, impactor, lame, maxwell, patch, patch_distorted, slider, swinging_plate, tear, viscoelastic, volumetric,
+    hertz, impactor, indentation, lame, maxwell, patch, patch_distorted, slider, swinging_plate, tear, viscoelastic,
+    volumetric,
 };
 use crate::row::{Check, Row};
 
@@ -45,6 +46,7 @@ pub fn regular_rows() -> Vec<Row> {
         bar_wave::rows(&bar_wave::CELLS),
         bonded_strip::rows(),
         hertz::rows(&hertz::CELLS),
+        indentation::rows(&indentation::CELLS),
         coulomb_block::rows(),
         cylinder::rows(),
         lame::rows(&lame::CELLS),

@@ -180,6 +180,23 @@ pub const STICKING: f64 = 1e-4;
 /// Hertz's peak pressure: the body is forty contact half widths wide and deep, not infinite.
 pub const HERTZ_PEAK: f64 = 0.015;
 
+/// Force on a flat punch with sixteen cells under its radius: half a hundredth, of which rounded edges and the extent of the
+/// block are a part.
+pub const PUNCH: f64 = 5e-3;
+
+/// Force on a ball, extrapolated over the mesh: the block is sixty contact half widths wide and deep, not infinite.
+pub const BALL: f64 = 0.02;
+
+/// Largest pressure under a bar: as [`HERTZ_PEAK`].
+pub const BAR_PRESSURE: f64 = 0.01;
+
+/// Radius of the contact of a flat punch.
+pub const INDENTATION_WIDTH: f64 = 2e-3;
+
+/// Motion on rails against its closed form: the friction of a step works over all of it, also in the half step that the start
+/// is behind.
+pub const RAILS: f64 = 1e-4;
+
 /// Stopping distance of a rigid block: the elastic one vibrates in shear while it slides.
 pub const STOPPING_DISTANCE: f64 = 2e-3;
 

@@ -46,11 +46,14 @@ pub struct Options {
     /// Equibiaxial tension
     #[arg(long, value_name = "FILE", num_args = 1..)]
     equibiaxial: Vec<PathBuf>,
+    /// Simple shear: amount of shear (or displacement) and shear stress (or force)
+    #[arg(long, value_name = "FILE", num_args = 1..)]
+    simple_shear: Vec<PathBuf>,
     /// Stress relaxation: time and modulus, stress or force
     #[arg(long, value_name = "FILE")]
     relaxation: Option<PathBuf>,
     /// No data: the start from the scalars that the paper prints, with their contradictions
-    #[arg(long, conflicts_with_all = ["uniaxial", "planar", "equibiaxial", "relaxation", "json"])]
+    #[arg(long, conflicts_with_all = ["uniaxial", "planar", "equibiaxial", "simple_shear", "relaxation", "json"])]
     paper: bool,
     #[command(flatten)]
     table: TableOptions,
@@ -255,16 +258,22 @@ impl Options {
                 strain_measure: table.strain_measure.map(Into::into),
                 stress_measure: table.stress_measure.map(Into::into),
                 direction: table.direction.map(Into::into),
+                shear: false,
             },
             selection: Selection { drop_first_cycle: specimen.drop_first_cycle, unloading: specimen.unloading },
             repeats: specimen.repeats.into(),
         };
-        let tests =
-            [(Mode::Uniaxial, &self.uniaxial), (Mode::Planar, &self.planar), (Mode::Equibiaxial, &self.equibiaxial)];
+        let tests = [
+            (Mode::Uniaxial, &self.uniaxial),
+            (Mode::Planar, &self.planar),
+            (Mode::Equibiaxial, &self.equibiaxial),
+            (Mode::SimpleShear, &self.simple_shear),
+        ];
         let curves = tests.into_iter().filter(|(_, paths)| !paths.is_empty());
         let curves = curves.map(|(mode, paths)| Curves::read(mode, paths, &reading)).collect::<Result<Vec<_>, _>>()?;
         if curves.is_empty() && self.relaxation.is_none() {
-            let legal = "expected --uniaxial, --planar, --equibiaxial or --relaxation with a file, or --paper";
+            let legal =
+                "expected --uniaxial, --planar, --equibiaxial, --simple-shear or --relaxation with a file, or --paper";
             return Err(Failure::Input(format!("there is nothing to fit: {legal}")));
         }
         let relaxation = relaxation::Options {

@@ -16,7 +16,7 @@ pub fn of_identification(identification: &Identification) -> Value {
             "mode": curves.data.mode.name(),
             "files": curves.files,
             "specimens": curves.n_specimen,
-            "stretch": curves.data.points.iter().map(|point| point.0).collect::<Vec<_>>(),
+            curves.data.mode.measured(): curves.data.points.iter().map(|point| point.0).collect::<Vec<_>>(),
             "nominal_stress": curves.data.points.iter().map(|point| point.1).collect::<Vec<_>>(),
             "notes": curves.notes,
         })

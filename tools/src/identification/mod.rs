@@ -157,8 +157,8 @@ impl Relaxed {
 
 /// The stretches of the data and of a drop.
 fn stability_range(data: &[DataSet]) -> (f64, f64) {
-    let stretches = data.iter().flat_map(|set| set.points.iter().map(|point| point.0));
-    let (low, high) = stretches.fold(STABILITY_RANGE, |(low, high), stretch| (low.min(stretch), high.max(stretch)));
+    let ranges = data.iter().map(DataSet::stretches);
+    let (low, high) = ranges.fold(STABILITY_RANGE, |(low, high), (l, h)| (low.min(l), high.max(h)));
     (low.max(stability::SCAN.0), high.min(stability::SCAN.1))
 }
 
@@ -176,6 +176,9 @@ fn reason(law: &Law, data: &[DataSet], settings: &Settings) -> String {
 fn position(fits: &[Fit], law: &Law, failed: &[String]) -> Result<usize, Failure> {
     fits.iter().position(|fit| fit.law == law).ok_or_else(|| match failed.iter().find(|f| f.starts_with(law.label)) {
         Some(reason) => Failure::Failed(reason.clone()),
-        None => Failure::Input(format!("--law {} needs a curve: --uniaxial, --planar or --equibiaxial", law.name)),
+        None => Failure::Input(format!(
+            "--law {} needs a curve: --uniaxial, --planar, --equibiaxial or --simple-shear",
+            law.name
+        )),
     })
 }

@@ -22,6 +22,8 @@ enum Acts {
     Under(&'static [&'static str]),
     /// Under the elastic laws that have the coefficient of this place; a modulus of 0 is nothing under the others, too.
     InLaw(usize),
+    /// Under the isochoric laws: a compressible one says the mean stress itself.
+    BesideIsochoric,
     /// Under this choice, which is made by giving the parameter.
     Chosen(&'static str),
     /// Where the other parameter is not 0.
@@ -91,6 +93,9 @@ impl Placed {
                 let law = ElasticLaw::from_repr(number as usize);
                 law.is_some_and(|law| law.places().contains(&place)) || value == 0.0 && is_modulus(place)
             }
+            Acts::BesideIsochoric => {
+                ElasticLaw::from_repr(number as usize).is_some_and(|law| !law.description().compressible)
+            }
             Acts::Chosen(label) => label == says,
             Acts::Beside => number != 0.0,
         };
@@ -121,7 +126,7 @@ impl Parameter {
         conditions_of(self.layer()).any(|placed| match placed.condition.acts {
             Acts::InLaw(place) => placed.of() == self.name() && is_modulus(place),
             Acts::Beside => placed.by() == self.name(),
-            Acts::Under(_) | Acts::Chosen(_) => false,
+            Acts::Under(_) | Acts::BesideIsochoric | Acts::Chosen(_) => false,
         })
     }
 }
@@ -149,6 +154,10 @@ const fn chosen(of: &'static str, by: &'static str, choice: &'static str) -> Con
     Condition { of, by, acts: Acts::Chosen(choice) }
 }
 
+const fn beside_isochoric(of: &'static str) -> Condition {
+    Condition { of, by: "law", acts: Acts::BesideIsochoric }
+}
+
 const fn only_with(of: &'static str, by: &'static str) -> Condition {
     Condition { of, by, acts: Acts::Beside }
 }
@@ -159,7 +168,12 @@ static TEST: &[Condition] = &[
     under("geometry.block_width", "geometry.shape", &["block"]),
     under("geometry.length", "geometry.formulation", &["plane_strain"]),
     under("impactor.mass", "impactor.motion", &["drop"]),
+    under("impactor.face_diameter", "impactor.shape", &["round", "sphere", "bar"]),
+    under("impactor.face_width", "impactor.shape", &["rectangular"]),
+    under("impactor.face_length", "impactor.shape", &["rectangular", "bar"]),
     under("impactor.gravity", "impactor.motion", &["drop"]),
+    under("impactor.rail_friction", "impactor.motion", &["drop"]),
+    under("impactor.rail_damping", "impactor.motion", &["drop"]),
     under("impactor.drop_by", "impactor.motion", &["drop"]),
     under("impactor.drop_height", "impactor.motion", &["drop"]),
     under("impactor.drop_energy", "impactor.motion", &["drop"]),
@@ -179,6 +193,10 @@ static TEST: &[Condition] = &[
 
 /// What belongs to a layer, but for the coefficients of the elastic laws.
 static LAYER: &[Condition] = &[
+    beside_isochoric("volumetric_law"),
+    beside_isochoric("volumetric_by"),
+    beside_isochoric("bulk_modulus"),
+    beside_isochoric("poissons_ratio"),
     chosen("bulk_modulus", "volumetric_by", "bulk_modulus"),
     chosen("poissons_ratio", "volumetric_by", "poissons_ratio"),
     only_with("prony_tau_1", "prony_g_1"),
@@ -194,6 +212,8 @@ static LAYER: &[Condition] = &[
     only_with("slider_yield_stress", "slider_stiffness"),
     only_with("tear_width", "tear_stretch"),
     only_with("tear_residual", "tear_stretch"),
+    only_with("softening_m", "softening_r"),
+    only_with("softening_beta", "softening_r"),
 ];
 
 /// A coefficient acts in the laws that have it; one that shapes the term of a modulus, where that is not 0 as well.

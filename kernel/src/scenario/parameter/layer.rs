@@ -36,7 +36,7 @@ static BEFORE: &[Row<Layer>] = &[
     real!(2, of layer material.density, "kg/m3", (10.0, 2e4), "density"),
     choice!(
         3, of layer material.law: ElasticLaw,
-        "isochoric hyperelastic law (mooney_rivlin has 2, 3 or 5 parameters, by coefficients of zero)"
+        "hyperelastic law, isochoric but for hyperfoam (mooney_rivlin has 2, 3 or 5 parameters, by coefficients of zero)"
     ),
     choice!(4, of layer material.moduli: Moduli, "what the elastic coefficients are: after full relaxation, or before any"),
 ];
@@ -113,6 +113,19 @@ static AFTER: &[Row<Layer>] = &[
     ),
     real!(32, of layer material.tear_width, "1", (1e-3, 10.0), "stretch over which the deviatoric stress falls"),
     real!(33, of layer material.tear_residual, "1", (0.0, 1.0), "part of the deviatoric stress that remains after the tear"),
+    real!(
+        40, of layer material.softening_r,
+        "1",
+        (0.0, 100.0),
+        "r of the softening after the first load (Ogden and Roxburgh 1999), at least 1; 0 switches it off"
+    ),
+    real!(41, of layer material.softening_m, "Pa", (1.0, 1e9), "m of the softening, the energy that its scale starts from"),
+    real!(
+        42, of layer material.softening_beta,
+        "1",
+        (0.0, 10.0),
+        "beta of the softening, the part of the largest energy so far in its scale"
+    ),
 ];
 
 const PRONY_G: &str = "Prony coefficient, normalised on the instantaneous modulus; 0 switches the term off";

@@ -11,6 +11,7 @@ pub mod cylinder;
 pub mod harmonic;
 pub mod hertz;
 pub mod impactor;
+pub mod indentation;
 pub mod lame;
 pub mod maxwell;
 pub mod patch;

@@ -49,6 +49,14 @@ fn scenarios() -> Vec<(&'static str, Scenario)> {
     ];
     let block = [("geometry.shape", 1.0), ("silicone.law", 0.0), ("silicone.volumetric_by", 0.0)];
     let axisymmetric = [("geometry.formulation", 1.0), ("time.step_by", 1.0), ("time.step", 2.5e-6)];
+    let rectangular = [
+        ("impactor.shape", 1.0),
+        ("impactor.face_width", 0.05),
+        ("impactor.face_length", 0.08),
+        ("impactor.rail_friction", 10.0),
+        ("impactor.rail_damping", 5.0),
+    ];
+    let bar = [("impactor.shape", 3.0), ("impactor.face_diameter", 0.05), ("impactor.face_length", 0.08)];
     let of_law = |law: &ElasticLaw| {
         let (description, mut scenario) = (law.description(), with(&[]));
         scenario.layers[0].material = scenario.layers[0].material.with_values(*law, description.example);
@@ -62,6 +70,8 @@ fn scenarios() -> Vec<(&'static str, Scenario)> {
         ("two layers", with(&two)),
         ("block", with(&block)),
         ("axisymmetric", with(&axisymmetric)),
+        ("rectangular face on rails", with(&rectangular)),
+        ("bar", with(&bar)),
         ("driven", with(&[("impactor.motion", 1.0)])),
         (
             "prescribed",

@@ -8,6 +8,7 @@
 
 pub mod degeneracy;
 pub mod fit;
+pub mod foam;
 pub mod interval;
 pub mod linear;
 pub mod ogden;
@@ -26,7 +27,7 @@ use softanvil_kernel::preset;
 
 use interval::Interval;
 
-/// A homogeneous test of an incompressible specimen; l is the stretch of the loaded direction.
+/// A homogeneous test, with the stretches of an incompressible specimen; l is that of the loaded direction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Mode {
     /// One direction loaded, two free: l, l^(-1/2), l^(-1/2).
@@ -35,9 +36,12 @@ pub enum Mode {
     Planar,
     /// Two loaded, one free: l, l, l^-2.
     Equibiaxial,
+    /// Two faces displaced along themselves by the amount of shear g times their distance: l, 1/l, 1 with g = l - 1/l.
+    SimpleShear,
 }
 
-/// The three tests.
+/// The tests whose deformations are looked at for stability; simple shear deforms as the planar test of an incompressible
+/// specimen, but for a rotation.
 pub const MODES: [Mode; 3] = [Mode::Uniaxial, Mode::Planar, Mode::Equibiaxial];
 
 impl Mode {
@@ -47,6 +51,15 @@ impl Mode {
             Self::Uniaxial => "uniaxial",
             Self::Planar => "planar",
             Self::Equibiaxial => "equibiaxial",
+            Self::SimpleShear => "simple-shear",
+        }
+    }
+
+    /// What its points are measured in, beside the stress.
+    pub fn measured(self) -> &'static str {
+        match self {
+            Self::SimpleShear => "amount_of_shear",
+            _ => "stretch",
         }
     }
 }
@@ -66,8 +79,22 @@ impl Mode {
 pub struct DataSet {
     /// The test.
     pub mode: Mode,
-    /// (stretch of the loaded direction, nominal stress in Pa).
+    /// (stretch of the loaded direction, or amount of shear; nominal stress in Pa).
     pub points: Vec<(f64, f64)>,
+}
+
+impl DataSet {
+    /// The smallest and the largest principal stretch of the states, where the free directions do not count.
+    pub fn stretches(&self) -> (f64, f64) {
+        let principal = self.points.iter().flat_map(|(x, _)| match self.mode {
+            Mode::SimpleShear => {
+                let [long, short, _] = stress::stretches(self.mode, *x);
+                [long, short]
+            }
+            _ => [*x; 2],
+        });
+        principal.fold((f64::MAX, f64::MIN), |(low, high), l| (low.min(l), high.max(l)))
+    }
 }
 
 /// A law of the kernel with a number of its coefficients; those of one law of the kernel are a family, of which one has the
@@ -104,7 +131,8 @@ pub static LAWS: LazyLock<Vec<Law>> = LazyLock::new(|| {
             parameters: &description.coefficients[..variant.n_coefficient],
         })
     };
-    ElasticLaw::ALL.iter().flat_map(of_law).collect()
+    // A specimen is taken to keep its volume.
+    ElasticLaw::ALL.iter().filter(|law| !law.description().compressible).flat_map(of_law).collect()
 });
 
 impl Law {

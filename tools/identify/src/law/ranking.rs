@@ -88,8 +88,8 @@ fn unstable(fit: &Fit, range: (f64, f64)) -> String {
 
 fn coverage(data: &[DataSet]) -> Vec<String> {
     let mut caveats = Vec::new();
-    let stretches = || data.iter().flat_map(|set| set.points.iter().map(|point| point.0));
-    let (low, high) = stretches().fold((f64::MAX, f64::MIN), |(low, high), l| (low.min(l), high.max(l)));
+    let ranges = data.iter().map(DataSet::stretches);
+    let (low, high) = ranges.fold((f64::MAX, f64::MIN), |(low, high), (l, h)| (low.min(l), high.max(h)));
     let modes: Vec<Mode> = data.iter().map(|set| set.mode).collect();
     if modes.iter().all(|mode| *mode == Mode::Uniaxial) {
         let reach = if low < 0.95 && high > 1.05 { "tension and compression" } else { "one way" };

@@ -78,6 +78,7 @@ impl Volume {
     fn exponent(self, mode: Mode) -> f64 {
         let Some(ratio) = self.compressible() else { return 0.0 };
         match mode {
+            Mode::SimpleShear => 0.0,
             Mode::Uniaxial => 1.0 - 2.0 * ratio,
             Mode::Planar => (1.0 - 2.0 * ratio) / (1.0 - ratio),
             Mode::Equibiaxial => 2.0 * (1.0 - 2.0 * ratio) / (1.0 - ratio),

@@ -8,6 +8,7 @@ mod cook;
 mod coulomb_block;
 mod cylinder;
 mod hertz;
+mod indentation;
 mod lame;
 mod patch_distorted;
 mod swinging_plate;
