@@ -27,7 +27,9 @@ use crate::number::real::Real;
 use crate::scenario::Motion;
 
 /// Numbers of an [`EnergyBalance`] in a snapshot.
-pub(crate) const ENERGY_WORDS: usize = 18;
+pub(crate) const ENERGY_WORDS: usize = 16;
+/// Further ones of a model that softens.
+pub(crate) const SOFTENING_WORDS: usize = 2;
 
 /// Energies of the whole anvil and impactor at the end of the last step, J.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -122,7 +124,7 @@ impl EnergyBalance {
         self.external - found
     }
 
-    /// Every number, for snapshots.
+    /// Every number but those of softening, for snapshots.
     pub(crate) fn words_mut(&mut self) -> [&mut Real; ENERGY_WORDS] {
         let AtForces { kinetic, elastic, viscous, slider_stored, slider_dissipation, tear, softening } =
             &mut self.at_forces;
@@ -134,7 +136,6 @@ impl EnergyBalance {
             &mut self.slider_stored,
             &mut self.slider_dissipation,
             &mut self.tear,
-            &mut self.softening,
             &mut self.friction,
             &mut self.contact,
             &mut self.external,
@@ -144,8 +145,12 @@ impl EnergyBalance {
             slider_stored,
             slider_dissipation,
             tear,
-            softening,
         ]
+    }
+
+    /// The numbers of softening, for snapshots of a model that softens.
+    pub(crate) fn softening_words_mut(&mut self) -> [&mut Real; SOFTENING_WORDS] {
+        [&mut self.softening, &mut self.at_forces.softening]
     }
 }
 
