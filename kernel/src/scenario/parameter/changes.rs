@@ -74,23 +74,23 @@ impl Changes {
     /// # Errors
     /// Values that contradict each other, the first that has no effect, or what [`Scenario::validate`] refuses.
     pub fn apply(&self) -> Result<Scenario, ScenarioError> {
-        self.clone().into_scenario()
+        self.clone().take_scenario()
     }
 
-    /// The same, of changes that nobody needs any more: it takes less of the stack.
+    /// The same, of changes that nobody needs any more: it works on them, and takes less of the stack.
     ///
     /// # Errors
     /// As [`Changes::apply`].
-    pub fn into_scenario(mut self) -> Result<Scenario, ScenarioError> {
+    pub fn take_scenario(&mut self) -> Result<Scenario, ScenarioError> {
         self.settle()?;
         let Values { whole, layers } = &self.values;
         let idle = |given: Parameter| given.refused(self.values.get(given), whole, *layers);
         if let Some(no_effect) = self.given().find_map(idle) {
             return Err(ScenarioError::NoEffect(no_effect));
         }
-        let scenario = self.values.into_scenario();
-        scenario.validate()?;
-        Ok(scenario)
+        self.values.whole.set_layer_count(self.values.layers);
+        self.values.whole.validate()?;
+        Ok(self.values.whole.clone())
     }
 
     /// The scenario that the values make, in which some may have no effect.
