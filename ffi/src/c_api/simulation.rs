@@ -91,7 +91,8 @@ pub unsafe extern "C" fn softanvil_memory_size(
     let (size, alignment) = unsafe { (ptr::out(size, "size"), ptr::out(alignment, "alignment")) };
     report(error, || {
         let (scenario, size, alignment) = (scenario?, size?, alignment?);
-        let needed = block::bytes(&Size::of(&scenario.kernel()?)?);
+        let scenario = scenario.kernel();
+        let needed = block::bytes(&Size::of(scenario.as_ref().map_err(|failure| *failure)?)?);
         size.write(needed);
         alignment.write(ALIGNMENT);
         Ok(())
@@ -127,11 +128,13 @@ pub unsafe extern "C" fn softanvil_init(
     let simulation = unsafe { ptr::out(simulation, "simulation") };
     report(error, || {
         let simulation = simulation?;
-        let scenario = scenario?.kernel()?;
-        let counts = Size::of(&scenario)?;
+        // By reference, so that the stack holds it once.
+        let scenario = scenario?.kernel();
+        let scenario = scenario.as_ref().map_err(|failure| *failure)?;
+        let counts = Size::of(scenario)?;
         // SAFETY: as above.
         let region = unsafe { ptr::zeroed(memory.cast(), size, block::bytes(&counts)) }?;
-        simulation.write(block::build(&scenario, &counts, region)?);
+        simulation.write(block::build(scenario, &counts, region)?);
         Ok(())
     })
 }

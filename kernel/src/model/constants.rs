@@ -85,6 +85,11 @@ impl Constants {
         }
     }
 
+    /// Whether any layer softens.
+    pub fn softens(&self) -> bool {
+        self.laws.iter().any(|laws| laws.softening.active())
+    }
+
     /// Entries of viscous history per triangle: those of the layer that has more.
     pub fn n_history_entry(&self) -> usize {
         self.laws.iter().fold(0, |most, laws| most.max(laws.n_history_entry()))

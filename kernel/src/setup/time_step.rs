@@ -74,7 +74,8 @@ fn foresee(
     state: &mut StateMemory,
     place: &mut Option<Constants>,
 ) -> Result<Forecast, ModelError> {
-    let (mut tried, motion) = trial::of(scenario);
+    let mut tried = scenario.clone();
+    let motion = trial::prepare(&mut tried);
     let size = scenario.thickness() / COARSE_ROWS;
     tried.mesh.element_size = math::max(size, scenario.mesh.element_size);
     let coarse = Grid::new(&tried)?;

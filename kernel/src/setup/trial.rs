@@ -44,17 +44,16 @@ const PRESS_SPEED: Real = 0.05;
 /// Deepest that a face is taken to press, as a part of the layer's thickness.
 const DEEPEST: Real = 0.95;
 
-/// The scenario of a trial of `scenario`, and how its impactor moves.
-pub(crate) fn of(scenario: &Scenario) -> (Scenario, TrialMotion) {
-    let (motion, mut trial) = (TrialMotion::new(scenario), scenario.clone());
-    trial.impactor.gap = 0.0;
+/// Makes of a `scenario` that of its trial; tells how the impactor moves.
+pub(crate) fn prepare(scenario: &mut Scenario) -> TrialMotion {
+    let motion = TrialMotion::new(scenario);
+    let impactor = &mut scenario.impactor;
+    impactor.gap = 0.0;
     match motion {
-        TrialMotion::Drop { speed } => {
-            (trial.impactor.drop_by, trial.impactor.drop_speed) = (DropBy::Speed, speed);
-        }
-        TrialMotion::Press { .. } => trial.impactor.motion = Motion::Driven,
+        TrialMotion::Drop { speed } => (impactor.drop_by, impactor.drop_speed) = (DropBy::Speed, speed),
+        TrialMotion::Press { .. } => impactor.motion = Motion::Driven,
     }
-    (trial, motion)
+    motion
 }
 
 /// Runs the trial `scenario`, whose impactor moves by `motion`, on its `grid`, whose nodes rest at `position(u, v)`, m, with

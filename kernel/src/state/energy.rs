@@ -27,7 +27,9 @@ use crate::number::real::Real;
 use crate::scenario::Motion;
 
 /// Numbers of an [`EnergyBalance`] in every snapshot; [`EnergyBalance::guide`] is in those of a mass on rails.
-pub(crate) const ENERGY_WORDS: usize = 18;
+pub(crate) const ENERGY_WORDS: usize = 16;
+/// Further ones of a model that softens.
+pub(crate) const SOFTENING_WORDS: usize = 2;
 
 /// Energies of the whole anvil and impactor at the end of the last step, J.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -126,9 +128,9 @@ impl EnergyBalance {
         self.external - found
     }
 
-    /// Every number but that of the rails, for snapshots.
+    /// Every number but those of softening and of the rails, for snapshots.
     pub(crate) fn words_mut(&mut self) -> [&mut Real; ENERGY_WORDS] {
-        let AtForces { kinetic, elastic, viscous, slider_stored, slider_dissipation, tear, softening } =
+        let AtForces { kinetic, elastic, viscous, slider_stored, slider_dissipation, tear, softening: _ } =
             &mut self.at_forces;
         [
             &mut self.impactor_kinetic,
@@ -138,7 +140,6 @@ impl EnergyBalance {
             &mut self.slider_stored,
             &mut self.slider_dissipation,
             &mut self.tear,
-            &mut self.softening,
             &mut self.friction,
             &mut self.contact,
             &mut self.external,
@@ -148,8 +149,12 @@ impl EnergyBalance {
             slider_stored,
             slider_dissipation,
             tear,
-            softening,
         ]
+    }
+
+    /// The numbers of softening, for snapshots of a model that softens.
+    pub(crate) fn softening_words_mut(&mut self) -> [&mut Real; SOFTENING_WORDS] {
+        [&mut self.softening, &mut self.at_forces.softening]
     }
 }
 

@@ -12,7 +12,7 @@ mod view;
 
 pub use arrays::State;
 pub use energy::EnergyBalance;
-pub(crate) use energy::{ContactWork, ENERGY_WORDS, StepWork};
+pub(crate) use energy::{ContactWork, ENERGY_WORDS, SOFTENING_WORDS, StepWork};
 pub use memory::StateMemory;
 pub use metrics::Metrics;
 pub(crate) use nodes::{Rows, StateNodes, corners};

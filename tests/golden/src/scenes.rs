@@ -129,7 +129,7 @@ fn rubber() -> Material {
         tear_residual: 0.0,
         softening_r: 0.0,
         softening_m: 1e3,
-        softening_beta: 0.0,
+        softening_beta: 0.1,
     }
 }
 

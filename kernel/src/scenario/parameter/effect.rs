@@ -106,13 +106,14 @@ impl Placed {
 impl Parameter {
     /// Why the value of this parameter has no effect in `scenario`; none if it acts.
     pub fn without_effect(&self, scenario: &Scenario) -> Option<NoEffect> {
-        self.refused(self.get(scenario), scenario)
+        self.refused(self.get(scenario), scenario, scenario.layers.len())
     }
 
-    /// Why `value` of this parameter has no effect in `scenario`; none if it acts.
-    pub(super) fn refused(&self, value: Real, scenario: &Scenario) -> Option<NoEffect> {
-        if self.layer().is_some_and(|layer| layer >= scenario.layers.len()) {
-            return Some(self.of_absent_layer(value, scenario));
+    /// Why `value` of this parameter has no effect in `scenario`, of whose layers only the first `layers` count; none if it
+    /// acts.
+    pub(super) fn refused(&self, value: Real, scenario: &Scenario, layers: usize) -> Option<NoEffect> {
+        if self.layer().is_some_and(|layer| layer >= layers) {
+            return Some(self.of_absent_layer(value, layers));
         }
         conditions_of(self.layer()).filter(|condition| condition.of() == self.name()).find_map(|condition| {
             let says = condition.obstacle(value, scenario)?;

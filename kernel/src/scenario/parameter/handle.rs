@@ -237,15 +237,15 @@ impl Parameter {
             Place::LayerCount(_) => scenario.set_layer_count(value as usize),
             Place::Layer(layer, row) => match scenario.layers.get_mut(layer) {
                 Some(layer) => row.set(layer, value),
-                None => return Err(ScenarioError::NoEffect(self.of_absent_layer(value, scenario))),
+                None => return Err(ScenarioError::NoEffect(self.of_absent_layer(value, scenario.layers.len()))),
             },
         }
         Ok(())
     }
 
-    /// Why `value` has no effect in `scenario`, which has no such layer.
-    pub(super) fn of_absent_layer(&self, value: Real, scenario: &Scenario) -> NoEffect {
-        let (by, says) = (LAYER_COUNT.name.into(), Says::Number(scenario.layers.len() as Real));
+    /// Why `value` has no effect among so many `layers`, which do not have this one.
+    pub(super) fn of_absent_layer(&self, value: Real, layers: usize) -> NoEffect {
+        let (by, says) = (LAYER_COUNT.name.into(), Says::Number(layers as Real));
         NoEffect { name: self.name(), value, unit: self.unit(), by, says }
     }
 
