@@ -126,7 +126,7 @@ impl EnergyBalance {
 
     /// Every number but those of softening, for snapshots.
     pub(crate) fn words_mut(&mut self) -> [&mut Real; ENERGY_WORDS] {
-        let AtForces { kinetic, elastic, viscous, slider_stored, slider_dissipation, tear, softening } =
+        let AtForces { kinetic, elastic, viscous, slider_stored, slider_dissipation, tear, softening: _ } =
             &mut self.at_forces;
         [
             &mut self.impactor_kinetic,
