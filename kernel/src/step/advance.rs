@@ -150,10 +150,12 @@ fn internal_forces<S: Simd>(
         let rows = state.nodes.rows(nodes);
         // Written twice, so that a copy knows whether it is axisymmetric and need not ask all over the element; processors
         // without vectors have less room for it.
-        let force = if S::WIDTH == 1 || block.hoop.is_some() {
-            block_force(simd, &block, &rows, history, viscous, energy)
+        let force = if !block.laws.is_plain() {
+            block_force::<S, WHOLE>(simd, &block, &rows, history, viscous, energy)
+        } else if S::WIDTH == 1 || block.hoop.is_some() {
+            block_force::<S, PLAIN>(simd, &block, &rows, history, viscous, energy)
         } else {
-            block_force(simd, &Block { hoop: None, ..block }, &rows, history, viscous, energy)
+            block_force::<S, PLAIN>(simd, &Block { hoop: None, ..block }, &rows, history, viscous, energy)
         };
         state.nodes.subtract_force(simd, nodes, &force);
         // The next block follows in the row, or begins the next one behind the lane that closes this one.
@@ -165,9 +167,14 @@ fn internal_forces<S: Simd>(
     if sum(&energy.inverted) > 0.0 { Err(first_inverted(model, state)) } else { Ok(()) }
 }
 
-/// Internal forces on the corners of the cells of a block, N.
+/// A law that is isochoric and does not soften.
+const PLAIN: bool = true;
+/// Any other.
+const WHOLE: bool = false;
+
+/// Internal forces on the corners of the cells of a block, N, by the forces of a law that is [`PLAIN`] or not.
 #[inline(always)]
-fn block_force<S: Simd>(
+fn block_force<S: Simd, const IS_PLAIN: bool>(
     simd: S,
     block: &Block,
     rows: &Rows,
@@ -182,7 +189,11 @@ fn block_force<S: Simd>(
         let (rows, history) = (black_box(rows), black_box(&mut *history));
         let block = &Block { constants: black_box(block.constants), ..*block };
         let displacement = corners(simd, chunk, rows);
-        let of_chunk = element::internal_force(simd, chunk, block, &displacement, history, viscous, energy);
+        let of_chunk = if IS_PLAIN {
+            element::plain_force(simd, chunk, block, &displacement, history, viscous, energy)
+        } else {
+            element::whole_force(simd, chunk, block, &displacement, history, viscous, energy)
+        };
         for corner in 0..4 {
             for i in 0..2 {
                 simd.store(of_chunk[corner][i], &mut force[corner][i], chunk);
