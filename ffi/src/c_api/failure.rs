@@ -118,8 +118,7 @@ fn scenario_status(error: &ScenarioError) -> Status {
         ScenarioError::FullAxisymmetric => Status::FullAxisymmetric,
         ScenarioError::OffsetOfHalf { .. } => Status::OffsetOfHalf,
         ScenarioError::TearStretch { .. } => Status::TearStretch,
-        // From C a scenario has the interfaces that its layers need.
-        ScenarioError::Interfaces { .. } => Status::IllegalValue,
+        ScenarioError::LayerWidth { .. } => Status::LayerWidth,
     }
 }
 
@@ -194,6 +193,7 @@ impl Failure {
             Self::Scenario(ScenarioError::NoEffect(error)) => error.name,
             Self::Scenario(ScenarioError::Contradiction { names: [_, other] }) => other,
             Self::Scenario(ScenarioError::LayerThickness { layer, .. }) => Name::of_layer(layer, "thickness"),
+            Self::Scenario(ScenarioError::LayerWidth { layer, .. }) => Name::of_layer(layer, "width"),
             Self::Scenario(ScenarioError::TearStretch { layer, .. }) => Name::of_layer(layer, "tear_stretch"),
             Self::Scenario(ScenarioError::FaceTooSmall { name, .. }) => name.into(),
             Self::Scenario(ScenarioError::FaceOfFormulation { .. }) => "impactor.shape".into(),

@@ -55,6 +55,8 @@ pub enum SoftanvilStatus {
     Contradiction = 214,
     /// The formulation of the section cannot have a face of this shape.
     FaceOfFormulation = 215,
+    /// A layer is wider than what it lies on.
+    LayerWidth = 216,
     /// An element turned inside out or is no longer finite.
     Inverted = 300,
     /// The time step is above the current stability limit of an element.
@@ -77,7 +79,7 @@ use SoftanvilStatus as S;
 
 impl SoftanvilStatus {
     /// Every status.
-    pub const ALL: [Self; 31] = [
+    pub const ALL: [Self; 32] = [
         S::Ok,
         S::NullPointer,
         S::Misaligned,
@@ -101,6 +103,7 @@ impl SoftanvilStatus {
         S::NoEffect,
         S::Contradiction,
         S::FaceOfFormulation,
+        S::LayerWidth,
         S::Inverted,
         S::Unstable,
         S::IllegalInput,
@@ -137,6 +140,7 @@ impl SoftanvilStatus {
             S::NoEffect => c"value without effect",
             S::Contradiction => c"two values that state the same thing",
             S::FaceOfFormulation => c"face that the formulation cannot have",
+            S::LayerWidth => c"layer wider than what it lies on",
             S::Inverted => c"element inverted or not finite",
             S::Unstable => c"time step above the current stability limit",
             S::IllegalInput => c"input of a step not finite",
