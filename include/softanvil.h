@@ -127,6 +127,8 @@ enum SoftanvilStatus
     SOFTANVIL_STATUS_SOFTENING = 220,
     /** The coefficients of a compressible law give no positive bulk modulus at rest. */
     SOFTANVIL_STATUS_BULK_MODULUS = 221,
+    /** A layer is wider than what it lies on. */
+    SOFTANVIL_STATUS_LAYER_WIDTH = 216,
     /** An element turned inside out or is no longer finite. */
     SOFTANVIL_STATUS_INVERTED = 300,
     /** The time step is above the current stability limit of an element. */
@@ -388,6 +390,14 @@ enum SoftanvilLayer {
     SOFTANVIL_LAYER_SOFTENING_M = 41,
     /** layer.softening_beta, from 0 to 10: beta of the softening, the part of the largest energy so far in its scale. */
     SOFTANVIL_LAYER_SOFTENING_BETA = 42,
+    /** layer.width, m, from 0 to 10: width along its lower side, full or, of a dome, the diameter; 0 is as wide as what is below it. */
+    SOFTANVIL_LAYER_WIDTH = 34,
+    /** layer.interface, a SoftanvilLayerInterface: how it sits on the layer below: glued, or free to lift and slide, with friction or without. */
+    SOFTANVIL_LAYER_INTERFACE = 35,
+    /** layer.friction_coefficient, from 0 to 10: Coulomb coefficient of a frictional interface below it. */
+    SOFTANVIL_LAYER_FRICTION_COEFFICIENT = 36,
+    /** layer.gap, m, from 0 to 0.1: distance to the layer below at rest, where they are not bonded. */
+    SOFTANVIL_LAYER_GAP = 37,
     /** layer.c10, Pa, from -1e9 to 1e9: coefficient of (I1 - 3) in neo_hookean, mooney_rivlin and yeoh. */
     SOFTANVIL_LAYER_C10 = 48,
     /** layer.c01, Pa, from -1e9 to 1e9: mooney_rivlin coefficient of (I2 - 3). */
@@ -498,6 +508,14 @@ enum SoftanvilTimeStepBy {
 };
 
 /** layer.law: hyperelastic law, isochoric but for hyperfoam (mooney_rivlin has 2, 3 or 5 parameters, by coefficients of zero). */
+/** layer.interface: how it sits on the layer below: glued, or free to lift and slide, with friction or without. */
+enum SoftanvilLayerInterface {
+    SOFTANVIL_LAYER_INTERFACE_BONDED = 0,
+    SOFTANVIL_LAYER_INTERFACE_FRICTIONAL = 1,
+    SOFTANVIL_LAYER_INTERFACE_SEPARATING = 2
+};
+
+/** layer.law: isochoric hyperelastic law (mooney_rivlin has 2, 3 or 5 parameters, by coefficients of zero). */
 enum SoftanvilLayerLaw {
     SOFTANVIL_LAYER_LAW_NEO_HOOKEAN = 0,
     SOFTANVIL_LAYER_LAW_MOONEY_RIVLIN = 1,
