@@ -214,3 +214,6 @@ impl Failure {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;
