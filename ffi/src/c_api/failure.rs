@@ -221,3 +221,6 @@ impl Failure {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;
