@@ -4,6 +4,7 @@ mod arrays;
 mod energy;
 mod memory;
 mod metrics;
+mod next_impact;
 mod nodes;
 mod pair;
 mod sampler;
