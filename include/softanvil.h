@@ -127,6 +127,8 @@ enum SoftanvilStatus
     SOFTANVIL_STATUS_SOFTENING = 220,
     /** The coefficients of a compressible law give no positive bulk modulus at rest. */
     SOFTANVIL_STATUS_BULK_MODULUS = 221,
+    /** A layer is wider than what it lies on. */
+    SOFTANVIL_STATUS_LAYER_WIDTH = 216,
     /** An element turned inside out or is no longer finite. */
     SOFTANVIL_STATUS_INVERTED = 300,
     /** The time step is above the current stability limit of an element. */
@@ -382,6 +384,14 @@ enum SoftanvilLayer {
     SOFTANVIL_LAYER_TEAR_WIDTH = 32,
     /** layer.tear_residual, from 0 to 1: part of the deviatoric stress that remains after the tear. */
     SOFTANVIL_LAYER_TEAR_RESIDUAL = 33,
+    /** layer.width, m, from 0 to 10: width along its lower side, full or, of a dome, the diameter; 0 is as wide as what is below it. */
+    SOFTANVIL_LAYER_WIDTH = 34,
+    /** layer.interface, a SoftanvilLayerInterface: how it sits on the layer below: glued, or free to lift and slide, with friction or without. */
+    SOFTANVIL_LAYER_INTERFACE = 35,
+    /** layer.friction_coefficient, from 0 to 10: Coulomb coefficient of a frictional interface below it. */
+    SOFTANVIL_LAYER_FRICTION_COEFFICIENT = 36,
+    /** layer.gap, m, from 0 to 0.1: distance to the layer below at rest, where they are not bonded. */
+    SOFTANVIL_LAYER_GAP = 37,
     /** layer.softening_r, from 0 to 100: r of the softening after the first load (Ogden and Roxburgh 1999), at least 1; 0 switches it off. */
     SOFTANVIL_LAYER_SOFTENING_R = 40,
     /** layer.softening_m, Pa, from 1 to 1e9: m of the softening, the energy that its scale starts from. */
@@ -424,19 +434,19 @@ enum SoftanvilLayer {
     SOFTANVIL_LAYER_FOAM_MU_1 = 64,
     /** layer.foam_alpha_1, from -30 to 30: hyperfoam exponent; 0 switches the term off. */
     SOFTANVIL_LAYER_FOAM_ALPHA_1 = 65,
-    /** layer.foam_nu_1, from 0 to 0.45: hyperfoam Poisson's ratio of the term, beta = nu/(1 - 2 nu). */
+    /** layer.foam_nu_1, from 0 to 0.499: hyperfoam Poisson's ratio of the term, beta = nu/(1 - 2 nu). */
     SOFTANVIL_LAYER_FOAM_NU_1 = 66,
     /** layer.foam_mu_2, Pa, from -1e9 to 1e9: hyperfoam modulus, W = sum 2 mu/alpha^2 (l1^alpha + l2^alpha + l3^alpha - 3 + (J^(-alpha beta) - 1)/beta); the shear modulus at rest is their sum; 0 switches the term off. */
     SOFTANVIL_LAYER_FOAM_MU_2 = 67,
     /** layer.foam_alpha_2, from -30 to 30: hyperfoam exponent; 0 switches the term off. */
     SOFTANVIL_LAYER_FOAM_ALPHA_2 = 68,
-    /** layer.foam_nu_2, from 0 to 0.45: hyperfoam Poisson's ratio of the term, beta = nu/(1 - 2 nu). */
+    /** layer.foam_nu_2, from 0 to 0.499: hyperfoam Poisson's ratio of the term, beta = nu/(1 - 2 nu). */
     SOFTANVIL_LAYER_FOAM_NU_2 = 69,
     /** layer.foam_mu_3, Pa, from -1e9 to 1e9: hyperfoam modulus, W = sum 2 mu/alpha^2 (l1^alpha + l2^alpha + l3^alpha - 3 + (J^(-alpha beta) - 1)/beta); the shear modulus at rest is their sum; 0 switches the term off. */
     SOFTANVIL_LAYER_FOAM_MU_3 = 70,
     /** layer.foam_alpha_3, from -30 to 30: hyperfoam exponent; 0 switches the term off. */
     SOFTANVIL_LAYER_FOAM_ALPHA_3 = 71,
-    /** layer.foam_nu_3, from 0 to 0.45: hyperfoam Poisson's ratio of the term, beta = nu/(1 - 2 nu). */
+    /** layer.foam_nu_3, from 0 to 0.499: hyperfoam Poisson's ratio of the term, beta = nu/(1 - 2 nu). */
     SOFTANVIL_LAYER_FOAM_NU_3 = 72
 };
 
@@ -495,6 +505,13 @@ enum SoftanvilCoreInterface {
 enum SoftanvilTimeStepBy {
     SOFTANVIL_TIME_STEP_BY_SAFETY_FACTOR = 0,
     SOFTANVIL_TIME_STEP_BY_GIVEN = 1
+};
+
+/** layer.interface: how it sits on the layer below: glued, or free to lift and slide, with friction or without. */
+enum SoftanvilLayerInterface {
+    SOFTANVIL_LAYER_INTERFACE_BONDED = 0,
+    SOFTANVIL_LAYER_INTERFACE_FRICTIONAL = 1,
+    SOFTANVIL_LAYER_INTERFACE_SEPARATING = 2
 };
 
 /** layer.law: hyperelastic law, isochoric but for hyperfoam (mooney_rivlin has 2, 3 or 5 parameters, by coefficients of zero). */

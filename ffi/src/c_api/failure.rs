@@ -120,8 +120,7 @@ fn scenario_status(error: &ScenarioError) -> Status {
         ScenarioError::TearStretch { .. } => Status::TearStretch,
         ScenarioError::Softening { .. } => Status::Softening,
         ScenarioError::BulkModulus { .. } => Status::BulkModulus,
-        // From C a scenario has the interfaces that its layers need.
-        ScenarioError::Interfaces { .. } => Status::IllegalValue,
+        ScenarioError::LayerWidth { .. } => Status::LayerWidth,
     }
 }
 
@@ -198,6 +197,7 @@ impl Failure {
             Self::Scenario(ScenarioError::NoEffect(error)) => error.name,
             Self::Scenario(ScenarioError::Contradiction { names: [_, other] }) => other,
             Self::Scenario(ScenarioError::LayerThickness { layer, .. }) => Name::of_layer(layer, "thickness"),
+            Self::Scenario(ScenarioError::LayerWidth { layer, .. }) => Name::of_layer(layer, "width"),
             Self::Scenario(ScenarioError::TearStretch { layer, .. }) => Name::of_layer(layer, "tear_stretch"),
             Self::Scenario(ScenarioError::Softening { layer, .. }) => Name::of_layer(layer, "softening_r"),
             Self::Scenario(ScenarioError::FaceTooSmall { name, .. }) => name.into(),
@@ -221,3 +221,6 @@ impl Failure {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -59,6 +59,8 @@ pub enum SoftanvilStatus {
     Softening = 220,
     /// The coefficients of a compressible law give no positive bulk modulus at rest.
     BulkModulus = 221,
+    /// A layer is wider than what it lies on.
+    LayerWidth = 216,
     /// An element turned inside out or is no longer finite.
     Inverted = 300,
     /// The time step is above the current stability limit of an element.
@@ -81,7 +83,7 @@ use SoftanvilStatus as S;
 
 impl SoftanvilStatus {
     /// Every status.
-    pub const ALL: [Self; 33] = [
+    pub const ALL: [Self; 34] = [
         S::Ok,
         S::NullPointer,
         S::Misaligned,
@@ -107,6 +109,7 @@ impl SoftanvilStatus {
         S::FaceOfFormulation,
         S::Softening,
         S::BulkModulus,
+        S::LayerWidth,
         S::Inverted,
         S::Unstable,
         S::IllegalInput,
@@ -145,6 +148,7 @@ impl SoftanvilStatus {
             S::Softening => c"r of a softening below 1",
             S::BulkModulus => c"elastic coefficients give no positive bulk modulus",
             S::FaceOfFormulation => c"face that the formulation cannot have",
+            S::LayerWidth => c"layer wider than what it lies on",
             S::Inverted => c"element inverted or not finite",
             S::Unstable => c"time step above the current stability limit",
             S::IllegalInput => c"input of a step not finite",

@@ -98,3 +98,6 @@ impl Clock {
         if self.ahead == 0.0 { Self::at(self.kernel_time(dt, kernel)) } else { self }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -203,3 +203,6 @@ impl Error {
 }
 
 impl core::error::Error for Error {}
+
+#[cfg(test)]
+mod tests;

@@ -225,3 +225,6 @@ impl Instance {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -145,3 +145,6 @@ fn march(simulation: &mut Simulation, advance: &mut Advance, pause: Pause) -> Re
     });
     all?
 }
+
+#[cfg(test)]
+mod tests;

@@ -535,3 +535,101 @@ fn layers_are_counted_and_those_that_are_not_there_keep_what_is_said_of_them() {
         assert_eq!(other.values(), instance.values());
     }
 }
+
+#[test]
+fn an_experiment_has_a_finite_start_and_ends_no_sooner() {
+    let mut instance = Instance::new(Version::Fmi2);
+    instance.setup(2.0, Some(3.0)).unwrap();
+    for start in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        assert!(matches!(instance.setup(start, None), Err(Error::StartTime { .. })));
+    }
+    for stop in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1.5] {
+        assert!(matches!(instance.setup(2.0, Some(stop)), Err(Error::StopTime { start: 2.0, .. })), "{stop}");
+    }
+    // What is refused changes nothing.
+    assert_eq!((instance.time(), instance.experiment.stop), (2.0, Some(3.0)));
+    instance.setup(4.0, Some(4.0)).unwrap();
+    assert_eq!((instance.time(), instance.experiment.stop), (4.0, Some(4.0)));
+}
+
+#[test]
+fn a_function_is_legal_in_its_modes_alone() {
+    let function = Function { name: "fmi2DoStep", legal: Mode::Step as u8 | Mode::Terminated as u8 };
+    let mut instance = Instance::new(Version::Fmi2);
+    assert_eq!(instance.check_call(&function), Err(Error::Call { mode: Mode::Instantiated }));
+    instance.enter_initialization();
+    assert_eq!(instance.check_call(&function), Err(Error::Call { mode: Mode::Initialization }));
+    instance.exit_initialization().unwrap();
+    assert_eq!(instance.check_call(&function), Ok(()));
+    instance.terminate();
+    assert_eq!(instance.check_call(&function), Ok(()));
+    instance.reset();
+    assert_eq!(instance.check_call(&function), Err(Error::Call { mode: Mode::Instantiated }));
+}
+
+#[test]
+fn event_mode_is_for_masters_that_handle_events() {
+    let mut without = Instance::new(Version::Fmi3);
+    assert!(matches!(without.enter(Mode::Event), Err(Error::Unsupported { .. })));
+    assert_eq!(without.mode, Mode::Instantiated);
+    let mut with = Instance::new(Version::Fmi3).with_events();
+    with.reset();
+    assert_eq!([without.event_mode_used(), with.event_mode_used()], [false, true]);
+    for (instance, mode) in [(&mut without, Mode::Step), (&mut with, Mode::Event)] {
+        instance.enter_initialization();
+        instance.exit_initialization().unwrap();
+        assert_eq!(instance.mode, mode);
+        instance.enter(Mode::Step).unwrap();
+        assert_eq!(instance.mode, Mode::Step);
+        instance.set_intermediate_update(true);
+        assert_eq!(instance.mode, Mode::IntermediateUpdate);
+        instance.set_intermediate_update(false);
+        assert_eq!(instance.mode, Mode::Step);
+    }
+    with.enter(Mode::Event).unwrap();
+    assert_eq!((with.mode, with.version()), (Mode::Event, Version::Fmi3));
+    assert_eq!(ready().version(), Version::Fmi2);
+}
+
+#[test]
+fn results_are_cut_off_from_the_first_contact_to_its_end() {
+    let mut instance = coarse(0.0);
+    let mut seen = vec![];
+    for _ in 0..400 {
+        let is_cut_off = instance.is_cut_off();
+        if seen.last() != Some(&is_cut_off) {
+            seen.push(is_cut_off);
+        }
+        // No force before, and none after.
+        assert!(is_cut_off || instance.real(FORCE).unwrap() == 0.0);
+        instance.do_step(instance.time(), SAMPLE).unwrap();
+    }
+    assert_eq!(seen, [false, true, false]);
+    assert!(!instance.has_failed() && !Instance::new(Version::Fmi2).is_cut_off());
+}
+
+#[test]
+fn a_model_is_told_in_a_line() {
+    let mut instance = Instance::new(Version::Fmi2);
+    assert_eq!(instance.summary().to_string(), "");
+    instance.enter_initialization();
+    instance.exit_initialization().unwrap();
+    let dt = dt_of(&mut instance);
+    assert_eq!(instance.summary().to_string(), std::format!("model of 240 elements, time step {dt} s"));
+}
+
+#[test]
+fn the_same_drop_starts_anew_in_the_model_at_hand() {
+    let mut instance = ready();
+    let start = outcome(&mut instance);
+    run(&mut instance, 60);
+    let end = outcome(&mut instance);
+    assert_ne!(start, end);
+    instance.reset();
+    assert!(instance.simulation.is_some());
+    instance.enter_initialization();
+    instance.exit_initialization().unwrap();
+    assert_eq!(outcome(&mut instance), start);
+    run(&mut instance, 60);
+    assert_eq!(outcome(&mut instance), end);
+}

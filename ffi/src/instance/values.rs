@@ -306,3 +306,6 @@ fn hexadecimal(word: u64) -> [u8; HASH_DIGITS] {
         if nibble < 10 { b'0' + nibble } else { b'a' + nibble - 10 }
     })
 }
+
+#[cfg(test)]
+mod tests;

@@ -26,7 +26,7 @@ const PASSES: usize = 4;
 #[inline(always)]
 pub(crate) fn contact<S: Simd>(simd: S, model: &Model, state: &mut State, prediction: &Prediction) -> ContactWork {
     let (constants, impactor) = (&model.constants, &mut state.scalars.impactor);
-    if constants.outline.radius > 0.0 {
+    if constants.has_uneven_contact() {
         return rounded_face::contact(model, state, prediction);
     }
     let Some(mut surface) = Surface::of(model, &mut state.nodes) else { return ContactWork::default() };
@@ -61,7 +61,7 @@ impl<'s> Surface<'s> {
         let count = grid.stride() / LANES;
         let StateNodes { displacement, velocity, force, contact: [normal, tangential], .. } = nodes;
         Some(Self {
-            row: NodeRow::of(model, grid.n_v, displacement, velocity, force)?,
+            row: NodeRow::of(model, grid.node_rows() - 1, displacement, velocity, force)?,
             normal: packs_mut(normal, 0, count)?,
             tangential: packs_mut(tangential, 0, count)?,
         })

@@ -18,7 +18,6 @@ use crate::state::{ContactWork, State, StateNodes};
 const PASSES: usize = 4;
 
 /// Adds the contact forces to the forces of the surface nodes and returns what they did.
-#[cold]
 #[inline(never)]
 pub(super) fn contact(model: &Model, state: &mut State, prediction: &Prediction) -> ContactWork {
     let (constants, impactor) = (model.constants, &mut state.scalars.impactor);

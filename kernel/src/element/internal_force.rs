@@ -19,10 +19,28 @@ use crate::tensor::kinematics::Kinematics;
 /// Internal forces on the corners of neighbouring cells, N, from their displacements; advances the history of their
 /// triangles.
 ///
-/// `viscous` holds the overstress of the first triangle's terms, then of the second's. The history of an inverted
-/// triangle ([`ElementEnergy::inverted`]) is not to be used.
+/// `viscous` holds the overstress of the first triangle's terms, then of the second's, and behind them what both remember of
+/// softening and of a compressible law. The history of an inverted triangle ([`ElementEnergy::inverted`]) is not to be used.
 #[inline(always)]
 pub fn internal_force<S: Simd>(
+    simd: S,
+    chunk: usize,
+    block: &Block,
+    displacement: &Corners<S::Vector>,
+    history: &mut CellHistory,
+    viscous: &mut [Deviator],
+    energy: &mut ElementEnergy,
+) -> Corners<S::Vector> {
+    if block.laws.is_plain() {
+        plain_force(simd, chunk, block, displacement, history, viscous, energy)
+    } else {
+        whole_force(simd, chunk, block, displacement, history, viscous, energy)
+    }
+}
+
+/// [`internal_force`] of an isochoric law that does not soften; apart, so that it carries nothing of the others.
+#[inline(always)]
+pub(crate) fn plain_force<S: Simd>(
     simd: S,
     chunk: usize,
     block: &Block,
@@ -34,17 +52,40 @@ pub fn internal_force<S: Simd>(
     let edges = triangle_edges(simd, simd.load(&block.constants.diagonal, chunk), displacement);
     let kinematics = kinematics(simd, chunk, block, displacement, &edges);
     mark_inverted(simd, chunk, &kinematics, energy);
-    // Written twice, so that isochoric laws carry nothing of the others.
-    if block.laws.elastic.is_compressible() {
-        let [(a, m, first), (b, n, second)] = whole_stress(simd, chunk, block, &kinematics, history, viscous);
-        add_energies(simd, chunk, block, [first, second], energy);
-        return nodal_forces(simd, chunk, block, &edges, &kinematics, [(a, m), (b, n)]);
-    }
     let pressure = mean_stress(simd, chunk, block, &kinematics, energy);
     let [(a, first), (b, second)] = deviatoric_stress(simd, chunk, block, &kinematics, history, viscous);
     add_energies(simd, chunk, block, [first, second], energy);
     let means = [pressure * kinematics[0].jacobian, pressure * kinematics[1].jacobian];
     nodal_forces(simd, chunk, block, &edges, &kinematics, [(a, means[0]), (b, means[1])])
+}
+
+/// [`internal_force`] of a compressible law, or of one that softens.
+#[inline(always)]
+pub(crate) fn whole_force<S: Simd>(
+    simd: S,
+    chunk: usize,
+    block: &Block,
+    displacement: &Corners<S::Vector>,
+    history: &mut CellHistory,
+    viscous: &mut [Deviator],
+    energy: &mut ElementEnergy,
+) -> Corners<S::Vector> {
+    let edges = triangle_edges(simd, simd.load(&block.constants.diagonal, chunk), displacement);
+    let kinematics = kinematics(simd, chunk, block, displacement, &edges);
+    mark_inverted(simd, chunk, &kinematics, energy);
+    let [first, second] = whole_stress(simd, chunk, block, &kinematics, history, viscous);
+    let mut means = [first.mean, second.mean];
+    if !block.laws.elastic.is_compressible() {
+        let pressure = mean_stress(simd, chunk, block, &kinematics, energy);
+        means = [pressure * kinematics[0].jacobian, pressure * kinematics[1].jacobian];
+    }
+    for (triangle, lost) in block.constants.triangle.iter().zip([first.softening_increment, second.softening_increment])
+    {
+        let volume = simd.load(&triangle.reference_volume, chunk);
+        simd.add(volume * lost, &mut energy.softening_increment, chunk);
+    }
+    add_energies(simd, chunk, block, [first.density, second.density], energy);
+    nodal_forces(simd, chunk, block, &edges, &kinematics, [(first.deviator, means[0]), (second.deviator, means[1])])
 }
 
 /// Adds the energies of both triangles of each cell.

@@ -3,11 +3,11 @@
 mod cell;
 pub(crate) mod cell_bound;
 mod energy;
+mod extra_history;
 mod history;
 pub mod internal_force;
 mod reference_triangle;
 mod response;
-mod viscous_history;
 pub(crate) mod whole_bound;
 mod whole_response;
 
@@ -17,4 +17,5 @@ pub use energy::ElementEnergy;
 pub use history::{CellHistory, TriangleHistory};
 pub(crate) use internal_force::cell_kinematics;
 pub use internal_force::internal_force;
+pub(crate) use internal_force::{plain_force, whole_force};
 pub(crate) use reference_triangle::Triangle;

@@ -1,11 +1,10 @@
 //! How the material of a cell responds to its deformation: stresses and energies of its two triangles, whose history they
 //! advance.
 
-use crate::element::viscous_history::ViscousHistory;
 use crate::element::{Block, CellHistory, ElementEnergy, TriangleHistory};
+use crate::material::MaterialModel;
 use crate::material::relaxation::Overstress;
 use crate::material::slider::{Slider, SliderStep};
-use crate::material::{MaterialModel, Softened};
 use crate::number::pack::Pack;
 use crate::number::vector::{Simd, Vector};
 use crate::tensor::deviator::Deviator;
@@ -21,27 +20,25 @@ pub(crate) struct EnergyDensity<V> {
     slider_stored: V,
     slider_increment: V,
     tear_increment: V,
-    softening_increment: V,
 }
 
 impl<V: Vector> EnergyDensity<V> {
-    /// Of elasticity, which may have softened, overstress and springs.
+    /// Of elasticity, overstress and springs.
     #[inline(always)]
     pub(super) fn new<S: Simd<Vector = V>>(
         simd: S,
-        softened: &Softened<V>,
+        stored: V,
         overstress: &Overstress<V>,
         elastic: &Deviator<V>,
         strain_increment: &Deviator<V>,
         springs: &SliderStep<V>,
     ) -> Self {
         Self {
-            elastic: softened.stored,
+            elastic: stored,
             viscous_increment: overstress.twice_mean(elastic).half_contract(strain_increment),
             slider_stored: springs.stored,
             slider_increment: springs.dissipation,
             tear_increment: simd.splat(0.0),
-            softening_increment: softened.increment,
         }
     }
 
@@ -72,9 +69,6 @@ impl<V: Vector> EnergyDensity<V> {
         if laws.tear.active() {
             simd.add(volume * self.tear_increment, &mut sums.tear_increment, chunk);
         }
-        if laws.softening.active() {
-            simd.add(volume * self.softening_increment, &mut sums.softening_increment, chunk);
-        }
     }
 }
 
@@ -100,29 +94,21 @@ pub(crate) fn deviatoric_stress<S: Simd>(
     ];
     let springs = spring_stress(simd, chunk, &laws.slider, &strain_increment, [&mut *a, &mut *b]);
     let [first, second] = laws.elastic.stress(simd, kinematics, axisymmetric);
-    let mut viscous = ViscousHistory::split(laws, viscous);
-    let (mut elastic, mut softened) =
-        ([first.0, second.0], [Softened::none(simd, first.1), Softened::none(simd, second.1)]);
-    if laws.softening.active() {
-        let [numbers, numbers_2] = viscous.each_mut().map(|of| &mut *of.numbers);
-        softened = [soften(simd, chunk, laws, first.1, numbers), soften(simd, chunk, laws, second.1, numbers_2)];
-        elastic = [elastic[0].scaled(softened[0].factor), elastic[1].scaled(softened[1].factor)];
-    }
+    let elastic = [first.0, second.0];
     let overstress = viscous_stress(simd, chunk, laws, &elastic, &strain_increment, [a, b], viscous);
     let mut stress = [overstress[0].total, overstress[1].total];
     if laws.slider.active() {
         stress = [stress[0] + springs[0].stress, stress[1] + springs[1].stress];
     }
     let mut density = [
-        EnergyDensity::new(simd, &softened[0], &overstress[0], &elastic[0], &strain_increment[0], &springs[0]),
-        EnergyDensity::new(simd, &softened[1], &overstress[1], &elastic[1], &strain_increment[1], &springs[1]),
+        EnergyDensity::new(simd, first.1, &overstress[0], &elastic[0], &strain_increment[0], &springs[0]),
+        EnergyDensity::new(simd, second.1, &overstress[1], &elastic[1], &strain_increment[1], &springs[1]),
     ];
     if laws.tear.active() {
-        let factor = [
-            tear(simd, chunk, laws, &kinematics[0], a, &mut density[0]),
-            tear(simd, chunk, laws, &kinematics[1], b, &mut density[1]),
+        stress = [
+            tear(simd, chunk, laws, &kinematics[0], a, &stress[0], &mut density[0]),
+            tear(simd, chunk, laws, &kinematics[1], b, &stress[1], &mut density[1]),
         ];
-        stress = [stress[0].scaled(factor[0]), stress[1].scaled(factor[1])];
     }
     let [first, second] = density;
     [(stress[0], first), (stress[1], second)]
@@ -161,26 +147,6 @@ pub(super) fn advance_stretch<S: Simd>(
     before
 }
 
-/// Takes the energy of the whole law of one triangle of each cell, J/m3, into what softening knows of it.
-#[inline(always)]
-pub(super) fn soften<S: Simd>(
-    simd: S,
-    chunk: usize,
-    laws: &MaterialModel,
-    energy: S::Vector,
-    numbers: &mut [Deviator],
-) -> Softened<S::Vector> {
-    // A law that softens has the entry.
-    let Some(Deviator { difference: largest, shear: dissipated, .. }) = numbers.first_mut() else {
-        return Softened::none(simd, energy);
-    };
-    let (mut most, mut lost) = (simd.load(largest, chunk), simd.load(dissipated, chunk));
-    let softened = laws.softening.update(simd, energy, &mut most, &mut lost);
-    simd.store(most, largest, chunk);
-    simd.store(lost, dissipated, chunk);
-    softened
-}
-
 /// Springs and sliders of the two triangles of each cell, no stress where the material has none; advances their history.
 #[inline(always)]
 pub(super) fn spring_stress<S: Simd>(
@@ -211,34 +177,53 @@ pub(super) fn viscous_stress<S: Simd>(
     elastic: &[Deviator<S::Vector>; 2],
     strain_increment: &[Deviator<S::Vector>; 2],
     [a, b]: [&mut TriangleHistory; 2],
-    [first, second]: [ViscousHistory; 2],
+    viscous: &mut [Deviator],
 ) -> [Overstress<S::Vector>; 2] {
+    let n_quasi_linear = laws.prony.n_term();
+    let (first, second) = viscous.split_at_mut_checked(laws.n_term()).unwrap_or_default();
+    let (quasi_linear, additive) = first.split_at_mut_checked(n_quasi_linear).unwrap_or_default();
+    let (quasi_linear_2, additive_2) = second.split_at_mut_checked(n_quasi_linear).unwrap_or_default();
     let mut overstress =
         [Overstress::with_equilibrium(simd, elastic[0]), Overstress::with_equilibrium(simd, elastic[1])];
-    if laws.prony.n_term() > 0 {
+    if n_quasi_linear > 0 {
         let increment = [
             elastic[0] - Deviator::load(simd, &a.elastic_prev, chunk),
             elastic[1] - Deviator::load(simd, &b.elastic_prev, chunk),
         ];
-        laws.prony.update(simd, chunk, &increment, [first.quasi_linear, second.quasi_linear], &mut overstress);
+        laws.prony.update(simd, chunk, &increment, [quasi_linear, quasi_linear_2], &mut overstress);
     }
-    laws.maxwell.update(simd, chunk, strain_increment, [first.additive, second.additive], &mut overstress);
+    laws.maxwell.update(simd, chunk, strain_increment, [additive, additive_2], &mut overstress);
     elastic[0].store(simd, &mut a.elastic_prev, chunk);
     elastic[1].store(simd, &mut b.elastic_prev, chunk);
     overstress
 }
 
-/// Takes from one triangle of each cell the energies that it has lost by tearing; returns what is left of its stress, over all
-/// of it.
+/// Takes from one triangle of each cell the stress and the energies that it has lost by tearing.
 #[inline(always)]
-pub(super) fn tear<S: Simd>(
+fn tear<S: Simd>(
+    simd: S,
+    chunk: usize,
+    laws: &MaterialModel,
+    kinematics: &Kinematics<S::Vector>,
+    history: &mut TriangleHistory,
+    stress: &Deviator<S::Vector>,
+    density: &mut EnergyDensity<S::Vector>,
+) -> Deviator<S::Vector> {
+    let [_, after] = tear_energies(simd, chunk, laws, kinematics, history, density);
+    stress.scaled(after)
+}
+
+/// Takes from one triangle of each cell the energies that it has lost by tearing; returns the part of all stresses that is left
+/// in the mean of the step, and after it.
+#[inline(always)]
+pub(super) fn tear_energies<S: Simd>(
     simd: S,
     chunk: usize,
     laws: &MaterialModel,
     kinematics: &Kinematics<S::Vector>,
     history: &mut TriangleHistory,
     density: &mut EnergyDensity<S::Vector>,
-) -> S::Vector {
+) -> [S::Vector; 2] {
     let [largest, before, after] = laws.tear.update(simd, kinematics, simd.load(&history.largest_stretch, chunk));
     simd.store(largest, &mut history.largest_stretch, chunk);
     let mean = (before + after).mul_scalar(0.5);
@@ -251,6 +236,5 @@ pub(super) fn tear<S: Simd>(
     density.viscous_increment = mean * density.viscous_increment;
     density.slider_stored = after * density.slider_stored;
     density.slider_increment = mean * density.slider_increment;
-    density.softening_increment = mean * density.softening_increment;
-    after
+    [mean, after]
 }

@@ -1,21 +1,31 @@
-//! How a compressible material responds to the deformation of a cell: as [`crate::element::response`], but with the mean
-//! stress of each triangle, which the law itself says. Nothing of it is shared in a cell: there is nothing to lock.
+//! How a material that softens, or has a compressible law, responds to the deformation of a cell: as
+//! [`crate::element::response`], and more.
 //!
-//! Prony terms act on the whole stress, Maxwell terms and spring-sliders on its deviator, as ever; softening and tear take
-//! from the whole.
+//! A compressible law says the mean stress of each triangle as well. Nothing of it is shared in a cell: there is nothing to
+//! lock. Prony terms act on the whole stress, Maxwell terms and spring-sliders on its deviator, as ever; softening and tear
+//! take from the whole.
 
-use crate::element::response::{EnergyDensity, advance_stretch, soften, spring_stress, tear, viscous_stress};
-use crate::element::viscous_history::ViscousHistory;
+use crate::element::extra_history::ExtraHistory;
+use crate::element::response::{EnergyDensity, advance_stretch, spring_stress, tear_energies, viscous_stress};
 use crate::element::{Block, CellHistory};
 use crate::material::{MaterialModel, Softened, WholeStress};
 use crate::number::vector::{Simd, Vector};
 use crate::tensor::deviator::Deviator;
 use crate::tensor::kinematics::Kinematics;
 
-/// Deviator and mean of the stress of one triangle, Pa, and its energies.
-pub(crate) type WholeResponse<V> = (Deviator<V>, V, EnergyDensity<V>);
+/// Stress and energies of one triangle of each cell.
+pub(crate) struct WholeResponse<V> {
+    /// Deviator of the Kirchhoff stress in the unrotated frame, Pa.
+    pub deviator: Deviator<V>,
+    /// Mean of the Kirchhoff stress of a compressible law, Pa; 0 of others.
+    pub mean: V,
+    /// Energies but for the next.
+    pub density: EnergyDensity<V>,
+    /// Energy dissipated by softening in this step, J/m3.
+    pub softening_increment: V,
+}
 
-/// Kirchhoff stress in the unrotated frame, Pa, and energies of the two triangles of each cell; advances their history.
+/// Stresses and energies of the two triangles of each cell; advances their history.
 #[inline(always)]
 pub(crate) fn whole_stress<S: Simd>(
     simd: S,
@@ -23,7 +33,7 @@ pub(crate) fn whole_stress<S: Simd>(
     block: &Block,
     kinematics: &[Kinematics<S::Vector>; 2],
     history: &mut CellHistory,
-    viscous: &mut [Deviator],
+    entries: &mut [Deviator],
 ) -> [WholeResponse<S::Vector>; 2] {
     let (laws, axisymmetric) = (block.laws, block.hoop.is_some());
     let [a, b] = &mut history.triangle;
@@ -36,62 +46,91 @@ pub(crate) fn whole_stress<S: Simd>(
         kinematics[1].strain_increment(simd, &before[1], axisymmetric),
     ];
     let springs = spring_stress(simd, chunk, &laws.slider, &strain_increment, [&mut *a, &mut *b]);
-    let [mut first, mut second] = ViscousHistory::split(laws, viscous);
-    let [(elastic, softened), (elastic_2, softened_2)] = [
-        elastic_stress(simd, chunk, laws, &kinematics[0], axisymmetric, &mut first),
-        elastic_stress(simd, chunk, laws, &kinematics[1], axisymmetric, &mut second),
-    ];
+    let (terms, [mut first, mut second]) = ExtraHistory::split(laws, entries);
+    let elastic = elastic_stress(simd, laws, kinematics, axisymmetric);
+    let softened =
+        [soften(simd, chunk, laws, &elastic[0], &mut first), soften(simd, chunk, laws, &elastic[1], &mut second)];
+    let deviators = [elastic[0].deviator.scaled(softened[0].factor), elastic[1].deviator.scaled(softened[1].factor)];
+    let overstress = viscous_stress(simd, chunk, laws, &deviators, &strain_increment, [&mut *a, &mut *b], terms);
     let means = [
-        mean_stress(simd, chunk, laws, elastic.mean, &mut first),
-        mean_stress(simd, chunk, laws, elastic_2.mean, &mut second),
+        mean_stress(simd, chunk, laws, softened[0].factor * elastic[0].mean, &mut first),
+        mean_stress(simd, chunk, laws, softened[1].factor * elastic[1].mean, &mut second),
     ];
-    let deviators = [elastic.deviator, elastic_2.deviator];
-    let overstress =
-        viscous_stress(simd, chunk, laws, &deviators, &strain_increment, [&mut *a, &mut *b], [first, second]);
+    let mut density = [
+        EnergyDensity::new(simd, softened[0].stored, &overstress[0], &deviators[0], &strain_increment[0], &springs[0]),
+        EnergyDensity::new(simd, softened[1].stored, &overstress[1], &deviators[1], &strain_increment[1], &springs[1]),
+    ];
+    density[0].add_viscous(means[0][1] * kinematics[0].volume_increment(simd, &before[0], axisymmetric));
+    density[1].add_viscous(means[1][1] * kinematics[1].volume_increment(simd, &before[1], axisymmetric));
+    let stress = [overstress[0].total + springs[0].stress, overstress[1].total + springs[1].stress];
+    let [first, second] = density;
     let mut response = [
-        (
-            overstress[0].total + springs[0].stress,
-            means[0][0],
-            EnergyDensity::new(simd, &softened, &overstress[0], &deviators[0], &strain_increment[0], &springs[0]),
-        ),
-        (
-            overstress[1].total + springs[1].stress,
-            means[1][0],
-            EnergyDensity::new(simd, &softened_2, &overstress[1], &deviators[1], &strain_increment[1], &springs[1]),
-        ),
+        WholeResponse::new(stress[0], means[0][0], first, &softened[0]),
+        WholeResponse::new(stress[1], means[1][0], second, &softened[1]),
     ];
-    for t in 0..2 {
-        if laws.prony.n_term() > 0 {
-            let grown = kinematics[t].volume_increment(simd, &before[t], axisymmetric);
-            response[t].2.add_viscous(means[t][1] * grown);
-        }
-    }
     if laws.tear.active() {
         for (t, history) in [a, b].into_iter().enumerate() {
-            let factor = tear(simd, chunk, laws, &kinematics[t], history, &mut response[t].2);
-            (response[t].0, response[t].1) = (response[t].0.scaled(factor), factor * response[t].1);
+            let [during, after] = tear_energies(simd, chunk, laws, &kinematics[t], history, &mut response[t].density);
+            response[t].lose(during, after);
         }
     }
     response
 }
 
-/// Long-term stress of one triangle of each cell, which may have softened, and its energies.
+impl<V: Vector> WholeResponse<V> {
+    #[inline(always)]
+    fn new(deviator: Deviator<V>, mean: V, density: EnergyDensity<V>, softened: &Softened<V>) -> Self {
+        Self { deviator, mean, density, softening_increment: softened.increment }
+    }
+
+    /// Keeps the part `after` of its stresses, and `during` of what was dissipated in the step.
+    #[inline(always)]
+    fn lose(&mut self, during: V, after: V) {
+        (self.deviator, self.mean) = (self.deviator.scaled(after), after * self.mean);
+        self.softening_increment = during * self.softening_increment;
+    }
+}
+
+/// Long-term stress and energy of both triangles of each cell, before any softening.
 #[inline(always)]
 fn elastic_stress<S: Simd>(
     simd: S,
+    laws: &MaterialModel,
+    kinematics: &[Kinematics<S::Vector>; 2],
+    axisymmetric: bool,
+) -> [WholeStress<S::Vector>; 2] {
+    if laws.elastic.is_compressible() {
+        let [k, l] = kinematics;
+        return [laws.elastic.whole_stress(simd, k, axisymmetric), laws.elastic.whole_stress(simd, l, axisymmetric)];
+    }
+    let [first, second] = laws.elastic.stress(simd, kinematics, axisymmetric);
+    let mean = simd.splat(0.0);
+    [
+        WholeStress { deviator: first.0, mean, energy: first.1 },
+        WholeStress { deviator: second.0, mean, energy: second.1 },
+    ]
+}
+
+/// What softening leaves of one triangle of each cell.
+#[inline(always)]
+fn soften<S: Simd>(
+    simd: S,
     chunk: usize,
     laws: &MaterialModel,
-    kinematics: &Kinematics<S::Vector>,
-    axisymmetric: bool,
-    viscous: &mut ViscousHistory,
-) -> (WholeStress<S::Vector>, Softened<S::Vector>) {
-    let mut elastic = laws.elastic.whole_stress(simd, kinematics, axisymmetric);
-    if !laws.softening.active() {
-        return (elastic, Softened::none(simd, elastic.energy));
+    elastic: &WholeStress<S::Vector>,
+    extra: &mut ExtraHistory,
+) -> Softened<S::Vector> {
+    // A law that softens has the entry.
+    match extra.numbers.first_mut() {
+        Some(Deviator { difference: largest, shear: dissipated, .. }) if laws.softening.active() => {
+            let (mut most, mut lost) = (simd.load(largest, chunk), simd.load(dissipated, chunk));
+            let softened = laws.softening.update(simd, elastic.energy, &mut most, &mut lost);
+            simd.store(most, largest, chunk);
+            simd.store(lost, dissipated, chunk);
+            softened
+        }
+        _ => Softened::none(simd, elastic.energy),
     }
-    let softened = soften(simd, chunk, laws, elastic.energy, viscous.numbers);
-    (elastic.deviator, elastic.mean) = (elastic.deviator.scaled(softened.factor), softened.factor * elastic.mean);
-    (elastic, softened)
 }
 
 /// Mean stress of one triangle of each cell with its overstress, from that of its elasticity, Pa, and the mean of the
@@ -102,14 +141,14 @@ fn mean_stress<S: Simd>(
     chunk: usize,
     laws: &MaterialModel,
     elastic: S::Vector,
-    viscous: &mut ViscousHistory,
+    extra: &mut ExtraHistory,
 ) -> [S::Vector; 2] {
     // A compressible law with Prony terms has the entry.
-    match viscous.numbers.first_mut() {
-        Some(numbers) if laws.prony.n_term() > 0 => {
+    match extra.numbers.first_mut() {
+        Some(numbers) if laws.elastic.is_compressible() && laws.prony.n_term() > 0 => {
             let increment = elastic - simd.load(&numbers.mean, chunk);
             simd.store(elastic, &mut numbers.mean, chunk);
-            let [before, after] = laws.prony.update_mean(simd, chunk, increment, viscous.means);
+            let [before, after] = laws.prony.update_mean(simd, chunk, increment, extra.means);
             [elastic + after, (before + after).mul_scalar(0.5)]
         }
         _ => [elastic, simd.splat(0.0)],

@@ -30,13 +30,15 @@ pub enum ScenarioError {
         /// Names of their parameters.
         names: [Name; 2],
     },
-    /// Interfaces that do not fit the layers.
-    #[error("{interfaces} interfaces are refused: expected {} between {layers} layers", layers.saturating_sub(1))]
-    Interfaces {
-        /// How many layers there are.
-        layers: usize,
-        /// How many interfaces there are.
-        interfaces: usize,
+    /// A layer is wider than what it lies on.
+    #[error("layers[{layer}].width = {} m is refused: expected at most {} m, the width of what is below it", Decimal(*width), Decimal(*maximum))]
+    LayerWidth {
+        /// The layer, counted from the core.
+        layer: usize,
+        /// Its width, m.
+        width: Real,
+        /// Largest legal width, m.
+        maximum: Real,
     },
     /// A layer has next to no thickness.
     #[error("layers[{layer}].thickness = {} m is refused: expected at least {} m", Decimal(*thickness), Decimal(*minimum))]

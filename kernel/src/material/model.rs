@@ -48,6 +48,12 @@ impl MaterialModel {
         }
     }
 
+    /// Whether the elastic law is isochoric and does not soften.
+    #[inline(always)]
+    pub fn is_plain(&self) -> bool {
+        !self.elastic.is_compressible() && !self.softening.active()
+    }
+
     /// Terms of overstress: the Prony terms, then the Maxwell terms.
     pub fn n_term(&self) -> usize {
         self.prony.n_term() + self.maxwell.n_term()

@@ -3,9 +3,9 @@
 use heapless::Vec;
 
 use crate::number::math;
-use crate::number::real::Real;
 use crate::number::real::consts::FRAC_PI_2;
-use crate::scenario::{Outline, Scenario, Section, Shape};
+use crate::number::real::{Real, SAME};
+use crate::scenario::{MAX_LAYERS, Outline, Scenario, Section, Shape};
 
 /// Most pieces of half a section: between the edges of three layers and both ends of a face's flat part.
 pub const MAX_PIECES: usize = 6;
@@ -37,20 +37,39 @@ pub(super) fn pieces(scenario: &Scenario) -> [Piece; MAX_PIECES] {
 /// Width of half the section at half its height, m.
 fn half_width(scenario: &Scenario) -> Real {
     match scenario.geometry.shape {
-        Shape::Round => half_angle(scenario) * (scenario.geometry.core_radius + 0.5 * scenario.thickness()),
-        Shape::Block => 0.5 * scenario.geometry.block_width,
+        Shape::Round => half_angle(scenario) * (scenario.geometry.core_radius + 0.5 * scenario.height()),
+        Shape::Block => scenario.half_block_width(),
     }
 }
 
-/// Angle from the centre line of a round section to its side.
-pub(super) fn half_angle(_scenario: &Scenario) -> Real {
-    FRAC_PI_2
+/// Angle from the centre line of a round section to its side: a right one, unless the lowest layer ends before.
+pub(super) fn half_angle(scenario: &Scenario) -> Real {
+    let width = scenario.layers.first().map_or(0.0, |layer| layer.width);
+    if width > 0.0 { 0.5 * width / scenario.geometry.core_radius } else { FRAC_PI_2 }
+}
+
+/// Where a layer ends, as a part of the way from the centre line to the side of the section; 1 for one that is not there.
+pub(super) fn layer_across(scenario: &Scenario, place: usize) -> Real {
+    let narrow = |layer: usize| layer > 0 && scenario.layers.get(layer).is_some_and(|layer| layer.width > 0.0);
+    if place >= scenario.layers.len() {
+        return 1.0;
+    }
+    match (0..=place).rev().find(|layer| narrow(*layer)) {
+        Some(layer) => scenario.layers.get(layer).map_or(1.0, |of| of.width / scenario.whole_width(layer)),
+        None => 1.0,
+    }
 }
 
 /// Where columns of nodes have to be, and the side, in order; parts of the way to the side.
 fn breaks(scenario: &Scenario) -> Vec<Real, MAX_PIECES> {
     let mut breaks = Vec::new();
     add(&mut breaks, 1.0);
+    for place in 0..MAX_LAYERS {
+        let across = layer_across(scenario, place);
+        if breaks.iter().all(|other| math::abs(other - across) > SAME) {
+            add(&mut breaks, across);
+        }
+    }
     let spacing = 0.5 * scenario.mesh.element_size / half_width(scenario);
     for x in face_edges(scenario).into_iter().flatten() {
         let across = surface_across(scenario, x);
@@ -91,7 +110,7 @@ fn face_edges(scenario: &Scenario) -> [Option<Real>; 2] {
 /// Width of half the section along its surface, m.
 fn surface_half_width(scenario: &Scenario) -> Real {
     match scenario.geometry.shape {
-        Shape::Round => half_angle(scenario) * (scenario.geometry.core_radius + scenario.thickness()),
+        Shape::Round => half_angle(scenario) * (scenario.geometry.core_radius + scenario.height()),
         Shape::Block => half_width(scenario),
     }
 }
@@ -100,7 +119,7 @@ fn surface_half_width(scenario: &Scenario) -> Real {
 fn surface_across(scenario: &Scenario, x: Real) -> Real {
     match scenario.geometry.shape {
         Shape::Round => {
-            let sine = x / (scenario.geometry.core_radius + scenario.thickness());
+            let sine = x / (scenario.geometry.core_radius + scenario.height());
             if sine < 1.0 { math::asin(sine) / half_angle(scenario) } else { 1.0 }
         }
         Shape::Block => x / half_width(scenario),

@@ -9,10 +9,10 @@
 use core::ops::Range;
 
 use crate::error::ModelError;
-use crate::mesh::columns::{MAX_PIECES, Piece, pieces};
+use crate::mesh::columns::{MAX_PIECES, Piece, layer_across, pieces};
 use crate::number::math;
 use crate::number::pack::LANES;
-use crate::number::real::Real;
+use crate::number::real::{Real, SAME};
 use crate::scenario::{Formulation, Layer, MAX_LAYERS, Scenario, Section};
 
 /// Largest number of cells of a mesh.
@@ -29,6 +29,10 @@ pub struct Grid {
     pub n_v: usize,
     /// Row that ends each layer: the first of the next one. Layers that the scenario does not have end with the last.
     pub layer_end: [usize; MAX_LAYERS],
+    /// Whether each layer has nodes of its own where it lies on the one below, which are a row more then.
+    pub layer_open: [bool; MAX_LAYERS],
+    /// Columns of cells of each layer to either side of the centre line; those beyond are empty.
+    pub layer_columns: [usize; MAX_LAYERS],
     /// How the columns of half the section are spread, from the centre line to the side; the last ones are alike.
     pub pieces: [Piece; MAX_PIECES],
     /// Whether the section turns about its centre line.
@@ -57,10 +61,16 @@ impl Grid {
             n_v += layers.next().map_or(0, |layer| layer_rows(layer, element_size));
             n_v
         });
+        let layer_open = core::array::from_fn(|place| scenario.is_open(place));
+        let layer_columns = columns_of_layers(scenario, &pieces);
         let axisymmetric = geometry.formulation == Formulation::Axisymmetric;
         Ok(match geometry.section {
-            Section::Half => Self { n_u: half, centre: 0, n_v, layer_end, pieces, axisymmetric },
-            Section::Full => Self { n_u: 2 * half, centre: half, n_v, layer_end, pieces, axisymmetric },
+            Section::Half => {
+                Self { n_u: half, centre: 0, n_v, layer_end, layer_open, layer_columns, pieces, axisymmetric }
+            }
+            Section::Full => {
+                Self { n_u: 2 * half, centre: half, n_v, layer_end, layer_open, layer_columns, pieces, axisymmetric }
+            }
         })
     }
 
@@ -94,7 +104,38 @@ impl Grid {
 
     /// The node of column `u` that is at the surface.
     pub fn surface_node(&self, u: usize) -> usize {
-        self.n_v * self.stride() + u
+        let covering = (0..MAX_LAYERS).filter(|layer| self.has_column(*layer, u)).max().unwrap_or_default();
+        let top = self.rows_of(covering).end.saturating_sub(1);
+        (self.node_row(top) + 1) * self.stride() + u
+    }
+
+    /// Columns of cells that a layer has.
+    pub fn columns_of(&self, layer: usize) -> Range<usize> {
+        let columns = self.layer_columns.get(layer).copied().unwrap_or_default();
+        self.centre.saturating_sub(columns)..(self.centre + columns).min(self.n_u)
+    }
+
+    /// Whether a layer that is there has nodes in column `u`.
+    fn has_column(&self, layer: usize, u: usize) -> bool {
+        let columns = self.columns_of(layer);
+        !self.rows_of(layer).is_empty() && columns.start <= u && u <= columns.end
+    }
+
+    /// Whether a cell is there, or a layer is narrower than others.
+    pub fn has_cell(&self, u: usize, row: usize) -> bool {
+        self.columns_of(self.layer_of_row(row)).contains(&u)
+    }
+
+    /// Whether all nodes of the surface lie in one row.
+    pub fn has_even_surface(&self) -> bool {
+        self.layer_columns.iter().all(|columns| *columns == self.n_u - self.centre)
+    }
+
+    /// The row of nodes at the top of the layer below the layer `layer`, and that at its own lower side, if they are not bonded.
+    pub fn interface_rows(&self, layer: usize) -> Option<[usize; 2]> {
+        let open = self.layer_open.get(layer).copied().unwrap_or_default();
+        let upper = self.node_row(self.rows_of(layer).start);
+        if open { Some([upper.checked_sub(1)?, upper]) } else { None }
     }
 
     /// Where the column `u` of nodes stands: 0 on the centre line, 1 at the right side, -1 at the left one.
@@ -130,15 +171,28 @@ impl Grid {
         [block / per_row, block % per_row]
     }
 
+    /// Rows of nodes.
+    pub fn node_rows(&self) -> usize {
+        self.n_v + 1 + self.layer_open.iter().filter(|open| **open).count()
+    }
+
+    /// The row of nodes below a row of cells; the next one is above it.
+    #[inline(always)]
+    pub fn node_row(&self, row: usize) -> usize {
+        let open = self.layer_open.iter().skip(1).zip(&self.layer_end);
+        row + open.filter(|(open, end)| **open && **end <= row).count()
+    }
+
     /// First node below and first node above the block at `place` of row `row`.
+    #[inline(always)]
     pub fn first_nodes(&self, [row, place]: [usize; 2]) -> [usize; 2] {
-        let lower = row * self.stride() + place * LANES;
+        let lower = self.node_row(row) * self.stride() + place * LANES;
         [lower, lower + self.stride()]
     }
 
     /// Nodes of the whole mesh, padding included.
     pub fn n_node(&self) -> usize {
-        self.stride() * (self.n_v + 1)
+        self.stride() * self.node_rows()
     }
 
     /// Triangles of the whole mesh, padding excluded.
@@ -152,6 +206,16 @@ impl Grid {
         let column = (block % self.blocks_per_row().max(1)) * LANES + l;
         (2 * (row * self.n_u + column) + t) as u32
     }
+}
+
+/// Columns of cells of each layer beside the centre line: to the end of the piece where it ends. Layers that the scenario does
+/// not have are as wide as the section.
+fn columns_of_layers(scenario: &Scenario, pieces: &[Piece; MAX_PIECES]) -> [usize; MAX_LAYERS] {
+    core::array::from_fn(|place| {
+        let across = layer_across(scenario, place);
+        let last = pieces[MAX_PIECES - 1].end;
+        pieces.iter().find(|piece| piece.across >= across - SAME).map_or(last, |piece| piece.end)
+    })
 }
 
 /// Cells of about `size` m along `length` m, at least one.

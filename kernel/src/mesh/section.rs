@@ -18,7 +18,7 @@ pub fn reference_position(scenario: &Scenario, grid: &Grid, u: usize, v: usize) 
             let angle = half_angle(scenario) * across;
             [radius * math::sin(angle), radius * math::cos(angle)]
         }
-        Shape::Block => [0.5 * geometry.block_width * across, depth],
+        Shape::Block => [scenario.half_block_width() * across, depth],
     }
 }
 
@@ -27,8 +27,10 @@ fn height_over_core(scenario: &Scenario, grid: &Grid, v: usize) -> Real {
     let mut below = 0.0;
     for (place, layer) in scenario.layers.iter().enumerate() {
         let rows = grid.rows_of(place);
-        if v <= rows.end {
-            return below + layer.thickness * (v.saturating_sub(rows.start) as Real / rows.len() as Real);
+        let first = grid.node_row(rows.start);
+        below += scenario.gap_below(place);
+        if v <= first + rows.len() {
+            return below + layer.thickness * (v.saturating_sub(first) as Real / rows.len() as Real);
         }
         below += layer.thickness;
     }

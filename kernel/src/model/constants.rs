@@ -67,6 +67,11 @@ impl Constants {
         self.scenario.impactor.mass / self.symmetry_factor
     }
 
+    /// Whether the nodes that the face may meet are not one row under a flat face without edges.
+    pub(crate) fn has_uneven_contact(&self) -> bool {
+        self.outline.radius > 0.0 || !self.grid.has_even_surface()
+    }
+
     /// Mass that a force on a falling impactor moves within a step, kg: with the damping of its rails, which takes the velocity
     /// at the end of it.
     pub(crate) fn moved_mass(&self) -> Real {

@@ -13,6 +13,9 @@ pub(crate) const SURFACE_FIELDS: usize = 2;
 /// Numbers per surface node under a face that is round or has edges: depth in it, and its direction there.
 pub(crate) const ROUNDING_FIELDS: usize = 3;
 
+/// Numbers of a node that may touch the layer across an interface: see [`crate::state::Pair`].
+pub(crate) const PAIR_FIELDS: usize = 8;
+
 /// Lengths of the arrays of the nodes of a state.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct NodeArrays {
@@ -22,18 +25,22 @@ pub(crate) struct NodeArrays {
     pub surface: usize,
     /// Of that for the touch of a face that is round or has edges.
     pub rounding: usize,
+    /// Of that for the nodes on both sides of the interfaces that are not bonded.
+    pub pairs: usize,
 }
 
 impl NodeArrays {
     /// Those of a mesh under a face of this outline.
     pub fn new(grid: &Grid, outline: &Outline) -> Self {
-        let rounding = if outline.radius > 0.0 { ROUNDING_FIELDS * grid.stride() } else { 0 };
-        Self { nodes: grid.n_node(), surface: grid.stride(), rounding }
+        let rounding =
+            if outline.radius > 0.0 || !grid.has_even_surface() { ROUNDING_FIELDS * grid.stride() } else { 0 };
+        let sides = 2 * grid.layer_open.iter().filter(|open| **open).count();
+        Self { nodes: grid.n_node(), surface: grid.stride(), rounding, pairs: sides * PAIR_FIELDS * grid.stride() }
     }
 
     /// Numbers of all.
     fn total(&self) -> usize {
-        STATE_NODE_FIELDS * self.nodes + SURFACE_FIELDS * self.surface + self.rounding
+        STATE_NODE_FIELDS * self.nodes + SURFACE_FIELDS * self.surface + self.rounding + self.pairs
     }
 }
 

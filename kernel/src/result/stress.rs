@@ -89,22 +89,27 @@ impl<'a> Triangle<'a> {
 
     /// Overstresses of its viscous terms, Pa.
     fn overstress(&self, model: &Model, state: &StateView<'a>) -> Option<&'a [Deviator]> {
-        // The terms of the first triangle, then those of the second, in a block's share of the history.
-        self.entries(model, state)?.get(..self.laws.n_term())
+        // The terms of the first triangle, then those of the second.
+        let (terms, _) = self.entries(model, state)?.split_at_checked(2 * self.laws.n_term())?;
+        terms.chunks_exact(self.laws.n_term().max(1)).nth(self.number).or(Some(&[]))
     }
 
-    /// All that it remembers beside what every material does.
+    /// What it remembers of softening and of the mean stress of a compressible law.
+    fn extra(&self, model: &Model, state: &StateView<'a>) -> Option<&'a [Deviator]> {
+        let (_, extra) = self.entries(model, state)?.split_at_checked(2 * self.laws.n_term())?;
+        extra.chunks_exact(self.laws.n_extra_entry().max(1)).nth(self.number).or(Some(&[]))
+    }
+
+    /// The share of its block of the viscous history.
     fn entries(&self, model: &Model, state: &StateView<'a>) -> Option<&'a [Deviator]> {
-        let own = self.laws.n_history_entry();
-        let first = 2 * self.block * model.constants.n_history_entry() + self.number * own;
-        state.viscous.get(first..first + own)
+        let share = 2 * model.constants.n_history_entry();
+        state.viscous.get(self.block * share..)?.get(..2 * self.laws.n_history_entry())
     }
 
     /// Mean of the Kirchhoff stress of a compressible law before any tear, Pa.
     fn whole_mean(&self, model: &Model, state: &StateView<'a>) -> Option<Real> {
         let elastic = self.laws.elastic.whole_stress(Scalar, &self.kinematics()?, true);
-        let (_, extra) = self.entries(model, state)?.split_at_checked(self.laws.n_term())?;
-        let Some((numbers, means)) = extra.split_first() else { return Some(elastic.mean) };
+        let Some((numbers, means)) = self.extra(model, state)?.split_first() else { return Some(elastic.mean) };
         let mut mean = elastic.mean;
         if self.laws.softening.active() {
             let largest = *numbers.difference.get(self.lane)?;

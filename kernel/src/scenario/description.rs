@@ -34,8 +34,6 @@ pub struct Scenario {
     pub impactor: Impactor,
     /// The layers from the core to the surface, at least one.
     pub layers: Vec<Layer, MAX_LAYERS>,
-    /// The interfaces between neighbouring layers, from the core to the surface: one less than there are layers.
-    pub interfaces: Vec<LayerInterface, MAX_INTERFACES>,
     /// Interface between layer and core.
     pub core: CoreInterface,
     /// Interface between impactor and layer.
@@ -67,9 +65,6 @@ pub enum Formulation {
     /// The section turned about its centre line.
     Axisymmetric,
 }
-
-/// Most interfaces between layers.
-pub const MAX_INTERFACES: usize = MAX_LAYERS - 1;
 
 /// How much of the section is meshed.
 #[derive(Clone, Copy, Debug, FromRepr, PartialEq, Eq, VariantNames)]
@@ -171,6 +166,21 @@ impl Scenario {
     /// Thickness of all layers together, m.
     pub fn thickness(&self) -> Real {
         self.layers.iter().fold(0.0, |sum, layer| sum + layer.thickness)
+    }
+
+    /// Distance from the layer `place`, counted from the core, to the one below, m; 0 where they are bonded, and on the core.
+    pub fn gap_below(&self, place: usize) -> Real {
+        self.layers.get(place).filter(|_| self.is_open(place)).map_or(0.0, |layer| layer.gap)
+    }
+
+    /// Height of the surface above the core at rest, m: of all layers and the gaps between them.
+    pub fn height(&self) -> Real {
+        (0..self.layers.len()).fold(self.thickness(), |sum, place| sum + self.gap_below(place))
+    }
+
+    /// Whether the layer `place` and the one below have nodes of their own between them.
+    pub fn is_open(&self, place: usize) -> bool {
+        place > 0 && self.layers.get(place).is_some_and(|layer| layer.interface != LayerInterface::Bonded)
     }
 
     /// Radius of the curved core surface, m; none for a flat one.

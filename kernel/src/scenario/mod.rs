@@ -11,10 +11,11 @@ pub mod preset;
 pub mod presets;
 pub mod standards;
 mod validation;
+mod widths;
 
 pub use description::{
-    CoreInterface, FaceInterface, Formulation, Geometry, Interface, MAX_INTERFACES, Measurement, Mesh, Scenario,
-    Section, Shape, StepBy, Time,
+    CoreInterface, FaceInterface, Formulation, Geometry, Interface, Measurement, Mesh, Scenario, Section, Shape,
+    StepBy, Time,
 };
 pub use impactor::{DropBy, FaceShape, Impactor, Motion};
 pub use layer::{Layer, LayerInterface, MAX_LAYER_NAME, MAX_LAYERS};

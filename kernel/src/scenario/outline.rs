@@ -84,7 +84,7 @@ impl Scenario {
     /// Whether a flat face reaches past the sides of the anvil.
     pub fn face_covers(&self) -> bool {
         let side = match self.geometry.shape {
-            Shape::Round => self.geometry.core_radius + self.thickness(),
+            Shape::Round => self.geometry.core_radius + self.height(),
             Shape::Block => 0.5 * self.geometry.block_width,
         };
         self.face_half_width() >= FACE_MARGIN * side + math::abs(self.impactor.offset)

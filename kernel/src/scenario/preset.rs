@@ -50,7 +50,6 @@ pub fn study() -> Scenario {
             prescribed_rise: 5e-3,
         },
         layers: one_layer(study_silicone()),
-        interfaces: Vec::new(),
         core: CoreInterface { interface: Interface::Frictional, friction_coefficient: 0.3 },
         face: FaceInterface { friction_coefficient: 0.3 },
         mesh: Mesh { element_size: 3e-3 },

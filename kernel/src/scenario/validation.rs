@@ -1,8 +1,8 @@
 //! What a scenario has to be: each value in its range, and all of them together.
 
 use crate::error::ScenarioError;
-use crate::number::real::Real;
 use crate::number::real::consts::PI;
+use crate::number::real::{Real, SAME};
 use crate::scenario::parameter::Parameter;
 use crate::scenario::{FaceShape, Formulation, Layer, Scenario, Section};
 
@@ -15,12 +15,20 @@ impl Scenario {
         for parameter in Parameter::of(self) {
             parameter.check(parameter.get(self))?;
         }
-        let (layers, interfaces) = (self.layers.len(), self.interfaces.len());
-        if interfaces + 1 != layers {
-            return Err(ScenarioError::Interfaces { layers, interfaces });
-        }
         self.layers.iter().enumerate().try_for_each(|(place, layer)| layer.validate(place))?;
+        self.validate_widths()?;
         self.validate_geometry()
+    }
+
+    /// Each layer lies on the one below, so it is at most as wide.
+    fn validate_widths(&self) -> Result<(), ScenarioError> {
+        for (layer, of) in self.layers.iter().enumerate() {
+            let maximum = self.width_below(layer);
+            if of.width > maximum * (1.0 + SAME) {
+                return Err(ScenarioError::LayerWidth { layer, width: of.width, maximum });
+            }
+        }
+        Ok(())
     }
 
     fn validate_geometry(&self) -> Result<(), ScenarioError> {

@@ -156,12 +156,14 @@ pub(crate) enum TrialMotion {
 impl TrialMotion {
     fn new(scenario: &Scenario) -> Self {
         let (impactor, thickness) = (&scenario.impactor, scenario.thickness());
+        let gaps = scenario.height() - thickness;
         let depth = match impactor.motion {
             Motion::Drop => return Self::Drop { speed: touching_speed(impactor) },
-            Motion::Driven => scenario.time.design_compression * thickness,
+            Motion::Driven => scenario.time.design_compression * thickness + gaps,
             Motion::Prescribed => impactor.prescribed_depth,
         };
-        let depth = if depth < DEEPEST * thickness { depth } else { DEEPEST * thickness };
+        let deepest = DEEPEST * thickness + gaps;
+        let depth = if depth < deepest { depth } else { deepest };
         let slowest = scenario.layers.iter().map(|layer| &layer.material).fold(Real::MAX, |slowest, material| {
             let waves = math::sqrt(material.shear_modulus_inf() / material.density);
             if waves < slowest { waves } else { slowest }
@@ -182,9 +184,7 @@ impl TrialMotion {
     fn has_ended(&self, constants: &Constants, state: &State, time: Real) -> bool {
         let impactor = &state.scalars.impactor;
         match *self {
-            Self::Drop { .. } => {
-                impactor.velocity_half >= 0.0 || impactor.deformation() > constants.scenario.thickness()
-            }
+            Self::Drop { .. } => impactor.velocity_half >= 0.0 || impactor.deformation() > constants.scenario.height(),
             Self::Press { depth, speed } => speed * time >= depth,
         }
     }

@@ -50,9 +50,9 @@ pub struct EnergyBalance {
     pub tear: Real,
     /// Energy dissipated by softening.
     pub softening: Real,
-    /// Energy dissipated by friction under the face and on the core.
+    /// Energy dissipated by friction under the face, on the core and between layers.
     pub friction: Real,
-    /// Energy lost in catching nodes at the face and on the core.
+    /// Energy lost in catching nodes at the face, on the core and between layers.
     pub contact: Real,
     /// Energy dissipated on the rails of a falling impactor.
     pub guide: Real,
@@ -176,6 +176,7 @@ pub(crate) struct StepWork<'w> {
     pub element: &'w ElementEnergy,
     pub face: &'w ContactWork,
     pub core: &'w ContactWork,
+    pub interfaces: &'w ContactWork,
     /// Kinetic energy of the layer at the forces, from the velocities on both sides, and after their impulse, J.
     pub layer_kinetic: [Real; 2],
     /// Velocity of the impactor before and after the forces, m/s.
@@ -209,8 +210,12 @@ impl EnergyBalance {
         self.slider_dissipation = math::max(self.slider_dissipation, slid);
         self.tear = math::max(self.tear, carried(before.tear, now.tear));
         self.softening = math::max(self.softening, carried(before.softening, now.softening));
-        self.friction += factor * (work.face.frictional_dissipation + work.core.frictional_dissipation);
-        self.contact += factor * (work.face.contact_dissipation + work.core.contact_dissipation);
+        self.friction += factor
+            * (work.face.frictional_dissipation
+                + work.core.frictional_dissipation
+                + work.interfaces.frictional_dissipation);
+        self.contact += factor
+            * (work.face.contact_dissipation + work.core.contact_dissipation + work.interfaces.contact_dissipation);
         let [before, after] = work.impactor_velocity;
         self.guide -= work.face.rail_force * (0.5 * model.constants.dt * (before + after));
         self.external += external_work(model, work);

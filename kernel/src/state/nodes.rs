@@ -21,26 +21,30 @@ pub(crate) struct StateNodes<R> {
     /// Of every surface node under a face that is round or has edges, its depth in it at the end of the step without contact,
     /// m, and the direction out of the face, to the right and downwards.
     pub rounding: R,
+    /// Of every interface that is not bonded, from the core, the nodes above it, then those below it: a [`super::Pair`] for
+    /// each column.
+    pub pairs: R,
 }
 
 impl<R> StateNodes<R> {
     /// The arrays that `row` gives by their `lengths`, in the order of storage; none if there is one that it does not give.
     #[inline(always)]
     pub(crate) fn of(lengths: &NodeArrays, mut row: impl FnMut(usize) -> Option<R>) -> Option<Self> {
-        let NodeArrays { nodes: n, surface, rounding } = *lengths;
+        let NodeArrays { nodes: n, surface, rounding, pairs } = *lengths;
         Some(Self {
             displacement: [row(n)?, row(n)?],
             velocity: [row(n)?, row(n)?],
             force: [row(n)?, row(n)?],
             contact: [row(surface)?, row(surface)?],
             rounding: row(rounding)?,
+            pairs: row(pairs)?,
         })
     }
 
     /// Every array, in the order of storage.
-    pub(crate) fn all(&mut self) -> [&mut R; 9] {
-        let Self { displacement: [a, b], velocity: [c, d], force: [e, f], contact: [g, h], rounding } = self;
-        [a, b, c, d, e, f, g, h, rounding]
+    pub(crate) fn all(&mut self) -> [&mut R; 10] {
+        let Self { displacement: [a, b], velocity: [c, d], force: [e, f], contact: [g, h], rounding, pairs } = self;
+        [a, b, c, d, e, f, g, h, rounding, pairs]
     }
 }
 
@@ -54,6 +58,7 @@ impl StateNodes<&mut [Real]> {
             force: self.force.each_ref().map(|row| &**row),
             contact: self.contact.each_ref().map(|row| &**row),
             rounding: &*self.rounding,
+            pairs: &*self.pairs,
         }
     }
 

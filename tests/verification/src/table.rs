@@ -4,8 +4,8 @@ use std::fmt::Write;
 
 use crate::problems::{
     bar_wave, bonded_strip, checkerboard, closed_forms, contact_convergence, cook, coulomb_block, cylinder, harmonic,
-    hertz, impactor, indentation, lame, maxwell, patch, patch_distorted, slider, swinging_plate, tear, viscoelastic,
-    volumetric,
+    hertz, impactor, indentation, interface, lame, maxwell, patch, patch_distorted, slider, swinging_plate, tear,
+    viscoelastic, volumetric,
 };
 use crate::row::{Check, Row};
 
@@ -47,6 +47,7 @@ pub fn regular_rows() -> Vec<Row> {
         bonded_strip::rows(),
         hertz::rows(&hertz::CELLS),
         indentation::rows(&indentation::CELLS),
+        interface::rows(&interface::CELLS),
         coulomb_block::rows(),
         cylinder::rows(),
         lame::rows(&lame::CELLS),

@@ -193,6 +193,18 @@ pub const BAR_PRESSURE: f64 = 0.01;
 /// Radius of the contact of a flat punch.
 pub const INDENTATION_WIDTH: f64 = 2e-3;
 
+/// Stiffness of a stack against springs in series at a strain of 1e-4, the size of what is not linear.
+pub const SERIES_SPRINGS: f64 = 3e-4;
+
+/// Waves at a change of impedance, with 64 cells along each part: the start of the wave is sixteen cells long.
+pub const IMPEDANCE: f64 = 2e-3;
+
+/// Stopping distance of a slab on a layer: both vibrate.
+pub const STOPPING_DISTANCE_ON_LAYER: f64 = 6e-3;
+
+/// What a slab that friction holds still moves in the time that it slid, over the way that it slid.
+pub const CREEP: f64 = 1e-5;
+
 /// Motion on rails against its closed form: the friction of a step works over all of it, also in the half step that the start
 /// is behind.
 pub const RAILS: f64 = 1e-4;

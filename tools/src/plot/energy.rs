@@ -29,7 +29,8 @@ const fn term(output: &'static str, label: &'static str, colour: [u8; 3]) -> Ter
 }
 
 /// The terms whose sum is the energy brought in, from the bottom up: lost, stored, moving.
-pub static TERMS: [Term; 10] = [
+pub static TERMS: [Term; 11] = [
+    term("energy.guide", "rails", [96, 96, 160]),
     term("energy.friction", "friction", [0, 0, 0]),
     term("energy.contact", "catching nodes", [148, 103, 60]),
     term("energy.tear", "tearing", [128, 128, 128]),

@@ -87,7 +87,6 @@ fn rest(scenario: &Scenario) -> Scenario {
     let own = softanvil_kernel::preset::study();
     let mut rest = Scenario { mesh: own.mesh, time: own.time, measurement: own.measurement, ..scenario.clone() };
     rest.layers.truncate(padding::place(scenario));
-    rest.interfaces.truncate(rest.layers.len().saturating_sub(1));
     rest
 }
 

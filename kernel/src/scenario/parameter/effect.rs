@@ -28,6 +28,8 @@ enum Acts {
     Chosen(&'static str),
     /// Where the other parameter is not 0.
     Beside,
+    /// Of a layer that lies on another one: what the lowest one lies on another parameter says, which is no layer's.
+    OnLayer,
 }
 
 /// A condition of the parameters of a layer, or of those of none.
@@ -56,7 +58,10 @@ impl Placed {
 
     /// The parameter that decides.
     pub(super) fn by(&self) -> Name {
-        self.name(self.condition.by)
+        match self.condition.acts {
+            Acts::OnLayer => self.condition.by.into(),
+            _ => self.name(self.condition.by),
+        }
     }
 
     fn name(&self, text: &'static str) -> Name {
@@ -98,6 +103,7 @@ impl Placed {
             }
             Acts::Chosen(label) => label == says,
             Acts::Beside => number != 0.0,
+            Acts::OnLayer => self.layer != Some(0),
         };
         if acts { None } else { Some(label.map_or(Says::Number(number), Says::Label)) }
     }
@@ -126,7 +132,7 @@ impl Parameter {
         conditions_of(self.layer()).any(|placed| match placed.condition.acts {
             Acts::InLaw(place) => placed.of() == self.name() && is_modulus(place),
             Acts::Beside => placed.by() == self.name(),
-            Acts::Under(_) | Acts::BesideIsochoric | Acts::Chosen(_) => false,
+            Acts::Under(_) | Acts::BesideIsochoric | Acts::Chosen(_) | Acts::OnLayer => false,
         })
     }
 }
@@ -156,6 +162,10 @@ const fn chosen(of: &'static str, by: &'static str, choice: &'static str) -> Con
 
 const fn beside_isochoric(of: &'static str) -> Condition {
     Condition { of, by: "law", acts: Acts::BesideIsochoric }
+}
+
+const fn on_layer(of: &'static str, by: &'static str) -> Condition {
+    Condition { of, by, acts: Acts::OnLayer }
 }
 
 const fn only_with(of: &'static str, by: &'static str) -> Condition {
@@ -210,6 +220,11 @@ static LAYER: &[Condition] = &[
     only_with("maxwell_beta_4", "maxwell_g_4"),
     only_with("maxwell_beta_5", "maxwell_g_5"),
     only_with("slider_yield_stress", "slider_stiffness"),
+    on_layer("interface", "core.interface"),
+    on_layer("friction_coefficient", "core.interface"),
+    under("friction_coefficient", "interface", &["frictional"]),
+    on_layer("gap", "core.interface"),
+    under("gap", "interface", &["frictional", "separating"]),
     only_with("tear_width", "tear_stretch"),
     only_with("tear_residual", "tear_stretch"),
     only_with("softening_m", "softening_r"),

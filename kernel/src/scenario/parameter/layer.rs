@@ -3,7 +3,7 @@
 use super::row::{Access, Row, choice, real};
 use crate::material::{COEFFICIENTS, Coefficient, ElasticLaw, Moduli, N_COEFFICIENT, VolumetricBy, VolumetricLaw};
 use crate::number::real::Real;
-use crate::scenario::Layer;
+use crate::scenario::{Layer, LayerInterface};
 
 /// Most rows of cells that a layer may ask for.
 const MAX_ROWS: u32 = 10_000;
@@ -33,6 +33,18 @@ static BEFORE: &[Row<Layer>] = &[
         },
         description: "rows of cells through the thickness; 0 takes as many as come nearest to mesh.element_size",
     },
+    real!(
+        34, of layer width,
+        "m",
+        (0.0, 10.0),
+        "width along its lower side, full or, of a dome, the diameter; 0 is as wide as what is below it"
+    ),
+    choice!(
+        35, of layer interface: LayerInterface,
+        "how it sits on the layer below: glued, or free to lift and slide, with friction or without"
+    ),
+    real!(36, of layer friction_coefficient, "1", (0.0, 10.0), "Coulomb coefficient of a frictional interface below it"),
+    real!(37, of layer gap, "m", (0.0, 0.1), "distance to the layer below at rest, where they are not bonded"),
     real!(2, of layer material.density, "kg/m3", (10.0, 2e4), "density"),
     choice!(
         3, of layer material.law: ElasticLaw,

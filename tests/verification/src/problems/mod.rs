@@ -12,6 +12,7 @@ pub mod harmonic;
 pub mod hertz;
 pub mod impactor;
 pub mod indentation;
+pub mod interface;
 pub mod lame;
 pub mod maxwell;
 pub mod patch;

@@ -14,6 +14,7 @@ mod harmonic;
 mod histories;
 mod impactor;
 mod instruction_sets;
+mod interfaces;
 mod layers;
 mod maxwell;
 mod ogden;

@@ -70,3 +70,15 @@ fn every_preset_runs() {
         assert!(simulation.scalars().metrics.peak_force > 0.0, "{}", preset.name);
     }
 }
+
+/// What decides is not computed from what follows from it: the paper's energy is there to the last bit.
+#[test]
+fn the_value_that_decides_is_as_it_is_stated() {
+    for scenario in [study(), study_14_7(), study_incompressible()] {
+        let impactor = scenario.impactor;
+        assert_eq!((impactor.drop_by, impactor.drop_energy, impactor.mass), (DropBy::Energy, 14.7, 5.0));
+        // Of 9.81 m/s2.
+        assert!(relative_error(impactor.drop_height, 14.7 / (5.0 * 9.81)) < CLOSED_FORM);
+        assert!(relative_error(impactor.drop_speed, (2.0_f64 * 14.7 / 5.0).sqrt()) < CLOSED_FORM);
+    }
+}

@@ -9,6 +9,7 @@ mod coulomb_block;
 mod cylinder;
 mod hertz;
 mod indentation;
+mod interface;
 mod lame;
 mod patch_distorted;
 mod swinging_plate;
