@@ -8,6 +8,8 @@ mod outline;
 pub mod parameter;
 pub mod prescribed;
 pub mod preset;
+pub mod presets;
+pub mod standards;
 mod validation;
 mod widths;
 

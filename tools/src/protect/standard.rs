@@ -62,7 +62,76 @@ pub struct Standard {
 }
 
 /// The standards.
-pub static STANDARDS: &[Standard] = &[];
+pub static STANDARDS: &[Standard] = &[
+    Standard {
+        preset: "rugby-soft-anvil",
+        name: "World Rugby Regulation 12 (body padding), on the study's soft anvil",
+        quantity: Quantity::PeakAcceleration,
+        limits: &[],
+        source: RUGBY,
+        assumed: &[SOFT_ANVIL, LEAP],
+    },
+    Standard {
+        preset: "rugby-steel-anvil",
+        name: "World Rugby Regulation 12 (body padding)",
+        quantity: Quantity::PeakAcceleration,
+        limits: &[],
+        source: RUGBY,
+        assumed: &["Assumed: the length of the anvil, 150 mm, and friction of 0.3 on both sides of the pad.", LEAP],
+    },
+    Standard {
+        preset: "en1621-1",
+        name: "EN 1621-1 (motorcyclists' limb protectors)",
+        quantity: Quantity::TransmittedForce,
+        limits: &[
+            Limit { level: "level 1", below: 35e3, single: Some(50e3) },
+            Limit { level: "level 2", below: 20e3, single: None },
+        ],
+        source: "The limits are second-hand: level 1 from sweetprotection.com and satra.com, level 2 from a maker's catalogue \
+                 (REV'IT)",
+        assumed: &[
+            "Assumed: a round face of the area of 40 mm x 30 mm, as the section turns about its axis; friction of 0.3 on both \
+             sides of the protector.",
+            STIFF,
+        ],
+    },
+    Standard {
+        preset: "en1621-2",
+        name: "EN 1621-2 (motorcyclists' back protectors)",
+        quantity: Quantity::TransmittedForce,
+        limits: &[
+            Limit { level: "level 1", below: 18e3, single: Some(24e3) },
+            Limit { level: "level 2", below: 9e3, single: None },
+        ],
+        source: "The limits are second-hand: satra.com, and for level 2 sweetprotection.com and 4camping.at",
+        assumed: &[
+            "Assumed: anvil and striker, which are not those of EN 1621-1 but were not found: a bar of 25 mm along a round anvil \
+             with a radius of 150 mm, over 100 mm; friction of 0.3 on both sides of the protector.",
+            STIFF,
+        ],
+    },
+    Standard {
+        preset: "en13061",
+        name: "EN 13061 (football shin guards), blunt impact",
+        quantity: Quantity::TransmittedForce,
+        limits: &[Limit { level: "blunt impact", below: 2e3, single: Some(2e3) }],
+        source: "The limit is second-hand: satra.com",
+        assumed: &[
+            "Assumed: the energy of 2 J, a leg of a steel cylinder of 80 mm, 100 mm of it under a flat face of 50 mm, and \
+             friction of 0.3 on both sides of the guard.",
+            STIFF,
+        ],
+    },
+];
+
+const RUGBY: &str = "The regulation records the peak acceleration and wants pads that protect against cuts and abrasions alone, so \
+                     its limit is a least peak, not a greatest; it was not found";
+const SOFT_ANVIL: &str =
+    "The soft anvil is the study's, not the regulation's steel cylinder: it stands for a shoulder.";
+const LEAP: &str =
+    "The preset's pad, where no other is given, is the foam \"leap\" of data/foam, elastic, with an assumed density.";
+const STIFF: &str =
+    "The preset's pad, where no other is given, is an assumed stiff foam of no particular maker, elastic.";
 
 /// The standard whose set-up is the preset called `preset`.
 pub fn find(preset: &str) -> Option<&'static Standard> {

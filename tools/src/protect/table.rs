@@ -3,7 +3,9 @@
 use std::fmt::Write;
 
 use super::numbers::{LayerNumbers, Numbers};
+use super::standard::{Limit, Standard};
 use super::trial::{Outcome, Trial};
+use super::verdict::{Verdict, of_limit};
 use crate::output::subject::{warning_lines, warnings};
 use crate::sweep::sheet::Sheet;
 use crate::text::number::{four_digits, short};
@@ -113,18 +115,31 @@ fn several(trial: &Trial) -> Sheet {
     }
 }
 
+/// What a standard asks for, in a sentence or two.
+fn limits(standard: &Standard) -> String {
+    let limit = |limit: &Limit| format!("{}: {}", limit.level, of_limit(limit, standard));
+    let limits = standard.limits.iter().map(limit).collect::<Vec<_>>().join("; ");
+    let known = if limits.is_empty() { "no limit is known".to_string() } else { limits };
+    let label = standard.quantity.label();
+    filled(&format!("Verdict by {}, {label}: {known}. {}.\n", standard.name, standard.source))
+}
+
 /// The verdict, and what a reader has to know.
 fn notes(trial: &Trial) -> String {
     let mut text = String::new();
-    let verdicts = trial.done().map(|(case, outcome)| {
-        let verdict = outcome.verdict.text(&outcome.numbers, trial.standard);
-        if trial.pads.len() > 1 { format!("{}. {verdict}", trial.label(case)) } else { verdict }
-    });
-    // Without a standard all say the same.
-    let shown = if trial.standard.is_some() { usize::MAX } else { 1 };
-    for verdict in verdicts.take(shown) {
-        text += &filled(&format!("{verdict}\n"));
+    match (&trial.pads[..], trial.standard) {
+        ([_, _, ..], Some(standard)) => text += &limits(standard),
+        _ => {
+            let verdict = trial.done().next().map(|(_, pad)| pad.verdict.text(&pad.numbers, trial.standard));
+            text += &filled(&format!("{}\n", verdict.unwrap_or_default()));
+        }
     }
+    let changed = trial.done().find_map(|(_, pad)| match &pad.verdict {
+        Verdict::OtherTest(changed) if trial.pads.len() > 1 => Some(changed.join(", ")),
+        _ => None,
+    });
+    text +=
+        &changed.map_or(String::new(), |changed| filled(&format!("No verdict, as this is not its test: {changed}.\n")));
     for (case, error) in trial.pads.iter().filter_map(|(case, outcome)| Some((case, outcome.as_ref().err()?))) {
         text += &filled(&format!("! {} failed: {error}\n", trial.label(case)));
     }

@@ -122,12 +122,15 @@ impl Trial {
         };
         let mut outcomes: Vec<Result<Outcome, Failure>> = all.par_iter().map(simulate).collect();
         bar.finish_and_clear();
-        let pads = outcomes.split_off(usize::from(bare.is_some()));
+        let bare_anvil = usize::from(bare.is_some());
+        let pads = outcomes.split_off(bare_anvil);
         if let (true, Some(Err(_))) = (pads.iter().all(Result::is_err), pads.first()) {
             return Err(pads.into_iter().find_map(Result::err).unwrap_or(Failure::Failed("no pad".into())));
         }
         let pads = cases.into_iter().zip(pads.into_iter().map(|pad| pad.map_err(|error| error.to_string())));
-        Ok(Self { bare: outcomes.pop().transpose()?, pads: pads.collect(), subject, standard })
+        // A bare anvil is no pad to be judged.
+        let unjudged = |bare: Outcome| Outcome { verdict: Verdict::NoStandard, ..bare };
+        Ok(Self { bare: outcomes.pop().transpose()?.map(unjudged), pads: pads.collect(), subject, standard })
     }
 
     /// The pads that were simulated.

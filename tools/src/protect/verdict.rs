@@ -52,14 +52,14 @@ impl Verdict {
         match self {
             Self::Pass(limit) => format!("pass, {}", limit.level),
             Self::Fail(_) => "fail".into(),
-            Self::NoLimit => "no limit known".into(),
+            Self::NoLimit => "no limit".into(),
             Self::OtherTest(_) => "other test".into(),
             Self::CutOff => "cut off".into(),
             Self::NoStandard => "-".into(),
         }
     }
 
-    /// In a sentence or two.
+    /// In a sentence or two, with where the limit is from.
     pub fn text(&self, numbers: &Numbers, standard: Option<&Standard>) -> String {
         let Some(standard) = standard else {
             return "Verdict: none, as the preset is that of no standard (--preset).".into();
@@ -104,7 +104,8 @@ fn judged(numbers: &Numbers, quantity: Quantity) -> f64 {
     }
 }
 
-fn of_limit(limit: &Limit, standard: &Standard) -> String {
+/// What `limit` of `standard` asks for, in words.
+pub fn of_limit(limit: &Limit, standard: &Standard) -> String {
     let below = standard.quantity.text(limit.below);
     match limit.single {
         Some(single) => format!("to be below {below} in the mean and nowhere above {}", standard.quantity.text(single)),

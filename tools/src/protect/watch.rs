@@ -43,7 +43,9 @@ impl Watch {
         let row = COMPONENTS.1 * 2 * grid.n_u;
         for (place, (extremes, layer)) in self.layers.iter_mut().zip(layers).enumerate() {
             let rows = grid.rows_of(place);
-            let compression = (height(rows.start) - height(rows.end)) / layer.thickness;
+            // Layers that are not glued have rows of nodes of their own between them.
+            let [lower, upper] = [grid.node_row(rows.start), grid.node_row(rows.end.saturating_sub(1)) + 1];
+            let compression = (height(lower) - height(upper)) / layer.thickness;
             let stretches = frame.values(STRETCH).get(row * rows.start..row * rows.end).unwrap_or_default();
             extremes.compression = extremes.compression.max(compression);
             extremes.stretch = stretches.iter().fold(extremes.stretch, |largest, stretch| largest.max(*stretch));
