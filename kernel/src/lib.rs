@@ -36,6 +36,7 @@ pub mod cfc;
 pub mod contact;
 pub mod element;
 pub mod error;
+mod features;
 pub mod impactor;
 pub mod material;
 pub mod mesh;

@@ -9,7 +9,7 @@ set -euo pipefail
 root=$(cd "$(dirname "$0")/../.." && pwd)
 target=x86_64-unknown-linux-gnu
 folder=$root/target/fmu-symbols
-cargo rustc --quiet --lib --no-default-features --crate-type cdylib --profile fmu --config profile.fmu.strip=false \
+cargo rustc --quiet --lib --no-default-features --features pads --crate-type cdylib --profile fmu --config profile.fmu.strip=false \
     --target "$target" --manifest-path "$root/ffi/Cargo.toml" --target-dir "$folder"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

@@ -99,9 +99,9 @@ impl<'s> Surface<'s> {
         let (zero, start) = (simd.splat(0.0), simd.splat(free));
         for _ in 0..PASSES {
             let (face, mut masses, mut moments) = (simd.splat(position), ZERO, ZERO);
-            for i in 0..self.normal.len() {
+            for (mass, height) in self.row.mass.iter().zip(self.normal.iter()) {
                 for chunk in 0..LANES / S::WIDTH {
-                    let (mass, height) = (simd.load(&self.row.mass[i], chunk), simd.load(&self.normal[i], chunk));
+                    let (mass, height) = (simd.load(mass, chunk), simd.load(height, chunk));
                     simd.add(height.select_greater(face, mass, zero), &mut masses, chunk);
                     simd.add(height.select_greater(face, mass * (height - start), zero), &mut moments, chunk);
                 }

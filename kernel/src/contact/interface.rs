@@ -9,6 +9,7 @@
 //! kept whatever the number of passes.
 
 use crate::contact::pairing::{Row, Side, ends, exert, relative_velocity};
+use crate::features::PADS;
 use crate::model::Model;
 use crate::number::math;
 use crate::number::real::Real;
@@ -22,7 +23,7 @@ const PASSES: usize = 1;
 /// Adds the forces between layers to those of the nodes, and says what they take over their impulse.
 #[inline(always)]
 pub(crate) fn press(model: &Model, state: &mut State) -> ContactWork {
-    if state.nodes.pairs.is_empty() { ContactWork::default() } else { press_all(model, &mut state.nodes) }
+    if PADS && !state.nodes.pairs.is_empty() { press_all(model, &mut state.nodes) } else { ContactWork::default() }
 }
 
 #[inline(never)]

@@ -4,6 +4,7 @@
 
 use strum::{FromRepr, VariantNames};
 
+use crate::features::PADS;
 use crate::material::coefficient::Coefficient;
 use crate::material::law::{
     CompressibleLaw, HyperelasticLaw, IsochoricLaw, LawDescription, PrincipalTangent, WholeStress, sealed,
@@ -56,6 +57,13 @@ macro_rules! laws {
         impl ElasticLaw {
             /// Every law, in the order of its number.
             pub const ALL: &'static [Self] = &[$(Self::$law),+];
+
+            /// Whether it says the mean stress as well: [`LawDescription::compressible`] without the rest of the description.
+            pub fn is_compressible(self) -> bool {
+                match self {
+                    $(Self::$law => by_kind!($kind, false, true),)+
+                }
+            }
 
             /// What the law says of itself.
             pub fn description(self) -> &'static LawDescription {
@@ -163,7 +171,7 @@ macro_rules! laws {
 
             /// Whether the law says the mean stress as well.
             pub fn is_compressible(&self) -> bool {
-                match self {
+                PADS && match self {
                     $(Self::$law(_) => by_kind!($kind, false, true),)+
                 }
             }

@@ -2,6 +2,7 @@
 
 use heapless::Vec;
 
+use crate::features::PADS;
 use crate::number::math;
 use crate::number::real::consts::FRAC_PI_2;
 use crate::number::real::{Real, SAME};
@@ -61,6 +62,9 @@ pub(super) fn layer_across(scenario: &Scenario, place: usize) -> Real {
 fn breaks(scenario: &Scenario) -> Vec<Real, MAX_PIECES> {
     let mut breaks = Vec::new();
     add(&mut breaks, 1.0);
+    if !PADS {
+        return breaks;
+    }
     for place in 0..MAX_LAYERS {
         let across = layer_across(scenario, place);
         if breaks.iter().all(|other| math::abs(other - across) > SAME) {
@@ -80,9 +84,12 @@ fn breaks(scenario: &Scenario) -> Vec<Real, MAX_PIECES> {
 
 /// Puts `across` in its place among the others; there is room for all that may come.
 fn add(breaks: &mut Vec<Real, MAX_PIECES>, across: Real) {
-    let place = breaks.iter().filter(|other| **other < across).count();
+    let mut last = across;
+    for place in breaks.iter_mut().filter(|place| **place > across) {
+        core::mem::swap(place, &mut last);
+    }
     // There is room, by `MAX_PIECES`.
-    let _ = breaks.insert(place, across);
+    let _ = breaks.push(last);
 }
 
 /// Distances from the centre line of the last columns under the flat part of a face that does not cover the anvil, or of that
