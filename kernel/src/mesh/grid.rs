@@ -130,7 +130,7 @@ impl Grid {
     pub fn surface_node(&self, u: usize) -> usize {
         let from_centre = u.abs_diff(self.centre);
         let covering =
-            self.layer_columns.iter().zip(&self.layer_top).rev().find(|(columns, _)| from_centre <= **columns);
+            self.layer_columns.iter().zip(&self.layer_top).filter(|(columns, _)| from_centre <= **columns).last();
         covering.map_or(self.n_v, |(_, top)| *top) * self.stride() + u
     }
 
