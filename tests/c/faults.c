@@ -445,7 +445,7 @@ static void snapshots(SoftanvilSimulation *good)
 /* Impacts one after the other: without damage and overstress each is the first again; what is no time changes nothing. */
 static void impacts(void)
 {
-    const double refused[] = {-1.0, NAN, INFINITY, 2e9};
+    const double illegal[] = {-1.0, NAN, INFINITY, 2e9};
     SoftanvilScenario elastic;
     SoftanvilSimulation *simulation;
     double time;
@@ -454,8 +454,8 @@ static void impacts(void)
     simulation = build(spare, &elastic);
     MUST(softanvil_run(simulation, 10e-3, NULL, NULL));
     MUST(softanvil_trace_hash(simulation, &wanted));
-    for (size_t i = 0; i < sizeof refused / sizeof *refused; i++) {
-        EXPLAIN(ILLEGAL_INPUT, softanvil_next_impact(simulation, refused[i], &error));
+    for (size_t i = 0; i < sizeof illegal / sizeof *illegal; i++) {
+        EXPLAIN(ILLEGAL_INPUT, softanvil_next_impact(simulation, illegal[i], &error));
     }
     MUST(softanvil_time(simulation, &time));
     MUST(softanvil_trace_hash(simulation, &found));
