@@ -32,7 +32,7 @@ const FRICTION: Real = 0.3;
 
 /// [`elastomeric_foam`], `factor` times as stiff.
 fn foam(factor: Real) -> Material {
-    let law = Hyperfoam::new([113.4e3 * factor, 2.44e3 * factor, 0.0], [11.9, -0.189, 4.0], [0.123, 0.499, 0.0]);
+    let law = Hyperfoam::new([113.4e3 * factor, 2.44e3 * factor, 0.0], [11.87, -0.189, 4.0], [0.1235, 0.499, 0.0]);
     Material { density: 45.0, ..elastic_silicone().with(law) }
 }
 
