@@ -5,8 +5,7 @@ use std::fmt::Write;
 use crate::problems::{
     bar_wave, bonded_strip, checkerboard, closed_forms, contact_convergence, cook, coulomb_block, cylinder, foam,
     harmonic, hertz, impactor, indentation, interface, lame, maxwell, patch, patch_distorted, slider, softening,
-    swinging_plate, tear,
-    viscoelastic, volumetric,
+    swinging_plate, tear, viscoelastic, volumetric,
 };
 use crate::row::{Check, Row};
 
