@@ -69,5 +69,6 @@ pub use step::{step, step_along, step_with, steps};
 pub mod preset {
     pub use crate::scenario::preset::*;
     pub use crate::scenario::presets::*;
+    #[cfg(feature = "pads")]
     pub use crate::scenario::standards::*;
 }

@@ -51,7 +51,7 @@ pub(super) fn half_angle(scenario: &Scenario) -> Real {
 
 /// Where a layer ends, as a part of the way from the centre line to the side of the section; for one that is not there, where the last one does.
 pub(super) fn layer_across(scenario: &Scenario, place: usize) -> Real {
-    let narrow = |layer: usize| layer > 0 && scenario.layers.get(layer).is_some_and(|layer| layer.width > 0.0);
+    let narrow = |layer: usize| PADS && layer > 0 && scenario.layers.get(layer).is_some_and(|layer| layer.width > 0.0);
     match (0..=place).rev().find(|layer| narrow(*layer)) {
         Some(layer) => scenario.layers.get(layer).map_or(1.0, |of| of.width / scenario.whole_width(layer)),
         None => 1.0,

@@ -9,6 +9,7 @@
 use core::ops::Range;
 
 use crate::error::ModelError;
+use crate::features::PADS;
 use crate::mesh::columns::{MAX_PIECES, Piece, layer_across, pieces};
 use crate::number::math;
 use crate::number::pack::LANES;
@@ -161,6 +162,9 @@ impl Grid {
     pub fn across(&self, u: usize) -> Real {
         let column = u as Real - self.centre as Real;
         let from_centre = u.abs_diff(self.centre);
+        if !PADS {
+            return column / (self.n_u - self.centre) as Real;
+        }
         let mut start = Piece { end: 0, across: 0.0 };
         for piece in self.pieces {
             if from_centre <= piece.end {
