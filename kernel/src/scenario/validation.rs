@@ -126,3 +126,29 @@ impl Layer {
 
 /// Thinnest layer, m: as thin as the smallest element.
 const MIN_THICKNESS: Real = 1e-5;
+
+#[cfg(all(test, not(feature = "pads")))]
+mod tests {
+    use super::*;
+    use crate::scenario::preset;
+
+    #[test]
+    fn a_kernel_without_pads_refuses_what_needs_one() {
+        let refused = |change: fn(&mut Scenario)| {
+            let mut scenario = preset::study();
+            scenario.add_layer(preset::chamois()).unwrap();
+            assert_eq!(scenario.validate(), Ok(()));
+            change(&mut scenario);
+            match scenario.validate() {
+                Err(ScenarioError::WithoutPads { name }) => name,
+                other => panic!("{other:?}"),
+            }
+        };
+        assert_eq!(refused(|of| of.layers[0].material.softening_r = 2.0), Name::of_layer(0, "softening_r"));
+        assert_eq!(refused(|of| of.layers[1].interface = LayerInterface::Separating), Name::of_layer(1, "interface"));
+        assert_eq!(refused(|of| of.layers[1].width = 50e-3), Name::of_layer(1, "width"));
+        assert_eq!(refused(|of| of.impactor.face_diameter = 50e-3), "impactor.face_diameter".into());
+        assert_eq!(refused(|of| of.impactor.shape = FaceShape::Bar), "impactor.face_diameter".into());
+        assert_eq!(refused(|of| of.impactor.rail_damping = 1.0), "impactor.rail_friction".into());
+    }
+}
