@@ -161,9 +161,9 @@ impl<V: Vector> Stiffness<V> {
         }
         let [a, b, hh] = [own[0] + against[0], own[1] + against[1], own[2] + against[2]];
         let [first, second, third] = tangent.stress;
-        let cross = |product: V| (tangent.common + slope * product).mul_scalar(whole);
-        let (double, with_first, with_second) =
-            (cross(first * second).mul_scalar(2.0), cross(first * third), cross(second * third));
+        let double = (tangent.common + slope * (first * second)).mul_scalar(2.0 * whole);
+        let with_first = (tangent.common + slope * (first * third)).mul_scalar(whole);
+        let with_second = (tangent.common + slope * (second * third)).mul_scalar(whole);
         let (tt, pp) = ((a + b + double).mul_scalar(0.25), (a + b - double).mul_scalar(0.25));
         let (tp, th, ph) = (
             (a - b).mul_scalar(0.25),
@@ -253,12 +253,13 @@ fn corner_gradients<S: Simd>(
     let none = Complex { re: zero, im: zero };
     let Kinematics { mean, difference, shear, .. } = *kinematics;
     let inverse = simd.splat(1.0) / (mean * mean - (difference * difference + shear * shear));
-    let of_edge = |edge: usize| {
-        let [x, y] = simd.load_pair(&block.constants.triangle[t % 2].shape_gradient[edge % 2], chunk);
+    let mut edges = [none; 2];
+    for edge in 0..2 {
+        let [x, y] = simd.load_pair(&block.constants.triangle[t % 2].shape_gradient[edge], chunk);
         let (re, im) = ((mean - difference) * x - shear * y, (mean + difference) * y - shear * x);
-        Complex { re: re * inverse, im: im * inverse }
-    };
-    let (along, across) = (of_edge(0), of_edge(1));
+        edges[edge] = Complex { re: re * inverse, im: im * inverse };
+    }
+    let [along, across] = edges;
     let (back, down) = (along.mul_scalar(-1.0), across.mul_scalar(-1.0));
     // Where the diagonal rises, then where it falls.
     let corners = if t == 0 {

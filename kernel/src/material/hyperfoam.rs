@@ -111,15 +111,15 @@ impl Hyperfoam {
         let [stretch, jacobian] = self.largest_log;
         let ratio = power::log2_of_quotient(simd, mean + radius, mean - radius, radius + radius);
         let whole = power::log2(simd, kinematics.jacobian);
-        let out = if axisymmetric { Some(power::log2(simd, kinematics.hoop)) } else { None };
-        let section = match out {
-            Some(out) => whole - out,
-            None => whole,
-        };
+        let (mut section, mut out) = (whole, None);
+        if axisymmetric {
+            let log = power::log2(simd, kinematics.hoop);
+            (section, out) = (whole - log, Some(limited(simd, log, stretch)));
+        }
         Logs {
             ratio: limited(simd, ratio, stretch),
             section: limited(simd, section, stretch),
-            out: out.map(|out| limited(simd, out, stretch)),
+            out,
             volume: limited(simd, whole, jacobian),
         }
     }

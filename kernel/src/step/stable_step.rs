@@ -87,18 +87,20 @@ impl Work for Search<'_, '_, '_> {
             let block = Block { laws: constants.laws_of(index), constants: cell, hoop: hoops.get(index) };
             for chunk in 0..LANES / S::WIDTH {
                 let step_squared = simd.splat(bound);
-                let found = if block.laws.elastic.is_compressible() {
+                let mut limits = ZERO;
+                if block.laws.elastic.is_compressible() {
                     let matrix = whole_matrix(simd, chunk, &block, history);
-                    let lost = matrix.unstable(simd, step_squared);
-                    any(simd, lost).then(|| matrix.limit_squared(simd, step_squared))
+                    if !any(simd, matrix.unstable(simd, step_squared)) {
+                        continue;
+                    }
+                    simd.store(matrix.limit_squared(simd, step_squared), &mut limits, chunk);
                 } else {
                     let matrix = current_matrix(simd, chunk, &block, history);
-                    let lost = unstable(simd, &matrix, step_squared);
-                    any(simd, lost).then(|| limit_squared(simd, &matrix, step_squared))
-                };
-                let Some(found) = found else { continue };
-                let mut limits = ZERO;
-                simd.store(found, &mut limits, chunk);
+                    if !any(simd, unstable(simd, &matrix, step_squared)) {
+                        continue;
+                    }
+                    simd.store(limit_squared(simd, &matrix, step_squared), &mut limits, chunk);
+                }
                 for l in chunk * S::WIDTH..(chunk + 1) * S::WIDTH {
                     // Padding has no volume.
                     let limit_squared = limits[l % LANES];
