@@ -157,10 +157,7 @@ pub(super) fn relative_velocity(pair: &Pair, [left, right]: [&[Real; PAIR_FIELDS
 pub(super) fn exert(pair: &mut Pair, [left, right]: [&mut [Real; PAIR_FIELDS]; 2], pressing: Real, rubbing: Real) {
     let ([x, y], [of_left, of_right]) = (pair.normal, pair.weights());
     let force = [pressing * x + rubbing * y, pressing * y - rubbing * x];
-    for i in 0..2 {
-        pair.node.velocity[i] += pair.node.mobility[i] * force[i];
-        pair.node.force[i] += force[i];
-    }
-    PairedNode::push(left, -of_left, force);
-    PairedNode::push(right, -of_right, force);
+    pair.node.push(1.0, force);
+    PairedNode::push_in(left, -of_left, force);
+    PairedNode::push_in(right, -of_right, force);
 }

@@ -62,18 +62,19 @@ impl Touch {
 }
 
 /// Depth of a point in a face and the direction out of it there, for a point `x` m beside its axis and `y` m above its lowest
-/// point. Above the rounding there is no face.
+/// point. Above the rounding the impactor has upright sides, which a node beside it may come against.
 fn depth(outline: &Outline, x: Real, y: Real) -> [Real; 3] {
     let (beyond, down) = (math::abs(x) - outline.flat, outline.radius - y);
+    let side = outline.radius - beyond;
+    let sign = if x < 0.0 { -1.0 } else { 1.0 };
+    if outline.radius > 0.0 && down <= 0.0 && side < y {
+        return [side, sign, 0.0];
+    }
     if beyond <= 0.0 {
         return [y, 0.0, 1.0];
     }
-    if down <= 0.0 {
-        return [-y, 0.0, 1.0];
-    }
     let distance = math::sqrt(beyond * beyond + down * down);
-    let sideways = beyond / distance;
-    [outline.radius - distance, if x < 0.0 { -sideways } else { sideways }, down / distance]
+    [outline.radius - distance, sign * (beyond / distance), down / distance]
 }
 
 impl Surface<'_, '_, '_> {

@@ -28,7 +28,7 @@ pub(super) fn pieces(scenario: &Scenario) -> [Piece; MAX_PIECES] {
     let mut breaks = breaks(scenario).into_iter();
     core::array::from_fn(|_| {
         if let Some(across) = breaks.next() {
-            let cells = super::grid::cells_along(width * (across - last.across), size);
+            let cells = cells_along(width * (across - last.across), size);
             last = Piece { end: last.end.saturating_add(cells as usize), across };
         }
         last
@@ -128,4 +128,9 @@ fn surface_across(scenario: &Scenario, x: Real) -> Real {
         }
         Shape::Block => x / half_width(scenario),
     }
+}
+
+/// Cells of about `size` m along `length` m, at least one.
+pub(super) fn cells_along(length: Real, size: Real) -> Real {
+    math::max(1.0, math::round(length / size))
 }

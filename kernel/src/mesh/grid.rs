@@ -10,7 +10,7 @@ use core::ops::Range;
 
 use crate::error::ModelError;
 use crate::features::PADS;
-use crate::mesh::columns::{MAX_PIECES, Piece, layer_across, pieces};
+use crate::mesh::columns::{MAX_PIECES, Piece, cells_along, layer_across, pieces};
 use crate::number::math;
 use crate::number::pack::LANES;
 use crate::number::real::{Real, SAME};
@@ -238,11 +238,6 @@ fn columns_of_layers(scenario: &Scenario, pieces: &[Piece; MAX_PIECES]) -> [usiz
         let last = pieces[MAX_PIECES - 1].end;
         pieces.iter().find(|piece| piece.across >= across - SAME).map_or(last, |piece| piece.end)
     })
-}
-
-/// Cells of about `size` m along `length` m, at least one.
-pub(super) fn cells_along(length: Real, size: Real) -> Real {
-    math::max(1.0, math::round(length / size))
 }
 
 /// Rows of cells of a layer: as many as it says, or as come nearest to an element size.

@@ -27,6 +27,9 @@ const REPEAT_BELOW: Real = 0.6;
 /// What a drop may leave of the limit that its trial has found: meshes and steps differ, and a layer may fold on the way up.
 const MARGIN: Real = 0.9;
 
+/// The same again where layers meet that are not bonded: which nodes touch, and when, differs with every step.
+const OPEN_MARGIN: Real = 0.8;
+
 /// The same again for every factor of e that the limit has fallen by: of a layer pressed flat a trial says less.
 const MARGIN_POWER: Real = 0.03;
 
@@ -50,7 +53,10 @@ pub(crate) fn with_chosen_step<'c>(
     let constants = assemble(scenario, grid, position, arrays, place)?;
     let at_rest = Cells::new(constants, arrays).limit_at_rest();
     let step = match forecast {
-        Some(forecast) => scenario.time.safety_factor * margin(forecast.ratio) * forecast.ratio * at_rest,
+        Some(forecast) => {
+            let open = if grid.layer_open.contains(&true) { OPEN_MARGIN } else { 1.0 };
+            scenario.time.safety_factor * (margin(forecast.ratio) * open) * forecast.ratio * at_rest
+        }
         None if scenario.time.step > at_rest => {
             return Err(ModelError::StepTooLarge { step: scenario.time.step, limit: at_rest });
         }

@@ -79,13 +79,23 @@ impl PairedNode {
         Self::load(node)
     }
 
-    /// Adds a force, N, to the node in the memory of its pair.
+    /// Adds a force, N, times a weight.
     #[inline(always)]
-    pub fn push(memory: &mut [Real; PAIR_FIELDS], weight: Real, [x, y]: [Real; 2]) {
-        let [_, _, _, _, _, _, _, _, _, _, velocity_x, velocity_y, mobility_x, mobility_y, force_x, force_y] = memory;
-        *velocity_x += *mobility_x * (weight * x);
-        *velocity_y += *mobility_y * (weight * y);
+    pub fn push(&mut self, weight: Real, [x, y]: [Real; 2]) {
+        let ([velocity_x, velocity_y], [force_x, force_y]) = (&mut self.velocity, &mut self.force);
+        *velocity_x += self.mobility[0] * (weight * x);
+        *velocity_y += self.mobility[1] * (weight * y);
         *force_x += weight * x;
         *force_y += weight * y;
+    }
+
+    /// The same, of the memory of a whole pair.
+    #[inline(always)]
+    pub fn push_in(memory: &mut [Real; PAIR_FIELDS], weight: Real, force: [Real; 2]) {
+        let mut node = Self::of(memory);
+        node.push(weight, force);
+        let Self { velocity: [e, f], force: [i, j], .. } = node;
+        let [_, _, _, _, _, _, _, _, _, _, velocity_x, velocity_y, _, _, force_x, force_y] = memory;
+        (*velocity_x, *velocity_y, *force_x, *force_y) = (e, f, i, j);
     }
 }

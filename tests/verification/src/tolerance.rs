@@ -205,6 +205,9 @@ pub const STOPPING_DISTANCE_ON_LAYER: f64 = 6e-3;
 /// What a slab that friction holds still moves in the time that it slid, over the way that it slid.
 pub const CREEP: f64 = 1e-5;
 
+/// The deepest that a node may be inside another layer, over the element size: the requirement.
+pub const LAYER_PENETRATION: f64 = 0.01;
+
 /// Motion on rails against its closed form: the friction of a step works over all of it, also in the half step that the start
 /// is behind.
 pub const RAILS: f64 = 1e-4;

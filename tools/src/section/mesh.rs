@@ -119,3 +119,46 @@ const ARC: usize = 16;
 
 /// Height of what is drawn of the impactor, m.
 pub const SLAB: f64 = 8e-3;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use softanvil_kernel::preset;
+    use softanvil_kernel::scenario::{FaceShape, Formulation, Layer, LayerInterface};
+
+    #[test]
+    fn a_stack_is_drawn_as_it_is() {
+        let mut scenario = preset::study();
+        let (interface, gap) = (LayerInterface::Separating, 2e-3);
+        scenario.add_layer(Layer { thickness: 6e-3, width: 60e-3, interface, gap, ..preset::spare_layer() }).unwrap();
+        let mesh = Mesh::of(&mut Simulation::new(&scenario).unwrap()).unwrap();
+        let grid = &mesh.constants.grid;
+        let cells = grid.n_u * grid.rows_of(0).len() + grid.columns_of(1).len() * grid.rows_of(1).len();
+        assert!(grid.columns_of(1).len() < grid.n_u);
+        assert_eq!([mesh.triangles.len(), mesh.places.len()], [2 * cells, 2 * cells]);
+        // The lower side of the pad ends 30 mm along it, and lies 2 mm above the layer.
+        let (lower, upper) = (&mesh.outlines()[0], &mesh.outlines()[1]);
+        let end = mesh.reference[upper[grid.columns_of(1).len()]];
+        let radius = 37.5e-3 + 15e-3 + 2e-3;
+        assert!((end[0] - radius * (30e-3_f64 / radius).sin()).abs() < 1e-12, "{end:?}");
+        let top = mesh.reference[mesh.surface(grid.n_u)];
+        assert_eq!(top, mesh.reference[lower[grid.n_u + grid.rows_of(0).len()]]);
+    }
+
+    #[test]
+    fn the_impactor_is_drawn_as_it_is() {
+        let mut scenario = preset::study();
+        let mut face = |change: &dyn Fn(&mut softanvil_kernel::Scenario)| {
+            change(&mut scenario);
+            Mesh::of(&mut Simulation::new(&scenario).unwrap()).unwrap().impactor()
+        };
+        assert_eq!(face(&|_| {}), [[-65e-3, 0.0], [65e-3, 0.0], [65e-3, SLAB], [-65e-3, SLAB]]);
+        let narrow = face(&|scenario| scenario.impactor.face_diameter = 40e-3);
+        assert!(narrow.iter().all(|[x, _]| x.abs() < 20e-3 + 1e-12) && narrow.contains(&[19e-3, 0.0]));
+        let ball = face(&|scenario| {
+            (scenario.geometry.formulation, scenario.impactor.shape) = (Formulation::Axisymmetric, FaceShape::Sphere);
+        });
+        assert!(ball.iter().all(|[x, y]| (x.hypot(y - 20e-3) - 20e-3).abs() < 1e-12));
+        assert!((ball[0][1] - SLAB).abs() < 1e-12);
+    }
+}

@@ -86,10 +86,11 @@ fn wave(interface: LayerInterface, n: usize) -> [f64; 2] {
                 [2.0 * to_interface + 1.2 * start, 2.0 * to_interface + 3.0 * start],
             ];
             let forces = [state.scalars.force.core_reaction, state.scalars.force.contact];
-            for i in 0..2 {
-                if time > windows[i][0] && time < windows[i][1] {
-                    sums[i] += dt * forces[i];
-                    times[i] += dt;
+            for (([from, to], force), (sum, time_in)) in windows.iter().zip(forces).zip(sums.iter_mut().zip(&mut times))
+            {
+                if time > *from && time < *to {
+                    *sum += dt * force;
+                    *time_in += dt;
                 }
             }
         }

@@ -73,9 +73,9 @@ fn momentum_passes_from_layer_to_layer() {
         let grid = &model.constants.grid;
         let [_, above] = grid.interface_rows(1).unwrap();
         let masses = softanvil_verification::momentum::masses(model);
-        for (index, [x, y]) in [(0, [0.3, -2.0]), (1, [0.0, 3.0])].map(|(row, v)| (row, v)) {
-            let rows = if index == 0 { above * grid.stride()..masses.len() } else { 0..above * grid.stride() };
-            for node in rows {
+        let first = above * grid.stride();
+        for (nodes, [x, y]) in [(first..masses.len(), [0.3, -2.0]), (0..first, [0.0, 3.0])] {
+            for node in nodes {
                 let [vx, vy] = state.velocity_mut();
                 (vx[node], vy[node]) = if masses[node] > 0.0 { (x, y) } else { (0.0, 0.0) };
             }
@@ -93,8 +93,8 @@ fn momentum_passes_from_layer_to_layer() {
     });
     let (before, after, changed) = found.unwrap();
     assert!(changed > 0.5, "the layers have not met");
-    for i in 0..2 {
-        assert!((after[i] - before[i]).abs() < 1e-10 * before[1].abs(), "{before:?} kg m/s, then {after:?}");
+    for (after, before_it) in after.iter().zip(before) {
+        assert!((after - before_it).abs() < 1e-10 * before[1].abs(), "{before:?} kg m/s, then {after}");
     }
 }
 
