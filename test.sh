@@ -15,12 +15,22 @@ fail() { printf 'FAILED: %s\n' "$1" | tee -a "$endings" >&2; }
 skip() { if [ "${CI:-}" = true ]; then fail "$1 (skipped: $2)"; else hand_up SKIPPED "$@"; fi; }
 not_applicable() { hand_up 'NOT APPLICABLE' "$@"; }
 
-# run NAME COMMAND...: one test, and the seconds it took.
+# spend: the seconds of processors that this shell has waited for, in `spent`. Other shells, as of $( ), have spent nothing.
+spend() {
+    local file=$endings.$BASHPID
+    times >"$file"
+    spent=$(awk -F '[ms ]+' 'END { printf "%d", 60 * ($1 + $3) + $2 + $4 }' "$file")
+    rm -f "$file"
+}
+
+# run NAME COMMAND...: one test, the seconds it took, and those of processors, which depend less on what else is running.
 run() {
-    local name=$1 start=$SECONDS; shift
+    local name=$1 start=$SECONDS before spent; shift
     printf '\n== %s\n' "$name"
+    spend && before=$spent
     if "$@"; then pass "$name"; else fail "$name"; fi
-    printf -- '-- %s: %d s\n' "$name" $((SECONDS - start))
+    spend
+    printf -- '-- %s: %d s, %d s of processors\n' "$name" $((SECONDS - start)) $((spent - before))
 }
 
 # beside GROUP: a function of tests, of which one more run side by side than there are processors: most keep one busy, and some
@@ -43,32 +53,6 @@ main_job() {
     return $status
 }
 
-# The kernel alone, without the features that the rest of the workspace switches on.
-kernel_alone() { cargo build -q --release -p softanvil-kernel --no-default-features; }
-
-run "format" cargo fmt --all --check
-# With the profile of the build that follows, which then has its procedural macros.
-run "clippy" cargo clippy -q --release --workspace --all-targets -- -D warnings
-if need python3 python3; then
-    run "imports run one way" python3 tests/imports.py kernel ffi fmu specimen tools tools/identify tools/records \
-        tests/verification
-else
-    skip "imports run one way" "python3 is missing and cannot be installed"
-fi
-run "documentation" env RUSTDOCFLAGS=-Dwarnings cargo doc -q --release --workspace --no-deps
-run "build, release" cargo build -q --release -p softanvil -p softanvil-ffi
-run "build, library" cargo build -q --profile library -p softanvil-ffi -p softanvil-bench
-# Everything that the Rust tests take, at once: parts of the workspace built alone may have other features, and libraries of
-# the same name would take each other's place.
-run "build, checked" cargo build -q --profile checked --workspace --lib --bins --examples --tests
-run "kernel alone, no_std" kernel_alone
-run "packages of the crates" tests/package.sh
-run "main job" main_job
-run "processors that lack something" tests/targets/processors.sh
-
-export SOFTANVIL_CLI=$PWD/target/release/softanvil
-export SOFTANVIL_VENV=${SOFTANVIL_VENV:-$PWD/.venv}
-
 # What the groups need is installed before they start: two installations at once are refused.
 have_board() {
     command -v rustup >/dev/null && need arm-none-eabi-gcc gcc-arm-none-eabi && need qemu-system-arm qemu-system-arm
@@ -82,16 +66,11 @@ have_python() { need python3 python3 && have_venv && need gcc gcc libc6-dev; }
 # A library of the importer ecos.
 have_tbb() { PATH=$PATH:/usr/sbin:/sbin ldconfig -p | grep 'libtbb\.so\.12' >/dev/null; }
 
-groups=(rust_tests)
-rust_tests() {
-    # They take every instruction set that the processor has.
-    runs "Rust tests with AVX2" x86-64-v3
-    runs "Rust tests with AVX-512" x86-64-v4
-    run "Rust tests" cargo test -q --profile checked --workspace --no-fail-fast
-}
-
+# The groups by what they take, the longest first, so that no processor has nothing to do at the end.
+groups=() python=
 if have_python; then
-    groups+=(python_tests)
+    python=1
+    groups+=(fmu_tests)
     # Other platforms, and a library of the importer ecos; without them their tests are skipped.
     need aarch64-linux-gnu-gcc gcc-aarch64-linux-gnu libc6-dev-arm64-cross && need qemu-aarch64 qemu-user \
         || skip "FMU on aarch64" "the cross compiler or qemu is missing and cannot be installed"
@@ -107,49 +86,84 @@ else
         skip "$name" "python3 with venv, or gcc, is missing and cannot be installed"
     done
 fi
-# One after the other, because the first makes the virtual environment.
-python_tests() {
+groups+=(target_tests rust_tests ${python:+python_tests})
+if have_c && need cmake cmake && need pkg-config pkg-config; then
+    groups+=(package_tests)
+else
+    skip "installed package, and its library in C and C++ rigs" \
+        "gcc, g++, valgrind, cmake or pkg-config is missing and cannot be installed"
+fi
+if have_c; then
+    groups+=(c_tests)
+else
+    skip "C and C++ rigs" "gcc, g++ or valgrind is missing and cannot be installed"
+fi
+
+rust_tests() {
+    # They take every instruction set that the processor has.
+    runs "Rust tests with AVX2" x86-64-v3
+    runs "Rust tests with AVX-512" x86-64-v4
+    run "Rust tests" cargo test -q --profile checked --workspace --no-fail-fast
+}
+fmu_tests() {
     run "FMU in other tools, release library" tests/fmi/run.sh target/release
     run "FMU in other tools, checked program" tests/fmi/run.sh target/checked test_results.py -k "last_bit"
+}
+python_tests() {
     run "programs and picture of the README" tests/readme.sh target/release "$SOFTANVIL_VENV"
     run "fitted material files in other tools" tests/identify/run.sh target/release "$SOFTANVIL_VENV"
     run "report in a browser, series for ParaView" tests/report/run.sh target/release "$SOFTANVIL_VENV" \
         "${page[@]}" test_series.py
 }
-
-groups+=(target_tests)
 target_tests() { run "same digests on every target" tests/targets/run.sh; }
-
-if have_c; then
-    groups+=(c_checked_tests c_release_tests)
-else
-    skip "C and C++ rigs" "gcc, g++ or valgrind is missing and cannot be installed"
-fi
-if have_c && need cmake cmake && need pkg-config pkg-config; then
-    groups+=(package_tests)
-else
-    skip "installed package" "gcc, g++, valgrind, cmake or pkg-config is missing and cannot be installed"
-fi
-c_checked_tests() { run "C and C++ rigs, library with checks" tests/c/run.sh target/checked; }
-c_release_tests() {
-    run "C and C++ rigs, library as installed" tests/c/run.sh target/library
+# The second takes the library that the first has built.
+package_tests() {
+    run "installed package" tests/c/package.sh
+    run "C and C++ rigs, library as installed" tests/c/run.sh target/install/lib
+}
+c_tests() {
+    run "C and C++ rigs, library with checks" tests/c/run.sh target/checked
     run "instructions of a step" bench/instructions.sh target/library
 }
-package_tests() { run "installed package" tests/c/package.sh; }
 
-# A Cortex-M7 without an operating system, in QEMU; the footprint takes its RAM and stack from there.
-if have_board; then
-    groups+=(board_tests)
-    footprint=1
-    need readelf binutils || { footprint=; skip "footprint" "readelf is missing"; }
-else
-    skip "firmware on a Cortex-M7" "rustup, arm-none-eabi-gcc or qemu-system-arm is missing and cannot be installed"
-    skip "footprint" "rustup, arm-none-eabi-gcc or qemu-system-arm is missing and cannot be installed"
-fi
+# A Cortex-M7 without an operating system, in QEMU; the footprint takes its RAM and stack from there. They need nothing that
+# is built here, and so run beside the builds, which often keep one processor busy.
 board_tests() {
     run "firmware on a Cortex-M7" tests/firmware/run.sh
     [ -z "$footprint" ] || run "footprint" tests/footprint/run.sh
 }
+export SOFTANVIL_CLI=$PWD/target/release/softanvil
+export SOFTANVIL_VENV=${SOFTANVIL_VENV:-$PWD/.venv}
+if have_board; then
+    footprint=1
+    need readelf binutils || { footprint=; skip "footprint" "readelf is missing"; }
+    beside board_tests
+else
+    skip "firmware on a Cortex-M7" "rustup, arm-none-eabi-gcc or qemu-system-arm is missing and cannot be installed"
+    skip "footprint" "rustup, arm-none-eabi-gcc or qemu-system-arm is missing and cannot be installed"
+fi
+
+run "format" cargo fmt --all --check
+# With the profile of the build that follows, which then has its procedural macros.
+run "clippy" cargo clippy -q --release --workspace --all-targets -- -D warnings
+if need python3 python3; then
+    run "imports run one way" python3 tests/imports.py kernel ffi fmu specimen tools tools/identify tools/records \
+        tests/verification
+else
+    skip "imports run one way" "python3 is missing and cannot be installed"
+fi
+run "documentation" env RUSTDOCFLAGS=-Dwarnings cargo doc -q --release --workspace --no-deps
+run "build, release" cargo build -q --release -p softanvil -p softanvil-ffi
+run "build, benchmarks" cargo build -q --profile library -p softanvil-bench
+# Everything that the Rust tests take, at once: parts of the workspace built alone may have other features, and libraries of
+# the same name would take each other's place.
+run "build, checked" cargo build -q --profile checked --workspace --lib --bins --examples --tests
+# Without the features that the rest of the workspace switches on.
+run "kernel alone, no_std" cargo check -q --release -p softanvil-kernel --no-default-features
+run "packages of the crates" tests/package.sh
+[ -z "$python" ] || run "Python packages of the tests" tests/fmi/venv.sh "$SOFTANVIL_VENV"
+run "main job" main_job
+run "processors that lack something" tests/targets/processors.sh
 
 for group in "${groups[@]}"; do beside "$group"; done
 wait

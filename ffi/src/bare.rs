@@ -1,6 +1,6 @@
 //! What the binary of an FMU has in place of the standard library, so that it needs nothing but the C library: the C
 //! heap, and an end for panics. Memory that the heap refuses is an error (`tests/fmi/memory.c`); what is left is what `core`
-//! and `alloc` check of themselves when they print numbers, sort and fill reserved memory (`tests/fmi/panic.sh`).
+//! and `alloc` check of themselves when they print numbers, sort and fill reserved memory (`tests/fmi/binary.sh`).
 
 use core::alloc::{GlobalAlloc, Layout};
 use core::ffi::c_void;

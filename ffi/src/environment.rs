@@ -156,3 +156,6 @@ mod control {
 
     pub(super) fn write((): ()) {}
 }
+
+#[cfg(all(test, target_arch = "x86_64", not(miri)))]
+mod tests;

@@ -212,6 +212,18 @@ fn numbers_of_rows_are_unique_and_none_is_retired() {
     check(preset::PRESETS.iter().map(|row| row.id), preset::RETIRED);
 }
 
+/// The last number below a count is given or retired, and the count itself is not.
+#[test]
+fn counts_end_with_the_last_number() {
+    fn check(count: u32, ids: &[u32], retired: &[u32]) {
+        let is_given = |id: &u32| ids.contains(id) || retired.contains(id);
+        assert!(is_given(&(count - 1)) && !is_given(&count));
+        assert!(ids.iter().chain(retired).all(|id| *id < count));
+    }
+    check(softanvil_output_count(), &OUTPUTS.iter().map(|row| row.id).collect::<Vec<_>>(), RETIRED_OUTPUTS);
+    check(softanvil_field_count(), &FIELDS.iter().map(|row| row.id).collect::<Vec<_>>(), RETIRED_FIELDS);
+}
+
 /// Three layers, said in any order and one of them by its number: the same simulation as the kernel's own.
 #[test]
 fn layers_are_said_by_number_or_name() {

@@ -36,6 +36,7 @@ pub mod cfc;
 pub mod contact;
 pub mod element;
 pub mod error;
+mod features;
 pub mod impactor;
 pub mod material;
 pub mod mesh;
@@ -68,5 +69,6 @@ pub use step::{step, step_along, step_with, steps};
 pub mod preset {
     pub use crate::scenario::preset::*;
     pub use crate::scenario::presets::*;
+    #[cfg(feature = "pads")]
     pub use crate::scenario::standards::*;
 }

@@ -3,8 +3,8 @@
 # each other and, if SOFTANVIL_CLI names the command line program, with its own. Unless the library is that of the profile
 # `checked`, which is linked in one way only, the rig of faults also runs under valgrind and under the address and
 # undefined-behaviour sanitizers, the sweep over threads under helgrind and the thread sanitizer. For that of the profile
-# `library`, which is installed, it also compares the ABI with the last release and looks for paths to a panic. package.sh
-# does the same from an installed package.
+# `library`, which install.sh leaves in target/install/lib, it also compares the ABI with the last release and looks for
+# paths to a panic. package.sh runs the rigs from an installed package.
 #
 #     tests/c/run.sh LIBDIR
 set -euo pipefail
@@ -138,7 +138,7 @@ if [ -n "${SOFTANVIL_CLI:-}" ]; then
     done
 fi
 
-if [ "$(basename "$libdir")" = library ]; then
+case $(basename "$libdir") in library | lib)
     check "ABI of the last release" "$tests/c/abi/compare.sh" "$libdir"
     sed 's/softanvil_dt(const SoftanvilSimulation/softanvil_dt(SoftanvilSimulation/' "$tests/../include/softanvil.h" \
         >"$work/changed.h"
@@ -152,8 +152,8 @@ if [ "$(basename "$libdir")" = library ]; then
     check "build C rig against the last release" "${c[@]}" -I "$work/released" -I "$tests/c" "$tests/c/rig.c" \
         -o "$work/c-released" "${shared[@]}"
     check "run it with this library" trace c-released
-    check "c-static and c-released agree" cmp "$work/c-static.txt" "$work/c-released.txt"
-fi
+    check "c-static and c-released agree" cmp "$work/c-static.txt" "$work/c-released.txt" ;;
+esac
 cat "$work/c-static.txt"
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]

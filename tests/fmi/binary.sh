@@ -1,21 +1,30 @@
 #!/usr/bin/env bash
-# Shows on the binary of an FMU, built with its symbols, from where a panic can be reached: its own functions and the
-# kernel's refer to no failed index, slice, assertion or arithmetic. What is left is in the libraries of the language
-# (the printing of numbers and sorting check themselves; they are listed) and the end for memory that the heap refuses.
+# Builds the binary of an FMU, LIBRARY, again from nothing in another folder: it has the same bytes. And with its symbols, to
+# show from where a panic can be reached: its own functions and the kernel's refer to no failed index, slice, assertion or
+# arithmetic. What is left is in the libraries of the language (the printing of numbers and sorting check themselves; they
+# are listed) and the end for memory that the heap refuses.
 #
-#     tests/fmi/panic.sh
+#     tests/fmi/binary.sh LIBRARY
 set -euo pipefail
 
 root=$(cd "$(dirname "$0")/../.." && pwd)
 target=x86_64-unknown-linux-gnu
-folder=$root/target/fmu-symbols
-cargo rustc --quiet --lib --no-default-features --crate-type cdylib --profile fmu --config profile.fmu.strip=false \
-    --target "$target" --manifest-path "$root/ffi/Cargo.toml" --target-dir "$folder"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
+# build ARGUMENT...: as the packager does (fmu/src/build.rs), with more arguments for the compiler.
+build() {
+    cargo rustc --quiet --lib --no-default-features --crate-type cdylib --profile fmu --target "$target" \
+        --manifest-path "$root/ffi/Cargo.toml" --target-dir "$work/target" -- -Clink-arg=-Wl,--build-id=none \
+        -Clink-arg=-lc "$@"
+}
+library=$work/target/$target/fmu/libsoftanvil.so
+build
+cmp "$1" "$library"
+build -Cstrip=none
+
 # "caller -> callee" of every jump or call into the panic machinery.
-objdump -d -C --no-show-raw-insn "$folder/$target/fmu/libsoftanvil.so" | awk '
+objdump -d -C --no-show-raw-insn "$library" | awk '
     /^[0-9a-f]+ <.*>:$/ { caller = $0; sub(/^[0-9a-f]+ </, "", caller); sub(/>:$/, "", caller); functions++ }
     /<(core::panicking::|core::slice::index::|core::result::unwrap_failed|core::option::(unwrap|expect)_failed|core::str::slice_error)/ {
         callee = $0; sub(/^[^<]*</, "", callee); sub(/>[^>]*$/, "", callee); sub(/\+0x.*/, "", callee)

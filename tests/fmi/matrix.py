@@ -62,10 +62,10 @@ PLATFORMS = [
 
 def static_library(platform):
     """The C ABI for a platform: here the one beside the command line, elsewhere built as the tests of other targets build,
-    with what changes no bits set to build fast."""
+    in their folder, with what changes no bits set to build fast."""
     if not platform.runner:
         return pathlib.Path(os.environ["SOFTANVIL_CLI"]).with_name("libsoftanvil.a")
-    folder = ROOT / "target/fmi-c-abi"
+    folder = ROOT / "target/targets/cargo"
     fast = {"CARGO_PROFILE_RELEASE_LTO": "off", "CARGO_PROFILE_RELEASE_CODEGEN_UNITS": "16"}
     subprocess.run(["cargo", "rustc", "--quiet", "--release", "--lib", "--crate-type", "staticlib", "--target", platform.target,
                     "--manifest-path", ROOT / "ffi/Cargo.toml", "--target-dir", folder], check=True, env={**os.environ, **fast})

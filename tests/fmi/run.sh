@@ -12,8 +12,7 @@ venv=${SOFTANVIL_VENV:-$root/.venv}
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
-[ -x "$venv/bin/python" ] || python3 -m venv "$venv"
-"$venv/bin/python" -m pip install --quiet --disable-pip-version-check -r "$here/requirements.txt"
+"$here/venv.sh" "$venv"
 
 # The standard library of a target, where rustup can add it, and a linker for it.
 have_target() {
@@ -35,6 +34,8 @@ export SOFTANVIL_LIBRARY=$root/target/fmu/x86_64-unknown-linux-gnu/fmu/libsoftan
 cd "$here"
 export PYTHONDONTWRITEBYTECODE=1 TMPDIR=$scratch
 if [ "${1:-}" = matrix ]; then "$venv/bin/python" matrix.py "${@:2}"; exit; fi
-[ $# -gt 0 ] || "$venv/bin/python" matrix.py --brief
-"$here/panic.sh"
+if [ $# = 0 ]; then
+    "$venv/bin/python" matrix.py --brief
+    "$here/binary.sh" "$SOFTANVIL_LIBRARY"
+fi
 "$venv/bin/python" -m pytest -p no:cacheprovider -q "${@:-.}"

@@ -116,14 +116,3 @@ def test_the_library_exports_the_functions_of_the_standard_and_needs_the_c_libra
     assert len(needed) == 1 and "libc.so.6" in needed[0]
     versions = {word for word in run(["readelf", "-V", library]).stdout.split() if word.startswith("GLIBC_")}
     assert max(tuple(map(int, version[6:].split("."))) for version in versions) <= (2, 14)
-
-
-def test_two_builds_give_the_same_bytes(tmp_path):
-    """Built again from nothing in another folder."""
-    link = ["-Clink-arg=-Wl,--build-id=none", "-Clink-arg=-lc"]
-    target = ["--target", "x86_64-unknown-linux-gnu", "--target-dir", tmp_path]
-    options = ["--quiet", "--lib", "--no-default-features", "--crate-type", "cdylib", "--profile", "fmu"]
-    manifest = pathlib.Path(os.environ["SOFTANVIL_ROOT"]) / "ffi/Cargo.toml"
-    subprocess.run(["cargo", "rustc", "--manifest-path", manifest, *options, *target, "--", *link], check=True)
-    again = tmp_path / "x86_64-unknown-linux-gnu/fmu/libsoftanvil.so"
-    assert again.read_bytes() == pathlib.Path(os.environ["SOFTANVIL_LIBRARY"]).read_bytes()

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The files that `softanvil fit` writes, in the hands of others: run.sh BUILD_FOLDER VENV. material.h compiles without a
 # warning and sets the scenario, material.ssv holds to the schema, all of them say the same, and the Python program of
-# docs/identification.md runs the FMU with them. VENV is the one that tests/fmi/run.sh has made.
+# docs/identification.md runs the FMU with them. VENV is the one that tests/fmi/venv.sh has made.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)

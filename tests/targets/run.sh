@@ -8,7 +8,7 @@
 set -uo pipefail
 cd "$(dirname "$0")/../.."
 root=$PWD out=$PWD/target/targets only=${1:-}
-table=$out/table.txt rows=$out/rows
+table=$out/table.txt rows=$out/rows host=$(rustc -vV | sed -n 's/^host: //p')
 . tests/need.sh
 . tests/processor.sh
 vectors=
@@ -42,11 +42,25 @@ beside() {
 # The runner, and the folder of its firmware; at the end those in single precision take their place.
 runner=softanvil-golden firmware=tests/firmware/rust
 
-# build NAME CARGO_ARGUMENT...: the runner in a folder of its own; what changes no bits is set to build fast.
+# compiled KEPT BUILT CARGO_ARGUMENT...: builds in the folder of all rows, so that what several take is compiled once, and keeps
+# of it the program KEPT, a copy of BUILT there, which the next row replaces. So there is one build at a time. What changes no
+# bits is set to build fast.
+compiled() {
+    local kept=$1 built=$2; shift 2
+    mkdir -p "${kept%/*}"
+    (
+        flock 9
+        CARGO_PROFILE_RELEASE_LTO=off CARGO_PROFILE_RELEASE_CODEGEN_UNITS=16 \
+            cargo build -q --target-dir "$out/cargo" "$@" && cp "$out/cargo/$built" "$kept"
+    ) 9>"$out/lock"
+}
+
+# build NAME PROFILE TARGET EXTENSION CARGO_ARGUMENT...: the runner. The target is named even if it is this machine's, because
+# flags for the compiler then are not those of procedural macros, which all rows share.
 build() {
-    local name=$1; shift
-    CARGO_PROFILE_RELEASE_LTO=${LTO:-off} CARGO_PROFILE_RELEASE_CODEGEN_UNITS=${UNITS:-16} \
-        cargo build -q --jobs 1 -p "$runner" --target-dir "$out/$name" "$@"
+    local name=$1 profile=$2 target=$3 extension=$4; shift 4
+    compiled "$out/$name/$runner$extension" "$target/${profile/dev/debug}/$runner$extension" -p "$runner" \
+        --profile "$profile" --target "$target" "$@"
 }
 
 # snapshots COMMAND...: a state saved at home goes on there, is saved, is the same file as one that never left, and goes
@@ -67,12 +81,18 @@ summary() {
     return $status
 }
 
-# row NAME CHECK COMMAND...: a line of the table; CHECK is the words of the check, which the first row's program, home,
-# answers too.
+# at_home: what the first row's program, home, answers to the words of each check.
+declare -A expected
+at_home() {
+    local check
+    next_row
+    for check in check 'check --short' 'check --short yeoh'; do expected[$check]=$(summary "$check" "${home[@]}"); done
+}
+
+# row NAME CHECK COMMAND...: a line of the table; CHECK is the words of the check.
 row() {
-    local name=$1 check=$2 verdict=same carried=same expected found scenes until_short until_end text; shift 2
-    expected=$(summary "$check" "${home[@]}")
-    found=$(summary "$check" "$@") && [ -n "$found" ] && [ "$found" = "$expected" ] || verdict=DIFFERENT
+    local name=$1 check=$2 verdict=same carried=same found scenes until_short until_end text; shift 2
+    found=$(summary "$check" "$@") && [ -n "$found" ] && [ "$found" = "${expected[$check]}" ] || verdict=DIFFERENT
     snapshots "$@" || carried=DIFFERENT
     read -r scenes until_short until_end <<<"$found"
     printf -v text '%-44s %-6s  %-16s  %-16s  %s' "$name" "${scenes:--}" "${until_short:--}" "${until_end:--}" "$carried"
@@ -80,7 +100,7 @@ row() {
         line same "$text"
     else
         line failed "$text"
-        printf 'FAILED: %s; expected %s\n' "$name" "$expected"
+        printf 'FAILED: %s; expected %s\n' "$name" "${expected[$check]}"
         grep -ahv '^summary\|same$' "$work/row.txt" "$work/errors.txt" "$work/snapshots.txt" | head -20
     fi
 }
@@ -91,9 +111,8 @@ native() {
 }
 make_native() {
     local name=$1 folder=$2 profile=$3; shift 3
-    build "$folder" --profile "$profile" "$@" || { fail "$name" "does not build"; return; }
-    [ "$profile" = dev ] && profile=debug
-    row "$name" check "$out/$folder/$profile/$runner"
+    build "$folder" "$profile" "$host" '' "$@" || { fail "$name" "does not build"; return; }
+    row "$name" check "$out/$folder/$runner"
 }
 
 # have_target NAME TARGET: whether rustup has the target of a row.
@@ -107,9 +126,10 @@ foreign() {
     wanted "$1" && have_target "$1" "$2" && beside make_foreign "$@"
 }
 make_foreign() {
-    local name=$1 target=$2 check=$3 extension=$4 folder=$2${RUSTFLAGS:+-$vectors}; shift 4
-    build "$folder" --release --target "$target" ${vectors:+--features $features} || { fail "$name" "does not build"; return; }
-    row "$name" "$check" "$@" "$out/$folder/$target/release/$runner$extension" ${vectors:+--instructions $vectors}
+    local name=$1 target=$2 check=$3 extension=$4 folder=$2${vectors:+-$vectors}; shift 4
+    build "$folder" release "$target" "$extension" ${vectors:+--features $features} ||
+        { fail "$name" "does not build"; return; }
+    row "$name" "$check" "$@" "$out/$folder/$runner$extension" ${vectors:+--instructions $vectors}
 }
 
 # board NAME TARGET FLAGS CHECK: a row of a Cortex-M7 without an operating system.
@@ -124,23 +144,23 @@ board() {
     wanted "$1" && have_target "$1" "$2" && beside make_board "$@"
 }
 make_board() {
-    local name=$1 target=$2 flags=$3 check=$4
-    (cd "$firmware" && RUSTFLAGS=$flags CARGO_PROFILE_RELEASE_LTO=off CARGO_PROFILE_RELEASE_CODEGEN_UNITS=16 \
-        cargo build -q --jobs 1 --release --bin runner --target "$target" --target-dir "$out/firmware-$runner-$target") ||
+    local name=$1 target=$2 flags=$3 check=$4 elf=$out/$2/$runner.elf
+    (cd "$firmware" && RUSTFLAGS=$flags compiled "$elf" "$target/release/runner" --release --bin runner --target "$target") ||
         { fail "$name" "does not build"; return; }
-    row "$name" "$check" bash -c 'on_board "$@"' board "$out/firmware-$runner-$target/$target/release/runner"
+    row "$name" "$check" bash -c 'on_board "$@"' board "$elf"
 }
 
 # chosen NAME SET: the program with every instruction set, made to take one.
 chosen() {
-    build features --release --features $features || { fail "$1" "does not build"; return; }
-    row "$1" check "$out/features/release/softanvil-golden" --instructions "$2"
+    build "chosen-$2" release "$host" '' --features $features || { fail "$1" "does not build"; return; }
+    row "$1" check "$out/chosen-$2/$runner" --instructions "$2"
 }
 
 # refused: without SSE2 the kernel does not build, and says why.
 refused() {
     rustup target add i586-unknown-linux-gnu >/dev/null 2>&1
-    cargo check -q -p softanvil-kernel --target i586-unknown-linux-gnu --target-dir "$out/x87" >"$work/x87.txt" 2>&1
+    (flock 9 && cargo check -q --release -p softanvil-kernel --target i586-unknown-linux-gnu --target-dir "$out/cargo") \
+        >"$work/x87.txt" 2>&1 9>"$out/lock"
     if grep -q 'x86 without SSE2 is excluded' "$work/x87.txt"; then
         line same "$(printf '%-44s as it must be' "$1")"
     else
@@ -148,10 +168,10 @@ refused() {
     fi
 }
 
-# The first row is what the others are compared with, so it is always there: as it is shipped.
-LTO=thin UNITS=1 build o3 --release || exit 1
-home=("$out/o3/release/softanvil-golden")
-next_row
+# The first row is what the others are compared with, so it is always there: built as the library is.
+cargo build -q --profile library -p softanvil-golden -p softanvil-golden-f32 || exit 1
+home=("$root/target/library/$runner")
+at_home
 row "$(uname -m), opt-level 3" check "${home[@]}"
 native "$(uname -m), opt-level 0, debug" o0 dev
 for level in 2 s; do
@@ -212,7 +232,7 @@ else
         skip "s390x, big-endian" "qemu-user or s390x-linux-gnu-gcc is missing and cannot be installed"
     fi
     if need x86_64-w64-mingw32-gcc gcc-mingw-w64-x86-64 && need wine wine wine64; then
-        programs=$out/x86_64-pc-windows-gnu/x86_64-pc-windows-gnu/release
+        programs=$out/x86_64-pc-windows-gnu
         mkdir -p "$programs"
         x86_64-w64-mingw32-gcc -shared -o "$programs/bcryptprimitives.dll" tests/targets/bcryptprimitives.c
         WINEDEBUG=-all WINEPREFIX=$out/wine foreign "Windows (wine)" x86_64-pc-windows-gnu check .exe wine
@@ -237,9 +257,8 @@ fi
 # In single precision, with digests of its own.
 runner=softanvil-golden-f32 firmware=tests/firmware/rust/single
 if wanted "f32: " || [[ $only == f32* ]]; then
-    LTO=thin UNITS=1 build f32-o3 --release || exit 1
-    home=("$out/f32-o3/release/$runner")
-    next_row
+    home=("$root/target/library/$runner")
+    at_home
     row "f32: $(uname -m), opt-level 3" check "${home[@]}"
     native "f32: $(uname -m), opt-level 0, debug" f32-o0 dev
     # The skips of these tools were counted above.

@@ -121,6 +121,7 @@ fn scenario_status(error: &ScenarioError) -> Status {
         ScenarioError::Softening { .. } => Status::Softening,
         ScenarioError::BulkModulus { .. } => Status::BulkModulus,
         ScenarioError::LayerWidth { .. } => Status::LayerWidth,
+        ScenarioError::WithoutPads { .. } => Status::WithoutPads,
     }
 }
 
@@ -165,6 +166,7 @@ impl Failure {
             Self::Scenario(ScenarioError::Parameter(ParameterError { value, min, max, .. })) => [value, min, max],
             Self::Scenario(ScenarioError::NoEffect(NoEffect { value, .. })) => [value, NAN, NAN],
             Self::Scenario(ScenarioError::LayerThickness { thickness, minimum, .. }) => [thickness, minimum, NAN],
+            Self::Scenario(ScenarioError::LayerWidth { width, maximum, .. }) => [width, 0.0, maximum],
             Self::Scenario(ScenarioError::PronySum { sum, .. }) => [sum, 0.0, 1.0],
             Self::Scenario(ScenarioError::ShearModulus { modulus, .. }) => [modulus, 0.0, NAN],
             Self::Scenario(ScenarioError::FaceTooSmall { width, minimum, .. }) => [width, minimum, NAN],
@@ -201,6 +203,7 @@ impl Failure {
             Self::Scenario(ScenarioError::TearStretch { layer, .. }) => Name::of_layer(layer, "tear_stretch"),
             Self::Scenario(ScenarioError::Softening { layer, .. }) => Name::of_layer(layer, "softening_r"),
             Self::Scenario(ScenarioError::FaceTooSmall { name, .. }) => name.into(),
+            Self::Scenario(ScenarioError::WithoutPads { name }) => name,
             Self::Scenario(ScenarioError::FaceOfFormulation { .. }) => "impactor.shape".into(),
             Self::Scenario(ScenarioError::FullAxisymmetric) => "geometry.section".into(),
             Self::Scenario(ScenarioError::OffsetOfHalf { .. }) => "impactor.offset".into(),

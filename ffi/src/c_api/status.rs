@@ -61,6 +61,8 @@ pub enum SoftanvilStatus {
     BulkModulus = 221,
     /// A layer is wider than what it lies on.
     LayerWidth = 216,
+    /// The library was built without pads, which the scenario needs.
+    WithoutPads = 217,
     /// An element turned inside out or is no longer finite.
     Inverted = 300,
     /// The time step is above the current stability limit of an element.
@@ -83,7 +85,7 @@ use SoftanvilStatus as S;
 
 impl SoftanvilStatus {
     /// Every status.
-    pub const ALL: [Self; 34] = [
+    pub const ALL: [Self; 35] = [
         S::Ok,
         S::NullPointer,
         S::Misaligned,
@@ -110,6 +112,7 @@ impl SoftanvilStatus {
         S::Softening,
         S::BulkModulus,
         S::LayerWidth,
+        S::WithoutPads,
         S::Inverted,
         S::Unstable,
         S::IllegalInput,
@@ -149,6 +152,7 @@ impl SoftanvilStatus {
             S::BulkModulus => c"elastic coefficients give no positive bulk modulus",
             S::FaceOfFormulation => c"face that the formulation cannot have",
             S::LayerWidth => c"layer wider than what it lies on",
+            S::WithoutPads => c"library built without pads",
             S::Inverted => c"element inverted or not finite",
             S::Unstable => c"time step above the current stability limit",
             S::IllegalInput => c"input of a step not finite",

@@ -32,7 +32,9 @@ pub(crate) fn contact<S: Simd>(simd: S, model: &Model, state: &mut State, predic
     let Some(mut surface) = Surface::of(model, &mut state.nodes) else { return ContactWork::default() };
     surface.find_free_heights(simd, constants);
     let mass = constants.moved_mass() / constants.symmetry_factor;
-    let face = prediction.settle(constants, |free| surface.face_position(simd, mass, free));
+    // Of the slices alone: the surface stays where the compiler sees that its rows are of one length.
+    let (masses, heights) = (surface.row.mass, &*surface.normal);
+    let face = prediction.settle(constants, move |free| face_position(simd, masses, heights, mass, free));
     let normal_force = surface.hold(simd, constants.dt, face);
     let before = impactor.velocity_half;
     let rail_force = impactor.advance(model, prediction, face, normal_force);
@@ -89,28 +91,6 @@ impl<'s> Surface<'s> {
         }
     }
 
-    /// Height at which the contact leaves a face of a mass, kg, that would go to the height `free`, m, from the free heights.
-    ///
-    /// It is the root z of M (z - z_free) = sum m_i max(0, y_i - z), a concave rising function: Newton's method climbs to
-    /// it from z_free through a shrinking set of touching nodes.
-    #[inline(always)]
-    fn face_position<S: Simd>(&self, simd: S, impactor_mass: Real, free: Real) -> Real {
-        let mut position = free;
-        let (zero, start) = (simd.splat(0.0), simd.splat(free));
-        for _ in 0..PASSES {
-            let (face, mut masses, mut moments) = (simd.splat(position), ZERO, ZERO);
-            for i in 0..self.normal.len() {
-                for chunk in 0..LANES / S::WIDTH {
-                    let (mass, height) = (simd.load(&self.row.mass[i], chunk), simd.load(&self.normal[i], chunk));
-                    simd.add(height.select_greater(face, mass, zero), &mut masses, chunk);
-                    simd.add(height.select_greater(face, mass * (height - start), zero), &mut moments, chunk);
-                }
-            }
-            position = free + sum(&moments) / (impactor_mass + sum(&masses));
-        }
-        position
-    }
-
     /// The force that brings each penetrating node back to the face within the step; returns their sum in index order.
     #[inline(always)]
     fn hold<S: Simd>(&mut self, simd: S, dt: Real, face: Real) -> Real {
@@ -159,4 +139,26 @@ impl<'s> Surface<'s> {
         }
         [0.5 * dt * sum(&contact_dissipation), 0.5 * dt * sum(&frictional_dissipation)]
     }
+}
+
+/// Height at which the contact leaves a face of a mass, kg, that would go to the height `free`, m, from the free heights.
+///
+/// It is the root z of M (z - z_free) = sum m_i max(0, y_i - z), a concave rising function: Newton's method climbs to
+/// it from z_free through a shrinking set of touching nodes.
+#[inline(always)]
+fn face_position<S: Simd>(simd: S, masses: &[Pack], heights: &[Pack], impactor_mass: Real, free: Real) -> Real {
+    let mut position = free;
+    let (zero, start) = (simd.splat(0.0), simd.splat(free));
+    for _ in 0..PASSES {
+        let (face, mut touching, mut moments) = (simd.splat(position), ZERO, ZERO);
+        for (mass, height) in masses.iter().zip(heights) {
+            for chunk in 0..LANES / S::WIDTH {
+                let (mass, height) = (simd.load(mass, chunk), simd.load(height, chunk));
+                simd.add(height.select_greater(face, mass, zero), &mut touching, chunk);
+                simd.add(height.select_greater(face, mass * (height - start), zero), &mut moments, chunk);
+            }
+        }
+        position = free + sum(&moments) / (impactor_mass + sum(&touching));
+    }
+    position
 }

@@ -3,11 +3,11 @@
 use core::ops::{Range, RangeInclusive};
 
 use crate::contact::node::{Node, add_force};
-use crate::model::{Constants, Model};
+use crate::model::{Constants, Model, PAIR_FIELDS};
 use crate::number::math;
 use crate::number::real::Real;
 use crate::scenario::Section;
-use crate::state::{Pair, StateNodes};
+use crate::state::{Pair, PairedNode, StateNodes};
 
 /// A node this part of a segment beside the last one still touches it.
 const BESIDE: Real = 0.01;
@@ -18,17 +18,24 @@ const DEEPEST: Real = 0.5;
 /// A node that has come around the end of a row is pushed out by at most this part of a segment in a step.
 const PUSHED_OUT: Real = 1e-3;
 
+/// The pairs of a row of nodes, by column, in memory.
+pub(super) type Row = [[Real; PAIR_FIELDS]];
+
 /// One row of nodes at an interface and the row of segments that it may touch.
 #[derive(Clone, Debug)]
 pub(super) struct Side {
-    /// First node of the row of nodes, and of that of segments.
-    first: [usize; 2],
-    /// Columns of cells of the layer of the nodes, and of that of the segments.
-    cells: [Range<usize>; 2],
+    /// First node of the row.
+    first: usize,
+    /// Columns of cells of the layer of the nodes.
+    cells: Range<usize>,
+    /// Columns of cells of that of the segments.
+    segments: Range<usize>,
     /// 1 where the nodes are above the segments, -1 where they are below.
     upwards: Real,
     /// Whether the section goes on beyond the first column, by symmetry.
     mirrored: bool,
+    /// Time step, s.
+    dt: Real,
 }
 
 impl Side {
@@ -38,36 +45,63 @@ impl Side {
         let [below, above] = grid.interface_rows(layer)?.map(|row| row * grid.stride());
         let [of_below, of_above] = [grid.columns_of(layer.checked_sub(1)?), grid.columns_of(layer)];
         let mirrored = constants.scenario.geometry.section == Section::Half;
-        let upper = Self { first: [above, below], cells: [of_above.clone(), of_below.clone()], upwards: 1.0, mirrored };
-        let lower = Self { first: [below, above], cells: [of_below, of_above], upwards: -1.0, mirrored };
-        Some([upper, lower])
+        let side = |first, cells: &Range<usize>, segments: &Range<usize>, upwards| Self {
+            first,
+            cells: cells.clone(),
+            segments: segments.clone(),
+            upwards,
+            mirrored,
+            dt: constants.dt,
+        };
+        Some([side(above, &of_above, &of_below, 1.0), side(below, &of_below, &of_above, -1.0)])
     }
 
     /// Columns of the nodes.
     pub fn columns(&self) -> RangeInclusive<usize> {
-        self.cells[0].start..=self.cells[0].end
+        self.cells.start..=self.cells.end
     }
 
     /// Column of the segment of `pair`, of the node of `column`: one of those that are there.
-    fn segment(&self, column: usize, pair: &Pair) -> usize {
-        let Range { start, end } = self.cells[1];
-        let wanted = column.saturating_add_signed(pair.shift as isize);
-        wanted.max(start).min(end.saturating_sub(1))
-    }
-
-    /// The node of `column` and both ends of its segment.
     #[inline(always)]
-    pub fn nodes_of(&self, column: usize, pair: &Pair) -> [usize; 3] {
-        let left = self.first[1] + self.segment(column, pair);
-        [self.first[0] + column, left, left + 1]
+    pub fn segment(&self, column: usize, pair: &Pair) -> usize {
+        let wanted = column.saturating_add_signed(pair.shift as isize);
+        wanted.max(self.segments.start).min(self.segments.end.saturating_sub(1))
     }
 
-    /// Finds where the node of `column` is at the start of a step.
+    /// Takes the nodes as they are at the start of a step, with the forces so far.
+    pub fn gather(&self, model: &Model, nodes: &StateNodes<&mut [Real]>, row: &mut Row) {
+        for column in self.columns() {
+            let (Some(memory), Some(node)) = (row.get_mut(column), Node::of(model, nodes, self.first + column)) else {
+                continue;
+            };
+            let mut pair = Pair::load(memory);
+            let mobility = node.inverse_mass.map(|inverse| self.dt * inverse);
+            let velocity = node.next_velocity(self.dt);
+            pair.node = PairedNode { position: node.position, velocity, mobility, force: [0.0; 2] };
+            pair.store(memory);
+        }
+    }
+
+    /// Adds the forces across the interface to those of the nodes, and leaves the means of their velocities over them.
+    pub fn scatter(&self, nodes: &mut StateNodes<&mut [Real]>, row: &mut Row) {
+        for column in self.columns() {
+            let (Some(memory), index) = (row.get_mut(column), self.first + column) else { continue };
+            let mut pair = Pair::load(memory);
+            add_force(nodes, index, pair.node.force);
+            for (mean, before) in pair.node.velocity.iter_mut().zip(&nodes.velocity) {
+                *mean = 0.5 * (*mean + before.get(index).copied().unwrap_or_default());
+            }
+            pair.store(memory);
+        }
+    }
+
+    /// Finds where the node of `column` is over the other row at the start of a step, and begins with the forces of the last one.
     ///
     /// It goes on to the next segment where it was found beside the last one a step ago, in which it slides by far less than a
     /// segment.
-    pub fn find(&self, bodies: &Bodies, column: usize, pair: &mut Pair) {
-        let (last, Range { start, end }) = (self.segment(column, pair), self.cells[1].clone());
+    #[inline(always)]
+    pub fn find(&self, column: usize, pair: &mut Pair, other: &mut Row) {
+        let (last, Range { start, end }) = (self.segment(column, pair), self.segments.clone());
         let segment = if pair.part < 0.0 && last > start {
             last - 1
         } else if pair.part > 1.0 && last + 1 < end {
@@ -76,73 +110,57 @@ impl Side {
             last
         };
         pair.shift = segment as Real - column as Real;
-        let nodes = self.nodes_of(column, pair);
-        let [node, left, right] = nodes.map(|index| bodies.position(index));
-        let (along, from) = ([right[0] - left[0], right[1] - left[1]], [node[0] - left[0], node[1] - left[1]]);
-        let squared = along[0] * along[0] + along[1] * along[1];
-        let length = math::sqrt(squared);
-        pair.part = (from[0] * along[0] + from[1] * along[1]) / squared;
-        pair.normal = [-self.upwards * along[1] / length, self.upwards * along[0] / length];
+        let Some([left, right]) = ends(other, segment) else { return };
+        let (a, b) = (PairedNode::of(left), PairedNode::of(right));
+        let along = [b.position[0] - a.position[0], b.position[1] - a.position[1]];
+        let from = [pair.node.position[0] - a.position[0], pair.node.position[1] - a.position[1]];
+        let inverse_length = 1.0 / math::sqrt(along[0] * along[0] + along[1] * along[1]);
+        let direction = [along[0] * inverse_length, along[1] * inverse_length];
+        pair.part = (from[0] * direction[0] + from[1] * direction[1]) * inverse_length;
+        pair.normal = [-self.upwards * direction[1], self.upwards * direction[0]];
         let distance = from[0] * pair.normal[0] + from[1] * pair.normal[1];
+        let depth = -distance * inverse_length;
         let beside = (segment == start && !self.mirrored && pair.part < -BESIDE)
             || (segment + 1 == end && pair.part > 1.0 + BESIDE)
-            || distance < -DEEPEST * length;
-        pair.opening = math::max(distance, -PUSHED_OUT * length) / bodies.model.constants.dt;
-        pair.resistance = if beside { 0.0 } else { bodies.resistance(nodes, pair) };
-    }
-}
-
-/// The layers on both sides of an interface.
-pub(super) struct Bodies<'b, 'm, 'a> {
-    pub model: &'b Model<'m>,
-    pub nodes: &'b mut StateNodes<&'a mut [Real]>,
-}
-
-impl Bodies<'_, '_, '_> {
-    /// Current position of a node, m.
-    fn position(&self, index: usize) -> [Real; 2] {
-        Node::of(self.model, self.nodes, index).map_or([0.0; 2], |node| node.position)
-    }
-
-    /// Force on a node and against the ends of its segment over the relative velocity that it brings about, kg/s. Nodes on the
-    /// centre line, which are fixed across it, count as if they were not: nothing moves them that way.
-    fn resistance(&self, nodes: [usize; 3], pair: &Pair) -> Real {
-        let weights = pair.weights();
-        let inverse = |i: usize| self.model.nodes.inverse_mass_y.get(nodes[i]).copied().unwrap_or_default();
-        let mobility = (0..3).fold(0.0, |sum, i| sum + weights[i] * weights[i] * inverse(i));
-        if mobility > 0.0 { 1.0 / (self.model.constants.dt * mobility) } else { 0.0 }
-    }
-
-    /// Velocity of a node relative to its segment along `direction` at the end of the step, with the forces so far, m/s.
-    #[inline(always)]
-    pub fn relative_velocity(&self, nodes: [usize; 3], pair: &Pair, direction: [Real; 2]) -> Real {
-        self.relative(nodes, pair, direction, 1.0)
-    }
-
-    /// The same, mean over the impulse of the forces, m/s.
-    pub fn mean_velocity(&self, nodes: [usize; 3], pair: &Pair, direction: [Real; 2]) -> Real {
-        self.relative(nodes, pair, direction, 0.5)
-    }
-
-    #[inline(always)]
-    fn relative(&self, nodes: [usize; 3], pair: &Pair, direction: [Real; 2], part: Real) -> Real {
-        let (weights, time) = (pair.weights(), part * self.model.constants.dt);
-        let (fixed, of_state) = (&self.model.nodes, &self.nodes);
-        let inverse_mass = [fixed.inverse_mass_x, fixed.inverse_mass_y];
-        let along = |index: usize, i: usize| {
-            let (inverse, velocity) = (inverse_mass[i].get(index), of_state.velocity[i].get(index));
-            let force = of_state.force[i].get(index);
-            let (Some(inverse), Some(velocity), Some(force)) = (inverse, velocity, force) else { return 0.0 };
-            direction[i] * (velocity + time * (inverse * force))
-        };
-        (0..3).fold(0.0, |sum, i| sum + weights[i] * (along(nodes[i], 0) + along(nodes[i], 1)))
-    }
-
-    /// Adds `force`, N, to that of a node, and its opposite to the ends of its segment.
-    #[inline(always)]
-    pub fn exert(&mut self, nodes: [usize; 3], pair: &Pair, force: [Real; 2]) {
-        for (index, weight) in nodes.into_iter().zip(pair.weights()) {
-            add_force(self.nodes, index, force.map(|part| weight * part));
+            || depth > DEEPEST;
+        pair.opening = if depth > PUSHED_OUT { -PUSHED_OUT / inverse_length } else { distance } / self.dt;
+        if beside {
+            (pair.resistance, pair.pressing, pair.rubbing) = (0.0, 0.0, 0.0);
+            return;
         }
+        // Nodes on the centre line, which are fixed across it, count as if they were not: nothing moves them that way.
+        let [of_left, of_right] = pair.weights();
+        let mobility = pair.node.mobility[1] + of_left * of_left * a.mobility[1] + of_right * of_right * b.mobility[1];
+        pair.resistance = if mobility > 0.0 { 1.0 / mobility } else { 0.0 };
+        exert(pair, [left, right], pair.pressing, pair.rubbing);
     }
+}
+
+/// Both ends of a segment, in the row of its nodes.
+#[inline(always)]
+pub(super) fn ends(row: &mut Row, segment: usize) -> Option<[&mut [Real; PAIR_FIELDS]; 2]> {
+    let [left, right] = row.get_mut(segment..)?.first_chunk_mut()?;
+    Some([left, right])
+}
+
+/// Velocity of the node of `pair` relative to the ends of its segment, along the normal and to the right of it, m/s.
+#[inline(always)]
+pub(super) fn relative_velocity(pair: &Pair, [left, right]: [&[Real; PAIR_FIELDS]; 2]) -> [Real; 2] {
+    let (a, b, [of_left, of_right]) = (PairedNode::of(left), PairedNode::of(right), pair.weights());
+    let along = |i: usize| pair.node.velocity[i] - of_left * a.velocity[i] - of_right * b.velocity[i];
+    let ([x, y], [normal_x, normal_y]) = ([along(0), along(1)], pair.normal);
+    [x * normal_x + y * normal_y, x * normal_y - y * normal_x]
+}
+
+/// Adds forces to the node of `pair`, N, along the normal and to the right of it, and their opposites to the ends of its segment.
+#[inline(always)]
+pub(super) fn exert(pair: &mut Pair, [left, right]: [&mut [Real; PAIR_FIELDS]; 2], pressing: Real, rubbing: Real) {
+    let ([x, y], [of_left, of_right]) = (pair.normal, pair.weights());
+    let force = [pressing * x + rubbing * y, pressing * y - rubbing * x];
+    for i in 0..2 {
+        pair.node.velocity[i] += pair.node.mobility[i] * force[i];
+        pair.node.force[i] += force[i];
+    }
+    PairedNode::push(left, -of_left, force);
+    PairedNode::push(right, -of_right, force);
 }

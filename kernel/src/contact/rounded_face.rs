@@ -86,8 +86,8 @@ impl Surface<'_, '_, '_> {
     }
 
     fn touch(&self, column: usize) -> Option<Touch> {
-        let [depth, x, y] = *self.nodes.rounding.as_chunks().0.get(column)?;
-        Some(Touch { mass: *self.model.nodes.nodal_mass.get(self.index(column))?, out: [x, y], depth })
+        let [depth, x, y, mass] = *self.nodes.rounding.as_chunks().0.get(column)?;
+        Some(Touch { mass, out: [x, y], depth })
     }
 
     /// How deep every node is at the end of a step without contact, in a face at `height`, m.
@@ -98,8 +98,10 @@ impl Surface<'_, '_, '_> {
             let velocity = node.next_velocity(constants.dt);
             let [x, y] = [0, 1].map(|i| node.position[i] + constants.dt * velocity[i]);
             let (x, y) = (x - constants.scenario.impactor.offset, y - (constants.top_height + height));
+            let [depth, x, y] = depth(&constants.outline, x, y);
+            let mass = self.model.nodes.nodal_mass.get(self.index(column)).copied().unwrap_or_default();
             if let Some(place) = self.nodes.rounding.as_chunks_mut().0.get_mut(column) {
-                *place = depth(&constants.outline, x, y);
+                *place = [depth, x, y, mass];
             }
         }
     }

@@ -103,3 +103,16 @@ impl fmt::Debug for Name {
         write!(f, "\"{self}\"")
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Name;
+
+    #[test]
+    fn a_name_has_a_group_and_a_field() {
+        let parts = |name: Name| (name.layer(), name.group(), name.field());
+        assert_eq!(parts(Name::new("impactor.mass")), (None, "impactor", "mass"));
+        assert_eq!(parts(Name::new("time")), (None, "", "time"));
+        assert_eq!(parts(Name::of_layer(1, "c10")), (Some(1), "layers", "c10"));
+    }
+}

@@ -112,6 +112,12 @@ pub enum ScenarioError {
         /// Label of the formulation.
         formulation: &'static str,
     },
+    /// A pad, or a face, that the kernel was built without.
+    #[error("{name} is refused: expected a kernel that was built with its feature pads")]
+    WithoutPads {
+        /// What asks for it.
+        name: Name,
+    },
     /// A full section of a body of revolution.
     #[error("geometry.section = full is refused: expected half with an axisymmetric formulation")]
     FullAxisymmetric,

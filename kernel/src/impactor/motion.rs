@@ -143,18 +143,16 @@ impl Prediction {
         if !self.free {
             return self.position;
         }
-        if impactor.rail_friction == 0.0 {
-            return contact(self.position);
-        }
         let start = self.position - constants.dt * self.velocity_half;
         let held_back = impactor.rail_friction / constants.moved_mass() * (constants.dt * constants.dt);
-        let (risen, fallen) = (contact(self.position - held_back), contact(self.position + held_back));
-        if risen > start {
-            risen
-        } else if fallen < start {
-            fallen
-        } else {
-            start
+        // In a loop, so that there is one copy of `contact`. Without friction the first answer is true.
+        for shift in [-held_back, held_back] {
+            let end = contact(self.position + shift);
+            let moves = if shift < 0.0 { end > start } else { end < start };
+            if moves || held_back == 0.0 {
+                return end;
+            }
         }
+        start
     }
 }

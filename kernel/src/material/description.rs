@@ -130,7 +130,7 @@ impl Material {
     /// what [`crate::element::ExtraHistory`] says.
     pub fn n_history_entry(&self) -> usize {
         let quasi_linear = self.prony_g.iter().filter(|g| **g > 0.0).count();
-        let compressible = self.law.description().compressible;
+        let compressible = self.law.is_compressible();
         self.n_viscous_term() + n_extra_entry(compressible, quasi_linear, self.softening_r > 0.0)
     }
 

@@ -4,12 +4,14 @@
 
 use strum::{FromRepr, VariantNames};
 
+#[cfg(feature = "pads")]
+use crate::material::Hyperfoam;
 use crate::material::coefficient::Coefficient;
-use crate::material::law::{
-    CompressibleLaw, HyperelasticLaw, IsochoricLaw, LawDescription, PrincipalTangent, WholeStress, sealed,
-};
+#[cfg(feature = "pads")]
+use crate::material::law::CompressibleLaw;
+use crate::material::law::{HyperelasticLaw, IsochoricLaw, LawDescription, PrincipalTangent, WholeStress, sealed};
 use crate::material::union::{distinct, n_distinct, places};
-use crate::material::{ArrudaBoyce, Gent, Hyperfoam, MooneyRivlin, NeoHookean, Ogden, Yeoh};
+use crate::material::{ArrudaBoyce, Gent, MooneyRivlin, NeoHookean, Ogden, Yeoh};
 use crate::number::real::Real;
 use crate::number::vector::{Scalar, Simd};
 use crate::tensor::deviator::Deviator;
@@ -56,6 +58,13 @@ macro_rules! laws {
         impl ElasticLaw {
             /// Every law, in the order of its number.
             pub const ALL: &'static [Self] = &[$(Self::$law),+];
+
+            /// Whether it says the mean stress as well: [`LawDescription::compressible`] without the rest of the description.
+            pub fn is_compressible(self) -> bool {
+                match self {
+                    $(Self::$law => by_kind!($kind, false, true),)+
+                }
+            }
 
             /// What the law says of itself.
             pub fn description(self) -> &'static LawDescription {
@@ -131,7 +140,7 @@ macro_rules! laws {
                 match self {
                     $(Self::$law(law) => by_kind!(
                         $kind,
-                        { let _ = law; WholeStress::none(simd) },
+                        { let _ = (law, kinematics, axisymmetric); WholeStress::none(simd) },
                         law.response(simd, kinematics, axisymmetric)
                     ),)+
                 }
@@ -148,7 +157,7 @@ macro_rules! laws {
                 match self {
                     $(Self::$law(law) => by_kind!(
                         $kind,
-                        { let _ = law; PrincipalTangent::none(simd) },
+                        { let _ = (law, kinematics); PrincipalTangent::none(simd) },
                         law.principal_tangent(simd, kinematics)
                     ),)+
                 }
@@ -199,6 +208,7 @@ macro_rules! laws {
 }
 
 // The list. A law keeps its place, which is the number of the choice; a new one goes to the end.
+#[cfg(feature = "pads")]
 laws! {
     NeoHookean: isochoric,
     MooneyRivlin: isochoric,
@@ -207,6 +217,17 @@ laws! {
     Gent: isochoric,
     ArrudaBoyce: isochoric,
     Hyperfoam: compressible,
+}
+
+// Those of them that a kernel without pads has.
+#[cfg(not(feature = "pads"))]
+laws! {
+    NeoHookean: isochoric,
+    MooneyRivlin: isochoric,
+    Yeoh: isochoric,
+    Ogden: isochoric,
+    Gent: isochoric,
+    ArrudaBoyce: isochoric,
 }
 
 /// A law of the list.

@@ -19,6 +19,7 @@ mod coefficients;
 mod description;
 pub mod elastic;
 pub mod gent;
+#[cfg(feature = "pads")]
 pub mod hyperfoam;
 mod invariants;
 pub mod law;
@@ -44,6 +45,7 @@ pub(crate) use description::n_extra_entry;
 pub use description::{MAX_MAXWELL_TERMS, MAX_PRONY_TERMS, Material, Moduli, VolumetricBy, VolumetricLaw};
 pub use elastic::{COEFFICIENTS, Elastic, ElasticLaw, ListedLaw, N_COEFFICIENT};
 pub use gent::Gent;
+#[cfg(feature = "pads")]
 pub use hyperfoam::{Hyperfoam, MAX_FOAM_TERMS};
 pub use law::{CompressibleLaw, HyperelasticLaw, IsochoricLaw, LawDescription, PrincipalTangent, Variant, WholeStress};
 pub use maxwell::Maxwell;

@@ -26,7 +26,7 @@ impl Material {
     /// stays.
     pub fn bulk_modulus_0(&self) -> Real {
         let bulk = self.effective_bulk_modulus();
-        if self.law.description().compressible { bulk / self.prony_g_inf() } else { bulk }
+        if self.law.is_compressible() { bulk / self.prony_g_inf() } else { bulk }
     }
 
     /// Poisson's ratio of a shear modulus, Pa, beside the long-term bulk modulus of this material.

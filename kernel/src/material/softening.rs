@@ -15,6 +15,7 @@
 //! W + s / r E((W_max - W) / s) - D(W_max). With W of an isochoric law the pressure stays; of a compressible law W and the
 //! stress are whole.
 
+use crate::features::PADS;
 use crate::material::Material;
 use crate::number::erf::erf_of_positive;
 use crate::number::real::Real;
@@ -60,7 +61,7 @@ impl Softening {
     /// Whether the material softens.
     #[inline(always)]
     pub fn active(&self) -> bool {
-        self.inverse_r > 0.0
+        PADS && self.inverse_r > 0.0
     }
 
     /// eta at the energy `w` of the whole law below the largest one so far, J/m3.

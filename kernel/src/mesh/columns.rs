@@ -2,6 +2,7 @@
 
 use heapless::Vec;
 
+use crate::features::PADS;
 use crate::number::math;
 use crate::number::real::consts::FRAC_PI_2;
 use crate::number::real::{Real, SAME};
@@ -48,12 +49,9 @@ pub(super) fn half_angle(scenario: &Scenario) -> Real {
     if width > 0.0 { 0.5 * width / scenario.geometry.core_radius } else { FRAC_PI_2 }
 }
 
-/// Where a layer ends, as a part of the way from the centre line to the side of the section; 1 for one that is not there.
+/// Where a layer ends, as a part of the way from the centre line to the side of the section; for one that is not there, where the last one does.
 pub(super) fn layer_across(scenario: &Scenario, place: usize) -> Real {
-    let narrow = |layer: usize| layer > 0 && scenario.layers.get(layer).is_some_and(|layer| layer.width > 0.0);
-    if place >= scenario.layers.len() {
-        return 1.0;
-    }
+    let narrow = |layer: usize| PADS && layer > 0 && scenario.layers.get(layer).is_some_and(|layer| layer.width > 0.0);
     match (0..=place).rev().find(|layer| narrow(*layer)) {
         Some(layer) => scenario.layers.get(layer).map_or(1.0, |of| of.width / scenario.whole_width(layer)),
         None => 1.0,
@@ -64,6 +62,9 @@ pub(super) fn layer_across(scenario: &Scenario, place: usize) -> Real {
 fn breaks(scenario: &Scenario) -> Vec<Real, MAX_PIECES> {
     let mut breaks = Vec::new();
     add(&mut breaks, 1.0);
+    if !PADS {
+        return breaks;
+    }
     for place in 0..MAX_LAYERS {
         let across = layer_across(scenario, place);
         if breaks.iter().all(|other| math::abs(other - across) > SAME) {
@@ -83,9 +84,12 @@ fn breaks(scenario: &Scenario) -> Vec<Real, MAX_PIECES> {
 
 /// Puts `across` in its place among the others; there is room for all that may come.
 fn add(breaks: &mut Vec<Real, MAX_PIECES>, across: Real) {
-    let place = breaks.iter().filter(|other| **other < across).count();
+    let mut last = across;
+    for place in breaks.iter_mut().filter(|place| **place > across) {
+        core::mem::swap(place, &mut last);
+    }
     // There is room, by `MAX_PIECES`.
-    let _ = breaks.insert(place, across);
+    let _ = breaks.push(last);
 }
 
 /// Distances from the centre line of the last columns under the flat part of a face that does not cover the anvil, or of that

@@ -9,6 +9,7 @@
 use core::ops::Range;
 
 use crate::error::ModelError;
+use crate::features::PADS;
 use crate::mesh::columns::{MAX_PIECES, Piece, layer_across, pieces};
 use crate::number::math;
 use crate::number::pack::LANES;
@@ -31,8 +32,11 @@ pub struct Grid {
     pub layer_end: [usize; MAX_LAYERS],
     /// Whether each layer has nodes of its own where it lies on the one below, which are a row more then.
     pub layer_open: [bool; MAX_LAYERS],
-    /// Columns of cells of each layer to either side of the centre line; those beyond are empty.
+    /// Columns of cells of each layer to either side of the centre line; those beyond are empty. Layers that the scenario does
+    /// not have are as the last.
     pub layer_columns: [usize; MAX_LAYERS],
+    /// Row of nodes at the top of each layer, likewise.
+    pub layer_top: [usize; MAX_LAYERS],
     /// How the columns of half the section are spread, from the centre line to the side; the last ones are alike.
     pub pieces: [Piece; MAX_PIECES],
     /// Whether the section turns about its centre line.
@@ -63,14 +67,35 @@ impl Grid {
         });
         let layer_open = core::array::from_fn(|place| scenario.is_open(place));
         let layer_columns = columns_of_layers(scenario, &pieces);
+        let mut opened = 0;
+        let layer_top = core::array::from_fn(|place| {
+            opened += usize::from(scenario.is_open(place));
+            layer_end[place.min(MAX_LAYERS - 1)] + opened
+        });
         let axisymmetric = geometry.formulation == Formulation::Axisymmetric;
         Ok(match geometry.section {
-            Section::Half => {
-                Self { n_u: half, centre: 0, n_v, layer_end, layer_open, layer_columns, pieces, axisymmetric }
-            }
-            Section::Full => {
-                Self { n_u: 2 * half, centre: half, n_v, layer_end, layer_open, layer_columns, pieces, axisymmetric }
-            }
+            Section::Half => Self {
+                n_u: half,
+                centre: 0,
+                n_v,
+                layer_end,
+                layer_open,
+                layer_columns,
+                layer_top,
+                pieces,
+                axisymmetric,
+            },
+            Section::Full => Self {
+                n_u: 2 * half,
+                centre: half,
+                n_v,
+                layer_end,
+                layer_open,
+                layer_columns,
+                layer_top,
+                pieces,
+                axisymmetric,
+            },
         })
     }
 
@@ -104,21 +129,16 @@ impl Grid {
 
     /// The node of column `u` that is at the surface.
     pub fn surface_node(&self, u: usize) -> usize {
-        let covering = (0..MAX_LAYERS).filter(|layer| self.has_column(*layer, u)).max().unwrap_or_default();
-        let top = self.rows_of(covering).end.saturating_sub(1);
-        (self.node_row(top) + 1) * self.stride() + u
+        let from_centre = u.abs_diff(self.centre);
+        let covering =
+            self.layer_columns.iter().zip(&self.layer_top).filter(|(columns, _)| from_centre <= **columns).last();
+        covering.map_or(self.n_v, |(_, top)| *top) * self.stride() + u
     }
 
     /// Columns of cells that a layer has.
     pub fn columns_of(&self, layer: usize) -> Range<usize> {
         let columns = self.layer_columns.get(layer).copied().unwrap_or_default();
         self.centre.saturating_sub(columns)..(self.centre + columns).min(self.n_u)
-    }
-
-    /// Whether a layer that is there has nodes in column `u`.
-    fn has_column(&self, layer: usize, u: usize) -> bool {
-        let columns = self.columns_of(layer);
-        !self.rows_of(layer).is_empty() && columns.start <= u && u <= columns.end
     }
 
     /// Whether a cell is there, or a layer is narrower than others.
@@ -142,6 +162,9 @@ impl Grid {
     pub fn across(&self, u: usize) -> Real {
         let column = u as Real - self.centre as Real;
         let from_centre = u.abs_diff(self.centre);
+        if !PADS {
+            return column / (self.n_u - self.centre) as Real;
+        }
         let mut start = Piece { end: 0, across: 0.0 };
         for piece in self.pieces {
             if from_centre <= piece.end {
@@ -208,8 +231,7 @@ impl Grid {
     }
 }
 
-/// Columns of cells of each layer beside the centre line: to the end of the piece where it ends. Layers that the scenario does
-/// not have are as wide as the section.
+/// Columns of cells of each layer beside the centre line: to the end of the piece where it ends.
 fn columns_of_layers(scenario: &Scenario, pieces: &[Piece; MAX_PIECES]) -> [usize; MAX_LAYERS] {
     core::array::from_fn(|place| {
         let across = layer_across(scenario, place);

@@ -1,6 +1,7 @@
 //! The scalar constants of a model.
 
 use crate::cfc::Coefficients;
+use crate::features::PADS;
 use crate::material::MaterialModel;
 use crate::mesh::Grid;
 use crate::model::Size;
@@ -69,7 +70,7 @@ impl Constants {
 
     /// Whether the nodes that the face may meet are not one row under a flat face without edges.
     pub(crate) fn has_uneven_contact(&self) -> bool {
-        self.outline.radius > 0.0 || !self.grid.has_even_surface()
+        PADS && (self.outline.radius > 0.0 || !self.grid.has_even_surface())
     }
 
     /// Mass that a force on a falling impactor moves within a step, kg: with the damping of its rails, which takes the velocity

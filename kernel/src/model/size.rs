@@ -10,11 +10,11 @@ pub(crate) const MODEL_NODE_FIELDS: usize = 5;
 pub(crate) const STATE_NODE_FIELDS: usize = 6;
 /// Numbers per surface node in a state: normal and tangential contact force.
 pub(crate) const SURFACE_FIELDS: usize = 2;
-/// Numbers per surface node under a face that is round or has edges: depth in it, and its direction there.
-pub(crate) const ROUNDING_FIELDS: usize = 3;
+/// Numbers per surface node under a face that is round or has edges: depth in it, its direction there, and the node's mass.
+pub(crate) const ROUNDING_FIELDS: usize = 4;
 
 /// Numbers of a node that may touch the layer across an interface: see [`crate::state::Pair`].
-pub(crate) const PAIR_FIELDS: usize = 8;
+pub(crate) const PAIR_FIELDS: usize = 16;
 
 /// Lengths of the arrays of the nodes of a state.
 #[derive(Clone, Copy, Debug)]

@@ -6,6 +6,7 @@
 use heapless::Vec;
 use strum::{FromRepr, VariantNames};
 
+use crate::features::PADS;
 use crate::number::real::Real;
 use crate::scenario::impactor::Impactor;
 use crate::scenario::layer::{Layer, LayerInterface, MAX_LAYERS};
@@ -180,7 +181,7 @@ impl Scenario {
 
     /// Whether the layer `place` and the one below have nodes of their own between them.
     pub fn is_open(&self, place: usize) -> bool {
-        place > 0 && self.layers.get(place).is_some_and(|layer| layer.interface != LayerInterface::Bonded)
+        PADS && place > 0 && self.layers.get(place).is_some_and(|layer| layer.interface != LayerInterface::Bonded)
     }
 
     /// Radius of the curved core surface, m; none for a flat one.

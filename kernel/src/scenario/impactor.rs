@@ -2,6 +2,7 @@
 
 use strum::{FromRepr, VariantNames};
 
+use crate::features::PADS;
 use crate::number::math;
 use crate::number::real::Real;
 
@@ -96,7 +97,7 @@ impl Impactor {
 
     /// Whether rails act on it while it falls.
     pub(crate) fn has_rails(&self) -> bool {
-        self.rail_friction > 0.0 || self.rail_damping > 0.0
+        PADS && (self.rail_friction > 0.0 || self.rail_damping > 0.0)
     }
 
     /// The same mass dropped with a kinetic energy of `energy` J.

@@ -9,6 +9,7 @@ pub mod parameter;
 pub mod prescribed;
 pub mod preset;
 pub mod presets;
+#[cfg(feature = "pads")]
 pub mod standards;
 mod validation;
 mod widths;

@@ -1,5 +1,6 @@
 //! The face of the impactor as the section sees it.
 
+use crate::features::PADS;
 use crate::number::math;
 use crate::number::real::Real;
 use crate::number::real::consts::PI;
@@ -45,6 +46,9 @@ impl Outline {
     /// That of the face of a legal `scenario`.
     pub fn of(scenario: &Scenario) -> Self {
         let half = scenario.face_half_width();
+        if !PADS {
+            return Self { flat: half, radius: 0.0 };
+        }
         match scenario.impactor.shape {
             FaceShape::Sphere | FaceShape::Bar => Self { flat: 0.0, radius: half },
             FaceShape::Round | FaceShape::Rectangular if scenario.face_covers() => Self { flat: half, radius: 0.0 },

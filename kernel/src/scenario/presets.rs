@@ -1,9 +1,11 @@
 //! The table of the ready-made scenarios.
 
+use crate::scenario::Scenario;
 use crate::scenario::preset::{
     block, dragon_skin_30, ecoflex_00_30, elastic, natural_rubber, study, study_14_7, study_incompressible,
 };
-use crate::scenario::{Scenario, standards};
+#[cfg(feature = "pads")]
+use crate::scenario::standards;
 
 /// A scenario with a name.
 #[derive(Clone, Copy, Debug)]
@@ -112,6 +114,7 @@ pub static PRESETS: &[Preset] = &[
         description: "the study's anvil of Treloar's vulcanised natural rubber, elastic, by Ogden (1972)",
         fitted: Fitted::NONE,
     },
+    #[cfg(feature = "pads")]
     Preset {
         id: 8,
         name: "rugby-soft-anvil",
@@ -119,6 +122,7 @@ pub static PRESETS: &[Preset] = &[
         description: "10 mm of body padding of rugby union, an elastomeric foam, on the study's soft anvil",
         fitted: Fitted::NONE,
     },
+    #[cfg(feature = "pads")]
     Preset {
         id: 9,
         name: "rugby-steel-anvil",
@@ -126,6 +130,7 @@ pub static PRESETS: &[Preset] = &[
         description: "the same body padding on the standard's steel cylinder of 115 mm",
         fitted: Fitted::NONE,
     },
+    #[cfg(feature = "pads")]
     Preset {
         id: 10,
         name: "en1621-1",
@@ -133,6 +138,7 @@ pub static PRESETS: &[Preset] = &[
         description: "20 mm of a stiff foam as a motorcyclist's limb protector on a dome of 50 mm radius, 50 J",
         fitted: Fitted::NONE,
     },
+    #[cfg(feature = "pads")]
     Preset {
         id: 11,
         name: "en1621-2",
@@ -140,6 +146,7 @@ pub static PRESETS: &[Preset] = &[
         description: "20 mm of a stiff foam as a motorcyclist's back protector under a bar, 50 J; set-up mostly assumed",
         fitted: Fitted::NONE,
     },
+    #[cfg(feature = "pads")]
     Preset {
         id: 12,
         name: "en13061",

@@ -1,10 +1,11 @@
 //! What a scenario has to be: each value in its range, and all of them together.
 
-use crate::error::ScenarioError;
+use crate::error::{Name, ScenarioError};
+use crate::features::PADS;
 use crate::number::real::consts::PI;
 use crate::number::real::{Real, SAME};
 use crate::scenario::parameter::Parameter;
-use crate::scenario::{FaceShape, Formulation, Layer, Scenario, Section};
+use crate::scenario::{FaceShape, Formulation, Impactor, Layer, LayerInterface, Scenario, Section};
 
 impl Scenario {
     /// Checks every parameter against its legal range, then what several parameters say together.
@@ -17,12 +18,35 @@ impl Scenario {
         }
         self.layers.iter().enumerate().try_for_each(|(place, layer)| layer.validate(place))?;
         self.validate_widths()?;
-        self.validate_geometry()
+        self.validate_geometry()?;
+        self.validate_build()
+    }
+
+    /// A kernel without pads has nothing for what only they need; it has no parameters for most of it either.
+    fn validate_build(&self) -> Result<(), ScenarioError> {
+        if PADS {
+            return Ok(());
+        }
+        let of_layer = |(layer, of): (usize, &Layer)| {
+            let needs = [
+                ("softening_r", of.material.softening_r > 0.0),
+                ("interface", of.interface != LayerInterface::Bonded),
+                ("width", of.width > 0.0),
+            ];
+            needs.into_iter().find(|(_, needs)| *needs).map(|(field, _)| Name::of_layer(layer, field))
+        };
+        let face = || if self.face_covers() { None } else { Some("impactor.face_diameter".into()) };
+        let Impactor { rail_friction, rail_damping, .. } = self.impactor;
+        let rails = || (rail_friction > 0.0 || rail_damping > 0.0).then(|| "impactor.rail_friction".into());
+        match self.layers.iter().enumerate().find_map(of_layer).or_else(face).or_else(rails) {
+            Some(name) => Err(ScenarioError::WithoutPads { name }),
+            None => Ok(()),
+        }
     }
 
     /// Each layer lies on the one below, so it is at most as wide.
     fn validate_widths(&self) -> Result<(), ScenarioError> {
-        for (layer, of) in self.layers.iter().enumerate() {
+        for (layer, of) in self.layers.iter().enumerate().filter(|_| PADS) {
             let maximum = self.width_below(layer);
             if of.width > maximum * (1.0 + SAME) {
                 return Err(ScenarioError::LayerWidth { layer, width: of.width, maximum });
@@ -85,7 +109,7 @@ impl Layer {
             return Err(ScenarioError::ShearModulus { layer, coefficients: material.law.modulus_at_rest(), modulus });
         }
         let bulk_modulus = material.effective_bulk_modulus();
-        if material.law.description().compressible && bulk_modulus <= 0.0 {
+        if material.law.is_compressible() && bulk_modulus <= 0.0 {
             return Err(ScenarioError::BulkModulus { layer, modulus: bulk_modulus });
         }
         let r = material.softening_r;

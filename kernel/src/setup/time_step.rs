@@ -12,7 +12,7 @@ use crate::model::{Constants, ModelArrays};
 use crate::number::math;
 use crate::number::real::{self, Real};
 use crate::sampling::{MAX_STEPS_PER_SAMPLE, SAMPLING_INTERVAL, SMALLEST_STEP};
-use crate::scenario::{Scenario, StepBy};
+use crate::scenario::{Outline, Scenario, StepBy};
 use crate::setup::assembly::{assemble, fingerprint};
 use crate::setup::trial::{self, Forecast};
 use crate::state::StateMemory;
@@ -81,7 +81,10 @@ fn foresee(
     let coarse = Grid::new(&tried)?;
     // The cells of a layer that says its rows may be flat or tall, and a coarse mesh says little of those.
     let says_rows = scenario.layers.iter().any(|layer| layer.rows > 0);
-    if coarse != *grid && !says_rows {
+    // Nor does it of nodes at an edge of the face or of a layer, or between layers that meet.
+    let even = grid.has_even_surface() && Outline::of(scenario).radius == 0.0;
+    let open = grid.layer_open.contains(&true);
+    if coarse != *grid && !says_rows && even && !open {
         let rest = |u, v| reference_position(&tried, &coarse, u, v);
         let forecast = trial::run(&tried, &motion, coarse, &rest, arrays, state, place)?;
         if forecast.ratio >= REPEAT_BELOW {

@@ -77,20 +77,12 @@ pub(crate) fn run(
     let mut trial = Trial { smallest: at_rest, stretch: 1.0, constants };
     trial.constants.set_step(FOLLOWED * at_rest, 1);
     State::new(&trial.model(&arrays), state.lend())?;
-    let (mut time, mut steps) = (0.0, 0);
-    while steps < MAX_STEPS {
+    trial.march_through(motion, &arrays, state)?;
+    if trial.constants.softens() {
+        // The next impact presses what has softened deeper.
         let model = trial.model(&arrays);
-        let mut view = State::view(&model, state.lend())?;
-        let stride = stride(&model, &view);
-        let stopped = march(&model, &mut view, motion, stride, &mut time);
-        steps += stride;
-        let ended = motion.has_ended(trial.constants, &view, time);
-        trial.look(&arrays, state, stopped);
-        if ended || stopped.is_some_and(|error| matches!(error, StepError::Inverted { .. })) {
-            break;
-        }
-        if trial.smallest < SMALLEST_STEP {
-            break;
+        if State::view(&model, state.lend())?.next_impact(&model, 0.0).is_ok() {
+            trial.march_through(motion, &arrays, state)?;
         }
     }
     Ok(Forecast { ratio: trial.smallest / at_rest, stretch: trial.stretch })
@@ -108,6 +100,35 @@ struct Trial<'c> {
 impl Trial<'_> {
     fn model<'m>(&'m self, arrays: &'m ModelArrays) -> Model<'m> {
         Model::view(self.constants, arrays.nodes, arrays.cells, arrays.hoops)
+    }
+
+    /// From the touch to the end of the motion.
+    ///
+    /// # Errors
+    /// Too little memory for a state.
+    fn march_through(
+        &mut self,
+        motion: &TrialMotion,
+        arrays: &ModelArrays,
+        state: &mut StateMemory,
+    ) -> Result<(), ModelError> {
+        let (mut time, mut steps) = (0.0, 0);
+        while steps < MAX_STEPS {
+            let model = self.model(arrays);
+            let mut view = State::view(&model, state.lend())?;
+            let stride = stride(&model, &view);
+            let stopped = march(&model, &mut view, motion, stride, &mut time);
+            steps += stride;
+            let ended = motion.has_ended(self.constants, &view, time);
+            self.look(arrays, state, stopped);
+            if ended || stopped.is_some_and(|error| matches!(error, StepError::Inverted { .. })) {
+                break;
+            }
+            if self.smallest < SMALLEST_STEP {
+                break;
+            }
+        }
+        Ok(())
     }
 
     /// Looks at all cells, and at what the monitor may have found; goes on with a smaller step where the limit has fallen.

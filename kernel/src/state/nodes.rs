@@ -19,7 +19,7 @@ pub(crate) struct StateNodes<R> {
     /// Contact force on the surface nodes, downwards, N, then friction on them, outwards.
     pub contact: [R; 2],
     /// Of every surface node under a face that is round or has edges, its depth in it at the end of the step without contact,
-    /// m, and the direction out of the face, to the right and downwards.
+    /// m, the direction out of the face, to the right and downwards, and its mass, kg.
     pub rounding: R,
     /// Of every interface that is not bonded, from the core, the nodes above it, then those below it: a [`super::Pair`] for
     /// each column.

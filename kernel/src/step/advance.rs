@@ -106,11 +106,10 @@ fn advance<S: Simd>(simd: S, model: &Model, state: &mut State, input: &StepInput
     internal_forces(simd, model, state, &mut energy)?;
     monitor::check(simd, model, state)?;
     let core = rigid_core::react(simd, model, state);
-    interface::press(model, state);
+    let interfaces = interface::press(model, state);
     let prediction = state.scalars.impactor.predict(model, input, state.scalars.step_index);
     let before = state.scalars.impactor.velocity_half;
     let face = face::contact(simd, model, state, &prediction);
-    let interfaces = interface::work(model, state);
     state.scalars.contact_half_width = surface::contact_half_width(model, &state.as_view());
     let layer_kinetic = move_nodes(simd, model, state);
     monitor::guard(model, state, model.constants.symmetry_factor * layer_kinetic[0])?;

@@ -20,7 +20,7 @@ pub struct Outcome {
 
 /// A plausible drop: c10 from 20 kPa to 1 MPa, or another law as stiff; Poisson's ratio from 0.45 to 0.495; a layer of 6 to
 /// 30 mm; 2.5 to 14.7 J; half with a Prony term, a Maxwell term or a spring-slider; cylinder or dome; core bonded or
-/// frictional.
+/// frictional. A foam has an energy that it bears.
 pub fn scenario(samples: &mut Samples) -> Scenario {
     let mut scenario = preset::study();
     let mut unit = || 0.5 * (1.0 + samples.number());
@@ -41,8 +41,28 @@ pub fn scenario(samples: &mut Samples) -> Scenario {
     scenario.layers[0].material =
         Material { volumetric_by: VolumetricBy::PoissonsRatio, poissons_ratio, volumetric_law, ..law };
     damp(&mut scenario.layers[0].material, damping, numbers);
+    if scenario.layers[0].material.law.description().compressible {
+        make_foam(&mut scenario, samples);
+    }
     scenario
 }
+
+/// A foam is light, bears a drop by its stiffness and thickness, and half of them soften.
+fn make_foam(scenario: &mut Scenario, samples: &mut Samples) {
+    let mut unit = || 0.5 * (1.0 + samples.number());
+    let layer = &mut scenario.layers[0];
+    let modulus = layer.material.shear_modulus_inf();
+    layer.material.density = logarithmic(unit(), 40.0, 300.0);
+    scenario.impactor.drop_energy = modulus * layer.thickness * PRESSED_AREA * (0.05 + 0.15 * unit());
+    if unit() < 0.5 {
+        layer.material.softening_r = 1.2 + unit();
+        layer.material.softening_m = modulus * logarithmic(unit(), 0.003, 0.03);
+        layer.material.softening_beta = 0.3 * unit();
+    }
+}
+
+/// About the area of the study's anvil that is pressed, m2.
+const PRESSED_AREA: f64 = 5e-3;
 
 /// Gives a part of the materials one of the kinds of damping.
 fn damp(material: &mut Material, which: f64, [first, second]: [f64; 2]) {

@@ -98,9 +98,7 @@ impl Placed {
                 let law = ElasticLaw::from_repr(number as usize);
                 law.is_some_and(|law| law.places().contains(&place)) || value == 0.0 && is_modulus(place)
             }
-            Acts::BesideIsochoric => {
-                ElasticLaw::from_repr(number as usize).is_some_and(|law| !law.description().compressible)
-            }
+            Acts::BesideIsochoric => ElasticLaw::from_repr(number as usize).is_some_and(|law| !law.is_compressible()),
             Acts::Chosen(label) => label == says,
             Acts::Beside => number != 0.0,
             Acts::OnLayer => self.layer != Some(0),

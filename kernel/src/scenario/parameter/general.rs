@@ -1,9 +1,9 @@
 //! The rows of what is not a layer's.
 
 use super::row::{Access, Row, choice, real};
-use crate::scenario::{
-    DropBy, FaceShape, Formulation, Interface, MAX_LAYERS, Motion, Scenario, Section, Shape, StepBy,
-};
+#[cfg(feature = "pads")]
+use crate::scenario::FaceShape;
+use crate::scenario::{DropBy, Formulation, Interface, MAX_LAYERS, Motion, Scenario, Section, Shape, StepBy};
 
 /// Geometry and impactor.
 pub(super) static TEST: &[Row<Scenario>] = &[
@@ -24,6 +24,7 @@ pub(super) static TEST: &[Row<Scenario>] = &[
         "a falling mass, a position given from outside with every call, or down at a speed to a depth and hold"
     ),
     real!(7, impactor.mass, "kg", (1e-3, 1e4), "mass of the impactor"),
+    #[cfg(feature = "pads")]
     choice!(
         31, impactor.shape: FaceShape,
         "a flat disc, a flat rectangle, a ball (axisymmetric) or a round bar along the anvil (plane strain)"
@@ -36,7 +37,9 @@ pub(super) static TEST: &[Row<Scenario>] = &[
         "diameter of a round face, a sphere or a bar; the chord of a round face that covers a round section is its \
          thickness in plane strain, and a narrower one counts as a rectangle of its area and width"
     ),
+    #[cfg(feature = "pads")]
     real!(32, impactor.face_width, "m", (1e-3, 10.0), "width of a rectangular face across the section"),
+    #[cfg(feature = "pads")]
     real!(
         33,
         impactor.face_length,
@@ -54,6 +57,7 @@ pub(super) static TEST: &[Row<Scenario>] = &[
     ),
     real!(10, impactor.gap, "m", (0.0, 1.0), "height of the face above the anvil at the start"),
     real!(11, impactor.gravity, "m/s2", (0.0, 100.0), "acceleration of gravity"),
+    #[cfg(feature = "pads")]
     real!(
         34,
         impactor.rail_friction,
@@ -61,6 +65,7 @@ pub(super) static TEST: &[Row<Scenario>] = &[
         (0.0, 1e5),
         "friction of the rails that guide the falling mass: against its motion, and what holds it at rest"
     ),
+    #[cfg(feature = "pads")]
     real!(35, impactor.rail_damping, "N.s/m", (0.0, 1e6), "force of the rails against the motion, over the speed"),
     choice!(12, impactor.drop_by: DropBy, "which of the next three states the drop"),
     real!(13, impactor.drop_height, "m", (0.0, 100.0), "free fall before the start"),
