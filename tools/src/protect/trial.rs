@@ -20,7 +20,7 @@ use crate::{progress, run};
 /// A drop that is to be simulated.
 #[derive(Clone, Debug)]
 pub struct Case {
-    /// What it is called: the name of its file without an extension, or "pad".
+    /// What it is called, by its file, or "pad".
     pub name: String,
     /// Its scenario.
     pub scenario: Scenario,
@@ -63,8 +63,7 @@ pub fn cases(subject: &Subject, files: &[impl AsRef<Path>], thicknesses: &[f64])
             let legal = "expected a file of the pad alone, so that the drops differ by nothing else";
             return Err(Failure::Input(format!("{} changes the anvil or the impactor: {legal}", path.display())));
         }
-        let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-        pads.push(Case { name, scenario });
+        pads.push(Case { name: name(path), scenario });
     }
     if pads.is_empty() {
         pads.push(Case { name: padding::PAD.into(), scenario: subject.scenario.clone() });
@@ -80,6 +79,14 @@ pub fn cases(subject: &Subject, files: &[impl AsRef<Path>], thicknesses: &[f64])
         }
     }
     Ok(cases)
+}
+
+/// What a pad of the file at `path` is called: by its folder, where the file has the name that `softanvil fit` gives each.
+fn name(path: &Path) -> String {
+    const OF_FIT: [&str; 2] = ["material", "scenario"];
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    let folder = path.parent().and_then(Path::file_name).map(|folder| folder.to_string_lossy().into_owned());
+    folder.filter(|_| OF_FIT.contains(&stem.as_str())).unwrap_or(stem)
 }
 
 /// What a scenario says of all but the pad and of how it is simulated; the layers left are those under the pad.

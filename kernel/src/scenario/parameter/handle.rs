@@ -118,9 +118,10 @@ impl Parameter {
         (0..layer::COUNT).filter_map(move |place| Self::in_layer(layer, place))
     }
 
-    /// Those of the material of a layer: all of the layer's but thickness and rows.
+    /// Those of the material of a layer: all of the layer's but those that say how it is cut, meshed and laid.
     pub fn of_material(layer: usize) -> impl Iterator<Item = Self> {
-        Self::of_layer(layer).filter(|parameter| !["thickness", "rows"].contains(&parameter.name().field()))
+        const OTHERS: [&str; 6] = ["thickness", "rows", "width", "interface", "friction_coefficient", "gap"];
+        Self::of_layer(layer).filter(|parameter| !OTHERS.contains(&parameter.name().field()))
     }
 
     /// The parameter called `name`, such as `impactor.mass` or `layers[1].c10`.
