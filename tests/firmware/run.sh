@@ -19,15 +19,17 @@ arm-none-eabi-gcc -std=c11 -Wall -Wextra -Werror -O2 -ffp-contract=off -ffreesta
     -nostdlib -T tests/firmware/c/board.ld -Wl,--gc-sections -Wl,--no-warn-rwx-segments \
     "$out/$target/library/libsoftanvil.a" -lgcc -o "$out/drop-c.elf"
 
+# program NAME FOLDER: keeps a copy of what FOLDER builds. All build in one folder, in which what they share is compiled once.
+program() {
+    (cd "$2" && cargo build -q --release --bin drop --target "$target" --target-dir "$OLDPWD/$out")
+    cp "$out/$target/release/drop" "$out/$1.elf"
+}
 # In Rust: the kernel itself.
-(cd tests/firmware/rust && cargo build -q --release --target "$target" --target-dir "$OLDPWD/$out")
-
+program rust tests/firmware/rust
 # And in either precision, on the same processor as if its floating-point unit knew single precision alone.
-for precision in double single; do
-    folder=tests/firmware/rust && [ $precision = double ] || folder+=/single
-    (cd $folder && CARGO_TARGET_THUMBV7EM_NONE_EABIHF_RUSTFLAGS= \
-        cargo build -q --release --bin drop --target "$target" --target-dir "$OLDPWD/$out/$precision")
-done
+export CARGO_TARGET_THUMBV7EM_NONE_EABIHF_RUSTFLAGS=
+program double tests/firmware/rust
+program single tests/firmware/rust/single
 
 # board ELF [STEPS]: QEMU prints what SYS_WRITE0 gives it to its standard error.
 board() {
@@ -38,9 +40,9 @@ board() {
 echo "-- in C"
 board "$out/drop-c.elf" | tee "$out/c.txt"
 echo "-- in Rust"
-board "$out/$target/release/drop" | tee "$out/rust.txt"
+board "$out/rust.elf" | tee "$out/rust.txt"
 echo "-- in Rust, single precision"
-board "$out/single/$target/release/drop" | tee "$out/single.txt"
+board "$out/single.elf" | tee "$out/single.txt"
 [ "$(grep -c '^the bits of the golden trace$' "$out/c.txt" "$out/rust.txt" "$out/single.txt" | grep -c ':1$')" = 3 ]
 # Both have seen the same simulation.
 [ "$(grep '^state' "$out/c.txt")" = "$(grep '^state' "$out/rust.txt")" ]
@@ -65,9 +67,9 @@ while read -r kernel fpu elf; do
     memory=$(sed -n 's/^model \([0-9]*\) bytes, state \([0-9]*\) bytes/\1 + \2/p' <<<"$printed")
     printf '%-10s %-17s %22s %13s %20s\n' "$kernel" "$fpu" "$instructions" "$flash" "$memory" >>"$table"
 done <<END
-double double-precision $out/$target/release/drop
-double single-precision $out/double/$target/release/drop
-single single-precision $out/single/$target/release/drop
+double double-precision $out/rust.elf
+double single-precision $out/double.elf
+single single-precision $out/single.elf
 END
 echo "-- both precisions, $steps steps"
 cat "$table"
