@@ -133,15 +133,17 @@ impl Term {
         let [section, _] = power::exp2_of_both_signs(logs.section.mul_scalar(0.5 * self.alpha));
         let [longer, shorter] = power::exp2_of_both_signs(logs.ratio.mul_scalar(0.5 * self.alpha));
         let (longer, shorter) = (longer.exp2_m1, shorter.exp2_m1);
+        // No closure: those need not be inlined.
+        let mut out = None;
+        if let Some(log) = logs.out {
+            out = Some(power::exp2_of_both_signs(log.mul_scalar(self.alpha))[0].exp2_m1);
+        }
         // -2 e^y (cosh(alpha x) - 1) and 2 e^y sinh(alpha x).
         let spread = simd.splat(TINY_SQUARE).select_greater(square, zero, section.whole * (longer * shorter));
         Powers {
             section: section.exp2_m1 - spread.mul_scalar(0.5),
             difference: (section.whole * (longer - shorter)).mul_scalar(0.5),
-            out: match logs.out {
-                Some(out) => Some(power::exp2_of_both_signs(out.mul_scalar(self.alpha))[0].exp2_m1),
-                None => None,
-            },
+            out,
             volume: if self.beta > NO_BETA {
                 power::exp2_of_both_signs(logs.volume.mul_scalar(-self.alpha * self.beta))[0].exp2_m1
             } else {

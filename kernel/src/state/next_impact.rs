@@ -26,7 +26,7 @@ impl State<'_> {
         if let Some(failure) = self.scalars.failure {
             return Err(failure);
         }
-        if !(rest >= 0.0 && rest <= LONGEST_REST) {
+        if !(0.0..=LONGEST_REST).contains(&rest) {
             let error = ParameterError { name: "rest".into(), value: rest, unit: "s", min: 0.0, max: LONGEST_REST };
             return Err(StepError::Input { error, time: self.time(model) });
         }

@@ -59,7 +59,7 @@ impl Body {
         let [mu, alpha, nu] = [0, 1, 2].map(|of| [0, 1, 2].map(|k: usize| terms[k][of]));
         let material = &mut body.scenario.layers[0].material;
         *material = material.with(Hyperfoam::new(mu, alpha, nu));
-        if index % 5 == 0 {
+        if index.is_multiple_of(5) {
             (material.softening_r, material.softening_m, material.softening_beta) = (1.5, 500.0, 0.3);
         }
         let axisymmetric = body.scenario.geometry.formulation == Formulation::Axisymmetric;
