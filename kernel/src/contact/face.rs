@@ -10,7 +10,7 @@
 use crate::contact::friction::limited;
 use crate::contact::node_row::NodeRow;
 use crate::contact::rounded_face;
-use crate::impactor::Prediction;
+use crate::impactor::{FaceContact, Prediction};
 use crate::model::{Constants, Model};
 use crate::number::pack::{LANES, Pack, ZERO, packs_mut, sum};
 use crate::number::real::Real;
@@ -33,8 +33,8 @@ pub(crate) fn contact<S: Simd>(simd: S, model: &Model, state: &mut State, predic
     surface.find_free_heights(simd, constants);
     let mass = constants.moved_mass() / constants.symmetry_factor;
     // Of the slices alone: the surface stays where the compiler sees that its rows are of one length.
-    let (masses, heights) = (surface.row.mass, &*surface.normal);
-    let face = prediction.settle(constants, move |free| face_position(simd, masses, heights, mass, free));
+    let touching = Touching { simd, masses: surface.row.mass, heights: surface.normal, impactor_mass: mass };
+    let face = prediction.settle(constants, &touching);
     let normal_force = surface.hold(simd, constants.dt, face);
     let before = impactor.velocity_half;
     let rail_force = impactor.advance(model, prediction, face, normal_force);
@@ -141,24 +141,32 @@ impl<'s> Surface<'s> {
     }
 }
 
-/// Height at which the contact leaves a face of a mass, kg, that would go to the height `free`, m, from the free heights.
-///
-/// It is the root z of M (z - z_free) = sum m_i max(0, y_i - z), a concave rising function: Newton's method climbs to
-/// it from z_free through a shrinking set of touching nodes.
-#[inline(always)]
-fn face_position<S: Simd>(simd: S, masses: &[Pack], heights: &[Pack], impactor_mass: Real, free: Real) -> Real {
-    let mut position = free;
-    let (zero, start) = (simd.splat(0.0), simd.splat(free));
-    for _ in 0..PASSES {
-        let (face, mut touching, mut moments) = (simd.splat(position), ZERO, ZERO);
-        for (mass, height) in masses.iter().zip(heights) {
-            for chunk in 0..LANES / S::WIDTH {
-                let (mass, height) = (simd.load(mass, chunk), simd.load(height, chunk));
-                simd.add(height.select_greater(face, mass, zero), &mut touching, chunk);
-                simd.add(height.select_greater(face, mass * (height - start), zero), &mut moments, chunk);
+/// The masses of the surface nodes, kg, and their free heights, m, under a face of a mass, kg.
+struct Touching<'s, S> {
+    simd: S,
+    masses: &'s [Pack],
+    heights: &'s [Pack],
+    impactor_mass: Real,
+}
+
+impl<S: Simd> FaceContact for Touching<'_, S> {
+    /// The root z of M (z - z_free) = sum m_i max(0, y_i - z), a concave rising function: Newton's method climbs to it from
+    /// z_free through a shrinking set of touching nodes.
+    #[inline(always)]
+    fn height(&self, free: Real) -> Real {
+        let (simd, mut position) = (self.simd, free);
+        let (zero, start) = (simd.splat(0.0), simd.splat(free));
+        for _ in 0..PASSES {
+            let (face, mut masses, mut moments) = (simd.splat(position), ZERO, ZERO);
+            for (mass, height) in self.masses.iter().zip(self.heights) {
+                for chunk in 0..LANES / S::WIDTH {
+                    let (mass, height) = (simd.load(mass, chunk), simd.load(height, chunk));
+                    simd.add(height.select_greater(face, mass, zero), &mut masses, chunk);
+                    simd.add(height.select_greater(face, mass * (height - start), zero), &mut moments, chunk);
+                }
             }
+            position = free + sum(&moments) / (self.impactor_mass + sum(&masses));
         }
-        position = free + sum(&moments) / (impactor_mass + sum(&touching));
+        position
     }
-    position
 }

@@ -7,7 +7,7 @@
 //! these are then found again with its vertical part.
 
 use crate::contact::node::{Node, add_force};
-use crate::impactor::Prediction;
+use crate::impactor::{FaceContact, Prediction};
 use crate::model::Model;
 use crate::number::math;
 use crate::number::real::Real;
@@ -24,8 +24,8 @@ pub(super) fn contact(model: &Model, state: &mut State, prediction: &Prediction)
     let mut surface = Surface { model, nodes: &mut state.nodes };
     surface.find_depths(prediction.position);
     let rise = |surface: &Surface, shear: Real| {
-        let left = |free: Real| prediction.position + surface.rise(free - prediction.position, shear);
-        prediction.settle(constants, left) - prediction.position
+        let touching = Touching { surface, shear, position: prediction.position };
+        prediction.settle(constants, &touching) - prediction.position
     };
     let smooth = rise(&surface, 0.0);
     let shear = surface.rub(smooth, prediction.velocity_half + smooth / constants.dt);
@@ -35,6 +35,19 @@ pub(super) fn contact(model: &Model, state: &mut State, prediction: &Prediction)
     let rail_force = impactor.advance(model, prediction, prediction.position + rise, normal_force);
     let [contact_dissipation, frictional_dissipation] = surface.work(0.5 * (before + impactor.velocity_half));
     ContactWork { normal_force, contact_dissipation, frictional_dissipation, rail_force }
+}
+
+/// The nodes at the surface and the sum of their friction along the face, N, under a face that would be at `position`, m.
+struct Touching<'t, 's, 'm, 'a> {
+    surface: &'t Surface<'s, 'm, 'a>,
+    shear: Real,
+    position: Real,
+}
+
+impl FaceContact for Touching<'_, '_, '_, '_> {
+    fn height(&self, free: Real) -> Real {
+        self.position + self.surface.rise(free - self.position, self.shear)
+    }
 }
 
 /// The nodes at the surface.

@@ -7,4 +7,4 @@ mod motion;
 pub use driven_path::DrivenPath;
 pub use input::{INPUTS, InputRow, StepInput};
 pub use motion::ImpactorState;
-pub(crate) use motion::Prediction;
+pub(crate) use motion::{FaceContact, Prediction};

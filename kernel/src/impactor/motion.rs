@@ -131,23 +131,29 @@ pub(crate) struct Prediction {
     pub free: bool,
 }
 
+/// What the contact does to a falling face. A trait and no closure, so that vectors inside it are inlined for certain.
+pub(crate) trait FaceContact {
+    /// Height at which the contact leaves a face that would go to the height `free` without it, m: the higher that is, the higher
+    /// it is left.
+    fn height(&self, free: Real) -> Real;
+}
+
 impl Prediction {
-    /// Where the face is at the end of the step, m, if `contact` tells where the contact leaves a face that it would otherwise
-    /// let go to a height, m: the higher that is, the higher it is left.
+    /// Where the face is at the end of the step, m.
     ///
     /// The friction of the rails works against the motion and holds the mass where it is not enough to move it, so of three
     /// answers exactly one is true: the mass still rises against the whole friction, it still falls against the whole, or it stays.
     #[inline(always)]
-    pub fn settle(&self, constants: &Constants, contact: impl Fn(Real) -> Real) -> Real {
+    pub fn settle(&self, constants: &Constants, contact: &impl FaceContact) -> Real {
         let impactor = &constants.scenario.impactor;
         if !self.free {
             return self.position;
         }
         let start = self.position - constants.dt * self.velocity_half;
         let held_back = impactor.rail_friction / constants.moved_mass() * (constants.dt * constants.dt);
-        // In a loop, so that there is one copy of `contact`. Without friction the first answer is true.
+        // In a loop, so that there is one copy of the contact. Without friction the first answer is true.
         for shift in [-held_back, held_back] {
-            let end = contact(self.position + shift);
+            let end = contact.height(self.position + shift);
             let moves = if shift < 0.0 { end > start } else { end < start };
             if moves || held_back == 0.0 {
                 return end;
