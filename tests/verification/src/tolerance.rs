@@ -259,3 +259,7 @@ pub const COUPLED_PEAK: [(u64, f64); 2] = [(1, 0.005), (4, 0.02)];
 /// A branch's part of the peak force in single precision against double, whatever its time: as [`SINGLE_PRECISION`], of which
 /// contact takes the most.
 pub const SINGLE_BRANCH: f64 = 2e-3;
+
+/// A bonded cylinder of foam against an independent solution: triangles of a sixteenth of the height, a point of the curve that
+/// is up to a sample from the strain, and what is left of the motion.
+pub const INDEPENDENT_FOAM: f64 = 1e-2;
