@@ -32,7 +32,12 @@ pub(crate) fn contact<S: Simd>(simd: S, model: &Model, state: &mut State, predic
     let Some(mut surface) = Surface::of(model, &mut state.nodes) else { return ContactWork::default() };
     surface.find_free_heights(simd, constants);
     let mass = constants.moved_mass() / constants.symmetry_factor;
-    let face = prediction.settle(constants, |free| surface.face_position(simd, mass, free));
+    // Apart, since what is in a closure is not compiled for the instruction set of what calls it.
+    let face = if prediction.free && constants.scenario.impactor.rail_friction == 0.0 {
+        surface.face_position(simd, mass, prediction.position)
+    } else {
+        prediction.settle(constants, |free| surface.face_position(simd, mass, free))
+    };
     let normal_force = surface.hold(simd, constants.dt, face);
     let before = impactor.velocity_half;
     let rail_force = impactor.advance(model, prediction, face, normal_force);
