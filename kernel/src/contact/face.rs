@@ -36,7 +36,9 @@ pub(crate) fn contact<S: Simd>(simd: S, model: &Model, state: &mut State, predic
     let face = if prediction.free && constants.scenario.impactor.rail_friction == 0.0 {
         surface.face_position(simd, mass, prediction.position)
     } else {
-        prediction.settle(constants, |free| surface.face_position(simd, mass, free))
+        let left = prediction.released(constants);
+        let left = [surface.face_position(simd, mass, left[0]), surface.face_position(simd, mass, left[1])];
+        prediction.settle(constants, left)
     };
     let normal_force = surface.hold(simd, constants.dt, face);
     let before = impactor.velocity_half;

@@ -25,7 +25,7 @@ pub(super) fn contact(model: &Model, state: &mut State, prediction: &Prediction)
     surface.find_depths(prediction.position);
     let rise = |surface: &Surface, shear: Real| {
         let left = |free: Real| prediction.position + surface.rise(free - prediction.position, shear);
-        prediction.settle(constants, left) - prediction.position
+        prediction.settle(constants, prediction.released(constants).map(left)) - prediction.position
     };
     let smooth = rise(&surface, 0.0);
     let shear = surface.rub(smooth, prediction.velocity_half + smooth / constants.dt);

@@ -132,23 +132,29 @@ pub(crate) struct Prediction {
 }
 
 impl Prediction {
-    /// Where the face is at the end of the step, m, if `contact` tells where the contact leaves a face that it would otherwise
-    /// let go to a height, m: the higher that is, the higher it is left.
+    /// Where the face would be at the end of the step without contact, m, against the whole friction of the rails: while it rises,
+    /// and while it falls.
+    #[inline(always)]
+    pub fn released(&self, constants: &Constants) -> [Real; 2] {
+        let friction = constants.scenario.impactor.rail_friction;
+        let held_back = friction / constants.moved_mass() * (constants.dt * constants.dt);
+        [self.position - held_back, self.position + held_back]
+    }
+
+    /// Where the face is at the end of the step, m, if the contact leaves one at `risen` and at `fallen` that it would let go to
+    /// what [`Self::released`] says.
     ///
     /// The friction of the rails works against the motion and holds the mass where it is not enough to move it, so of three
     /// answers exactly one is true: the mass still rises against the whole friction, it still falls against the whole, or it stays.
     #[inline(always)]
-    pub fn settle(&self, constants: &Constants, contact: impl Fn(Real) -> Real) -> Real {
-        let impactor = &constants.scenario.impactor;
+    pub fn settle(&self, constants: &Constants, [risen, fallen]: [Real; 2]) -> Real {
         if !self.free {
             return self.position;
         }
-        if impactor.rail_friction == 0.0 {
-            return contact(self.position);
+        if constants.scenario.impactor.rail_friction == 0.0 {
+            return risen;
         }
         let start = self.position - constants.dt * self.velocity_half;
-        let held_back = impactor.rail_friction / constants.moved_mass() * (constants.dt * constants.dt);
-        let (risen, fallen) = (contact(self.position - held_back), contact(self.position + held_back));
         if risen > start {
             risen
         } else if fallen < start {

@@ -27,10 +27,10 @@ fn height_over_core(scenario: &Scenario, grid: &Grid, v: usize) -> Real {
     let mut below = 0.0;
     for (place, layer) in scenario.layers.iter().enumerate() {
         let rows = grid.rows_of(place);
-        let first = grid.node_row(rows.start);
+        let (first, count) = (grid.node_row(rows.start), rows.end - rows.start);
         below += scenario.gap_below(place);
-        if v <= first + rows.len() {
-            return below + layer.thickness * (v.saturating_sub(first) as Real / rows.len() as Real);
+        if v <= first + count {
+            return below + layer.thickness * (v.saturating_sub(first) as Real / count as Real);
         }
         below += layer.thickness;
     }
