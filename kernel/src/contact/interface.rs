@@ -48,7 +48,7 @@ impl<'p> Interface<'p> {
     /// The interfaces whose pairs are `pairs`, from the core.
     fn all(model: &Model, pairs: &'p mut [Real]) -> impl Iterator<Item = Self> {
         let constants = model.constants;
-        let mut rows = pairs.as_chunks_mut().0.chunks_exact_mut(constants.grid.stride());
+        let mut rows = pairs.as_chunks_mut().0.chunks_exact_mut(constants.grid.stride().max(1));
         (1..MAX_LAYERS).filter_map(move |layer| {
             let sides = Side::both(constants, layer)?;
             let upper = constants.scenario.layers.get(layer)?;

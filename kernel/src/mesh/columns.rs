@@ -25,9 +25,11 @@ pub struct Piece {
 pub(super) fn pieces(scenario: &Scenario) -> [Piece; MAX_PIECES] {
     let (mut last, size) = (Piece { end: 0, across: 0.0 }, scenario.mesh.element_size);
     let width = half_width(scenario);
-    let mut breaks = breaks(scenario).into_iter();
+    let breaks = breaks(scenario);
     core::array::from_fn(|_| {
-        if let Some(across) = breaks.next() {
+        let further = breaks.iter().copied().filter(|across| *across > last.across);
+        let across = further.fold(Real::MAX, |nearest, across| if across < nearest { across } else { nearest });
+        if across < Real::MAX {
             let cells = cells_along(width * (across - last.across), size);
             last = Piece { end: last.end.saturating_add(cells as usize), across };
         }
@@ -58,7 +60,7 @@ pub(super) fn layer_across(scenario: &Scenario, place: usize) -> Real {
     }
 }
 
-/// Where columns of nodes have to be, and the side, in order; parts of the way to the side.
+/// Where columns of nodes have to be, and the side; parts of the way to the side, in no order.
 fn breaks(scenario: &Scenario) -> Vec<Real, MAX_PIECES> {
     let mut breaks = Vec::new();
     add(&mut breaks, 1.0);
@@ -82,14 +84,9 @@ fn breaks(scenario: &Scenario) -> Vec<Real, MAX_PIECES> {
     breaks
 }
 
-/// Puts `across` in its place among the others; there is room for all that may come.
+/// Adds `across` to the others; there is room for all that may come.
 fn add(breaks: &mut Vec<Real, MAX_PIECES>, across: Real) {
-    let mut last = across;
-    for place in breaks.iter_mut().filter(|place| **place > across) {
-        core::mem::swap(place, &mut last);
-    }
-    // There is room, by `MAX_PIECES`.
-    let _ = breaks.push(last);
+    let _ = breaks.push(across);
 }
 
 /// Distances from the centre line of the last columns under the flat part of a face that does not cover the anvil, or of that
