@@ -7,7 +7,7 @@ use std::error::Error;
 use std::time::Instant;
 
 use softanvil_identify::data::curve;
-use softanvil_identify::law::fit::{Fit, Settings, Weighting};
+use softanvil_identify::law::fit::{Fit, Settings};
 use softanvil_identify::law::{DataSet, Law, MODES, Mode};
 use softanvil_identify::relaxation::{prony, read as relaxation};
 
