@@ -158,8 +158,12 @@ run "build, benchmarks" cargo build -q --profile library -p softanvil-bench
 # Everything that the Rust tests take, at once: parts of the workspace built alone may have other features, and libraries of
 # the same name would take each other's place.
 run "build, checked" cargo build -q --profile checked --workspace --lib --bins --examples --tests
-# Without the features that the rest of the workspace switches on.
-run "kernel alone, no_std" cargo check -q --release -p softanvil-kernel --no-default-features
+# Without the features that the rest of the workspace switches on, and without pads.
+kernel_alone() {
+    cargo test -q --release -p softanvil-kernel --no-default-features --lib &&
+        cargo run -q --release -p softanvil-golden --no-default-features -- check
+}
+run "kernel alone, no_std and without pads" kernel_alone
 run "packages of the crates" tests/package.sh
 [ -z "$python" ] || run "Python packages of the tests" tests/fmi/venv.sh "$SOFTANVIL_VENV"
 run "main job" main_job

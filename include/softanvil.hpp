@@ -321,6 +321,13 @@ public:
         return detail::status([&] { return softanvil_reset(simulation_); });
     }
 
+    /** Lets the anvil rest for `rest` s, and the impactor fall again on it as it is. */
+    Result<void> next_impact(double rest)
+    {
+        return detail::explained(
+            [&](SoftanvilError *error) { return softanvil_next_impact(simulation_, rest, error); });
+    }
+
     /** An input that leaves things as they are, to be changed and handed to a step. */
     Result<SoftanvilInput> input() const
     {

@@ -21,7 +21,7 @@ criterion_group! {
         .warm_up_time(Duration::from_millis(200))
         .measurement_time(Duration::from_secs(1))
         .without_plots();
-    targets = size, law, overlay, instruction_set, snapshot
+    targets = size, law, overlay, foam, instruction_set, snapshot
 }
 criterion_main!(benches);
 
@@ -57,6 +57,13 @@ fn overlay(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("overlay");
     for (name, material) in scene::overlays() {
         step(&mut group, &name, &scene::with_material(material), InstructionSet::best());
+    }
+}
+
+fn foam(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("foam");
+    for (name, material) in scene::foams() {
+        step(&mut group, name, &scene::with_material(material), InstructionSet::best());
     }
 }
 

@@ -1,6 +1,6 @@
 //! Scenarios to measure.
 
-use softanvil_kernel::material::{ElasticLaw, Material, MooneyRivlin, VolumetricBy};
+use softanvil_kernel::material::{ElasticLaw, Material, MooneyRivlin, Variant, VolumetricBy};
 use softanvil_kernel::{Scenario, preset};
 
 /// Element sizes, m, from some 70 to some 100,000 triangles. All but the first fill their lanes: the last block of a row
@@ -41,12 +41,16 @@ fn bare() -> Material {
 /// Shear modulus at rest, Pa, that takes the study's drop without memory or damping.
 const STIFF_ENOUGH: f64 = 0.5e6;
 
+/// The same of a foam.
+const STIFF_FOAM: f64 = 4e6;
+
 /// The elastic laws alone, each with all of its coefficients.
 pub fn laws() -> Vec<(&'static str, Material)> {
     let law = |law: &ElasticLaw| {
         let description = law.description();
         let example = bare().with_values(*law, description.example);
-        let coefficients = example.coefficients.scaled(STIFF_ENOUGH / example.shear_modulus_inf());
+        let modulus = if description.compressible { STIFF_FOAM } else { STIFF_ENOUGH };
+        let coefficients = example.coefficients.scaled(modulus / example.shear_modulus_inf());
         let label = description.variants.last().map_or(description.label, |variant| variant.label);
         (label, Material { coefficients, ..example })
     };
@@ -73,4 +77,23 @@ pub fn overlays() -> Vec<(String, Material)> {
         }
     }
     overlays
+}
+
+/// A law of five coefficients and foams of one to three terms, all with two Prony terms and the slider.
+pub fn foams() -> Vec<(&'static str, Material)> {
+    let (law, description) = (ElasticLaw::Hyperfoam, ElasticLaw::Hyperfoam.description());
+    let damped = |material: Material| Material {
+        prony_g: [0.3, 0.25, 0.0, 0.0, 0.0],
+        prony_tau: [0.3e-3, 1e-3, 10e-3, 0.1, 1.0],
+        slider_stiffness: 0.6e6,
+        slider_yield_stress: 1.3e3,
+        ..material
+    };
+    let foam = |variant: &Variant| {
+        let example = bare().with_values(law, &description.example[..variant.n_coefficient]);
+        let coefficients = example.coefficients.scaled(STIFF_FOAM / example.shear_modulus_inf());
+        (variant.label, damped(Material { coefficients, ..example }))
+    };
+    let rubber = bare().with(MooneyRivlin { c10: 0.15e6, c01: 0.1e6, c11: 0.09e6, c20: 0.1e3, c02: 15e3 });
+    [("Mooney-Rivlin 5", damped(rubber))].into_iter().chain(description.variants.iter().map(foam)).collect()
 }

@@ -36,7 +36,16 @@ pub fn build(platform: Platform) -> Result<PathBuf, Error> {
 fn command(platform: Platform, manifest: &Path, folder: &Path) -> Command {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let mut command = Command::new(cargo);
-    command.args(["rustc", "--quiet", "--lib", "--no-default-features", "--crate-type", "cdylib"]);
+    command.args([
+        "rustc",
+        "--quiet",
+        "--lib",
+        "--no-default-features",
+        "--features",
+        "pads",
+        "--crate-type",
+        "cdylib",
+    ]);
     command.args(["--profile", PROFILE, "--target", platform.target()]);
     command.arg("--manifest-path").arg(manifest).arg("--target-dir").arg(folder).arg("--");
     // No identifier and no date in the file; and the C library, which nothing else brings in.

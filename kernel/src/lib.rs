@@ -36,6 +36,7 @@ pub mod cfc;
 pub mod contact;
 pub mod element;
 pub mod error;
+mod features;
 pub mod impactor;
 pub mod material;
 pub mod mesh;
@@ -58,8 +59,16 @@ pub use number::instruction_set::InstructionSet;
 pub use result::{FIELDS, Field, OUTPUTS, Output};
 pub use sampling::SAMPLING_INTERVAL;
 pub use scenario::parameter::{Changes, Parameter};
-pub use scenario::{Scenario, parameter, preset};
+pub use scenario::{Scenario, parameter};
 #[cfg(feature = "alloc")]
 pub use simulation::Simulation;
 pub use state::{Scalars, State, StateContent, StateMemory, StateView};
 pub use step::{step, step_along, step_with, steps};
+
+/// Ready-made scenarios: the table of those that have a name, and what they are made of.
+pub mod preset {
+    pub use crate::scenario::preset::*;
+    pub use crate::scenario::presets::*;
+    #[cfg(feature = "pads")]
+    pub use crate::scenario::standards::*;
+}

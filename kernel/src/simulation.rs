@@ -156,6 +156,31 @@ impl Simulation {
         self.with(|model, state| restore(model, state, bytes))?
     }
 
+    /// Lets the anvil rest for `rest` s and the impactor fall again on it, as it is; see [`State::next_impact`].
+    ///
+    /// ```
+    /// use softanvil_kernel::material::Hyperfoam;
+    /// use softanvil_kernel::{Simulation, StepInput, preset};
+    ///
+    /// let mut scenario = preset::elastic();
+    /// let foam = &mut scenario.layers[0].material;
+    /// *foam = foam.with(Hyperfoam::new([1e6, 0.0, 0.0], [4.0, 1.0, 1.0], [0.2, 0.0, 0.0]));
+    /// (foam.softening_r, foam.softening_m) = (1.5, 2e4);
+    /// let mut anvil = Simulation::new(&scenario)?;
+    /// anvil.run(scenario.time.duration, &StepInput::default())?;
+    /// let first = anvil.scalars().metrics;
+    /// anvil.next_impact(60.0)?;
+    /// anvil.run(scenario.time.duration, &StepInput::default())?;
+    /// assert!(anvil.scalars().metrics.max_deformation > first.max_deformation);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`State::next_impact`].
+    pub fn next_impact(&mut self, rest: Real) -> Result<(), StepError> {
+        self.with(|model, state| state.next_impact(model, rest))?
+    }
+
     /// Back to the start of the drop.
     ///
     /// # Errors

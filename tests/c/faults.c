@@ -261,7 +261,7 @@ static void illegal_scenarios(void)
         { SOFTANVIL_PARAMETER_IMPACTOR_MOTION, 7.0, SOFTANVIL_STATUS_ILLEGAL_VALUE },
         { LAYER(0, PRONY_G_2), 0.9, SOFTANVIL_STATUS_PRONY_SUM },
         { LAYER(0, C10), -1e6, SOFTANVIL_STATUS_SHEAR_MODULUS },
-        { SOFTANVIL_PARAMETER_IMPACTOR_FACE_DIAMETER, 1e-2, SOFTANVIL_STATUS_FACE_TOO_SMALL },
+        { SOFTANVIL_PARAMETER_IMPACTOR_FACE_DIAMETER, 5e-3, SOFTANVIL_STATUS_FACE_TOO_SMALL },
         { SOFTANVIL_PARAMETER_MESH_ELEMENT_SIZE, 1e-5, SOFTANVIL_STATUS_TOO_MANY_CELLS },
         { LAYER(0, PRONY_TAU_2), 0.1, SOFTANVIL_STATUS_NO_EFFECT },
         { LAYER(3, DENSITY), 900.0, SOFTANVIL_STATUS_NO_EFFECT },
@@ -310,6 +310,7 @@ static void illegal_scenarios(void)
     do {                                                                                  \
         REFUSE(STATUS, softanvil_close(s));                                               \
         REFUSE(STATUS, softanvil_reset(s));                                               \
+        EXPLAIN(STATUS, softanvil_next_impact((s), 60.0, &error));                        \
         EXPLAIN(STATUS, softanvil_step((s), 1, NULL, &error));                            \
         EXPLAIN(STATUS, softanvil_step_to_sample((s), NULL, &error));                     \
         EXPLAIN(STATUS, softanvil_run((s), 1e-3, NULL, &error));                          \
@@ -439,6 +440,36 @@ static void snapshots(SoftanvilSimulation *good)
     SoftanvilSimulation *foreign = build(spare, &other);
     EXPLAIN(SNAPSHOT_FOREIGN, softanvil_snapshot_restore(foreign, snapshot, size, &error));
     MUST(softanvil_close(foreign));
+}
+
+/* Impacts one after the other: without damage and overstress each is the first again; what is no time changes nothing. */
+static void impacts(void)
+{
+    const double illegal[] = {-1.0, NAN, INFINITY, 2e9};
+    SoftanvilScenario elastic;
+    SoftanvilSimulation *simulation;
+    double time;
+    uint64_t wanted, found;
+    MUST(softanvil_scenario_default(SOFTANVIL_PRESET_ELASTIC, &elastic));
+    simulation = build(spare, &elastic);
+    MUST(softanvil_run(simulation, 10e-3, NULL, NULL));
+    MUST(softanvil_trace_hash(simulation, &wanted));
+    for (size_t i = 0; i < sizeof illegal / sizeof *illegal; i++) {
+        EXPLAIN(ILLEGAL_INPUT, softanvil_next_impact(simulation, illegal[i], &error));
+    }
+    MUST(softanvil_time(simulation, &time));
+    MUST(softanvil_trace_hash(simulation, &found));
+    if (time != 10e-3 || found != wanted) {
+        fail("softanvil_next_impact", "a refused rest changed something");
+    }
+    MUST(softanvil_next_impact(simulation, 60.0, &error));
+    MUST(softanvil_time(simulation, &time));
+    MUST(softanvil_run(simulation, 10e-3, NULL, NULL));
+    MUST(softanvil_trace_hash(simulation, &found));
+    if (time != 0.0 || found != wanted) {
+        fail("softanvil_next_impact", "an elastic anvil is not as it was");
+    }
+    MUST(softanvil_close(simulation));
 }
 
 /* To absolute times, whatever lies between them: as one run, never more than half a step away, with no step for the
@@ -626,6 +657,7 @@ int main(void)
     reading(simulation);
     stepping(simulation);
     snapshots(simulation);
+    impacts();
     times();
     driven();
     failed_step();

@@ -20,13 +20,17 @@ firmware=target/firmware
 
 rustup target add "${targets[@]}" >/dev/null 2>&1
 export CARGO_TARGET_THUMBV7EM_NONE_EABIHF_RUSTFLAGS='-C target-cpu=cortex-m7'
-# The two levels are independent, so they are built side by side.
+# The two levels are independent, so they are built side by side: the kernel without pads for every target, with them for one.
 build() {
     local target
-    for target in "${targets[@]}"; do
-        CARGO_PROFILE_RELEASE_OPT_LEVEL=$1 cargo build -q --release --manifest-path $here/Cargo.toml --target "$target" \
-            --target-dir "$out/$1" || return 1
-    done
+    for target in "${targets[@]}"; do library "$1" "$target" '' --no-default-features || return 1; done
+    library "$1" "${targets[0]}" -pads
+}
+# library LEVEL TARGET SUFFIX CARGO_ARGUMENT...: a library of its own name.
+library() {
+    local level=$1 target=$2 suffix=$3; shift 3
+    CARGO_PROFILE_RELEASE_OPT_LEVEL=$level cargo build -q --release --manifest-path $here/Cargo.toml --target "$target" \
+        --target-dir "$out/$level" "$@" && cp "$out/$level/$target/release/libsoftanvil_footprint.a" "$out/$target-$level$suffix.a"
 }
 build s & small=$!
 build 3
@@ -59,9 +63,14 @@ measured=$out/measured.txt
         for level in s 3; do
             name=${target%%-*} && name=${name/x86_64/x86-64}-$level
             elf=$out/$name.elf
-            link "$elf" -e simulate -u prepare "$out/$level/$target/release/libsoftanvil_footprint.a"
+            link "$elf" -e simulate -u prepare "$out/$target-$level.a"
             echo "$name $(sections "$elf" R)"
         done
+    done
+    for level in s 3; do
+        name=thumbv7em-$level-pads
+        link "$out/$name.elf" -e simulate -u prepare "$out/${targets[0]}-$level-pads.a"
+        echo "$name $(sections "$out/$name.elf" R)"
     done
     library=$firmware/thumbv7em-none-eabihf/library/libsoftanvil.a
     for source in include/softanvil.h tests/firmware/c/drop.c; do
@@ -83,7 +92,7 @@ measured=$out/measured.txt
 } >"$measured"
 
 # No heap: on a board, where no C library is linked, nothing is missing and nothing allocates.
-for elf in thumbv7em-3 riscv32imac-3 c-abi-thumbv7em; do
+for elf in thumbv7em-3 thumbv7em-s-pads thumbv7em-3-pads riscv32imac-3 c-abi-thumbv7em; do
     readelf -sW "$out/$elf.elf" >"$out/symbols.txt"
     ! awk '$7 == "UND" && $8 != ""' "$out/symbols.txt" | grep . || fail "$elf needs what is not in the library"
     ! grep -E '__rust_alloc|__rg_alloc|[^a-z](m|c|re)alloc$|sbrk' "$out/symbols.txt" || fail "$elf allocates"
@@ -93,6 +102,8 @@ describe() {
     case $1 in
         c-abi-thumbv7em) echo "C ABI on a Cortex-M7, every function, opt-level 3" ;;
         c-abi-thumbv7em-used) echo "C ABI on a Cortex-M7, what \`tests/firmware/c\` calls" ;;
+        thumbv7em-s-pads) echo "kernel with pads on a Cortex-M7, opt-level s" ;;
+        thumbv7em-3-pads) echo "kernel with pads on a Cortex-M7, opt-level 3" ;;
         thumbv7em-*) echo "kernel on a Cortex-M7 with its FPU, opt-level ${1##*-}" ;;
         riscv32imac-*) echo "kernel on riscv32 without an FPU, opt-level ${1##*-}" ;;
         x86-64-*) echo "kernel on x86-64, opt-level ${1##*-}" ;;
@@ -110,7 +121,7 @@ cat >"$table" <<'END'
 # Footprint
 
 Code is what the linker keeps of the kernel for a whole life of a simulation (`tests/footprint/src/lib.rs`), or of the C
-ABI: instructions and constants. RAM is that of the study's mesh, as the firmware for the Cortex-M7 prints it
+ABI: instructions and constants. The kernel is that without its feature `pads` unless a row says otherwise; the C ABI has it. RAM is that of the study's mesh, as the firmware for the Cortex-M7 prints it
 (`tests/firmware`); its nodes and triangles include the padding of rows to whole vectors. There is no heap: linked for a
 board, nothing allocates and no symbol is missing. `tests/footprint/run.sh write` writes this page; without `write` it
 compares with it and with the limits, whose reasons stand in `tests/footprint/limits.txt`.

@@ -250,11 +250,12 @@ impl SoftanvilScenario {
     pub(crate) fn kernel(&self) -> Result<Scenario, Failure> {
         self.check()?;
         self.check_reserved()?;
-        let mut changes = self.start()?;
+        let mut changes = self.start();
+        let changes = changes.as_mut().map_err(|failure| *failure)?;
         for parameter in Parameter::all().filter(|parameter| self.knows(*parameter)) {
             changes.set_if_other(parameter, self.slot(parameter))?;
         }
-        changes.apply().map_err(Failure::Scenario)
+        changes.take_scenario().map_err(Failure::Scenario)
     }
 
     /// Nothing changed of the preset. Apart, so that the preset leaves the stack.

@@ -91,7 +91,8 @@ pub unsafe extern "C" fn softanvil_memory_size(
     let (size, alignment) = unsafe { (ptr::out(size, "size"), ptr::out(alignment, "alignment")) };
     report(error, || {
         let (scenario, size, alignment) = (scenario?, size?, alignment?);
-        let needed = block::bytes(&Size::of(&scenario.kernel()?)?);
+        let scenario = scenario.kernel();
+        let needed = block::bytes(&Size::of(scenario.as_ref().map_err(|failure| *failure)?)?);
         size.write(needed);
         alignment.write(ALIGNMENT);
         Ok(())
@@ -127,11 +128,13 @@ pub unsafe extern "C" fn softanvil_init(
     let simulation = unsafe { ptr::out(simulation, "simulation") };
     report(error, || {
         let simulation = simulation?;
-        let scenario = scenario?.kernel()?;
-        let counts = Size::of(&scenario)?;
+        // By reference, so that the stack holds it once.
+        let scenario = scenario?.kernel();
+        let scenario = scenario.as_ref().map_err(|failure| *failure)?;
+        let counts = Size::of(scenario)?;
         // SAFETY: as above.
         let region = unsafe { ptr::zeroed(memory.cast(), size, block::bytes(&counts)) }?;
-        simulation.write(block::build(&scenario, &counts, region)?);
+        simulation.write(block::build(scenario, &counts, region)?);
         Ok(())
     })
 }
@@ -171,6 +174,30 @@ pub unsafe extern "C" fn softanvil_reset(simulation: *mut SoftanvilSimulation) -
             Ok(())
         })
     })
+}
+
+/// Lets the anvil rest and the impactor fall again on it, as it is: time, samples, numbers of the test and energies begin anew.
+///
+/// The anvil keeps its damage (tears, and what has softened), comes back to its shape and stands still; overstresses decay
+/// by e^(-rest/tau). It may be called at any time of an impact.
+///
+/// @param simulation The simulation.
+/// @param rest Time between the impacts, 0 to 1e9 s.
+/// @param error Details of a failure, or NULL.
+/// @return NULL_POINTER, MISALIGNED, UNINITIALISED, ILLEGAL_INPUT for a rest that is not legal, INVERTED or UNSTABLE of a
+///         simulation that has failed.
+///
+/// # Safety
+/// The conventions of the header.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn softanvil_next_impact(
+    simulation: *mut SoftanvilSimulation,
+    rest: f64,
+    error: *mut SoftanvilError,
+) -> SoftanvilStatus {
+    // SAFETY: C keeps the conventions of the header.
+    let (block, error) = unsafe { (ptr::block(simulation), ptr::optional_out(error, "error")) };
+    report(error, || block::with(block?, |model, state| state.next_impact(model, rest).map_err(Failure::from)))
 }
 
 /// Fills an input that leaves things as they are: no external force, and a driven impactor stays where it is, without a

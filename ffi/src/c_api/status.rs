@@ -29,7 +29,7 @@ pub enum SoftanvilStatus {
     PronySum = 201,
     /// The elastic coefficients give no positive shear modulus at rest.
     ShearModulus = 202,
-    /// The impactor's face does not reach past the sides of the anvil.
+    /// The impactor's face is narrower than two cells of the mesh.
     FaceTooSmall = 203,
     /// The element size asks for more cells than a mesh may have.
     TooManyCells = 204,
@@ -53,6 +53,16 @@ pub enum SoftanvilStatus {
     NoEffect = 213,
     /// Two values that state the same thing differ from the preset's.
     Contradiction = 214,
+    /// The formulation of the section cannot have a face of this shape.
+    FaceOfFormulation = 215,
+    /// The r of a layer's softening is below 1.
+    Softening = 220,
+    /// The coefficients of a compressible law give no positive bulk modulus at rest.
+    BulkModulus = 221,
+    /// A layer is wider than what it lies on.
+    LayerWidth = 216,
+    /// The library was built without pads, which the scenario needs.
+    WithoutPads = 217,
     /// An element turned inside out or is no longer finite.
     Inverted = 300,
     /// The time step is above the current stability limit of an element.
@@ -75,7 +85,7 @@ use SoftanvilStatus as S;
 
 impl SoftanvilStatus {
     /// Every status.
-    pub const ALL: [Self; 30] = [
+    pub const ALL: [Self; 35] = [
         S::Ok,
         S::NullPointer,
         S::Misaligned,
@@ -98,6 +108,11 @@ impl SoftanvilStatus {
         S::NoArea,
         S::NoEffect,
         S::Contradiction,
+        S::FaceOfFormulation,
+        S::Softening,
+        S::BulkModulus,
+        S::LayerWidth,
+        S::WithoutPads,
         S::Inverted,
         S::Unstable,
         S::IllegalInput,
@@ -121,7 +136,7 @@ impl SoftanvilStatus {
             S::IllegalValue => c"illegal value of a parameter",
             S::PronySum => c"Prony coefficients leave no long-term stiffness",
             S::ShearModulus => c"elastic coefficients give no positive shear modulus",
-            S::FaceTooSmall => c"face of the impactor too small for the anvil",
+            S::FaceTooSmall => c"face of the impactor too small for the mesh",
             S::TooManyCells => c"element size asks for too many cells",
             S::StepTooSmall => c"stable time step too small",
             S::StepTooLarge => c"given time step above the stability limit",
@@ -133,6 +148,11 @@ impl SoftanvilStatus {
             S::NoArea => c"element without area",
             S::NoEffect => c"value without effect",
             S::Contradiction => c"two values that state the same thing",
+            S::Softening => c"r of a softening below 1",
+            S::BulkModulus => c"elastic coefficients give no positive bulk modulus",
+            S::FaceOfFormulation => c"face that the formulation cannot have",
+            S::LayerWidth => c"layer wider than what it lies on",
+            S::WithoutPads => c"library built without pads",
             S::Inverted => c"element inverted or not finite",
             S::Unstable => c"time step above the current stability limit",
             S::IllegalInput => c"input of a step not finite",

@@ -34,6 +34,7 @@ pub static UNITS: &[Unit] = &[
     unit("s", [0, 0, 1], Some(("ms", 1e3)), 1e-3),
     unit("N", [1, 1, -2], Some(("kN", 1e-3)), 1e3),
     unit("N.s", [1, 1, -1], None, 10.0),
+    unit("N.s/m", [1, 0, -1], None, 10.0),
     unit("J", [1, 2, -2], None, 10.0),
     unit("Pa", [1, -1, -2], Some(("MPa", 1e-6)), 1e6),
 ];

@@ -1,4 +1,4 @@
-//! Contact and friction between the impactor's flat face and the surface nodes.
+//! Contact and friction between the surface nodes and a flat face that covers them; [`rounded_face`] has the others.
 //!
 //! Contact is a constraint, not a penalty: the forces are those that leave every touching node on the face at the end
 //! of the step, with the impactor's own reaction included (forward increment Lagrange multipliers, Carpenter, Taylor
@@ -9,6 +9,7 @@
 
 use crate::contact::friction::limited;
 use crate::contact::node_row::NodeRow;
+use crate::contact::rounded_face;
 use crate::impactor::Prediction;
 use crate::model::{Constants, Model};
 use crate::number::pack::{LANES, Pack, ZERO, packs_mut, sum};
@@ -25,15 +26,21 @@ const PASSES: usize = 4;
 #[inline(always)]
 pub(crate) fn contact<S: Simd>(simd: S, model: &Model, state: &mut State, prediction: &Prediction) -> ContactWork {
     let (constants, impactor) = (&model.constants, &mut state.scalars.impactor);
+    if constants.has_uneven_contact() {
+        return rounded_face::contact(model, state, prediction);
+    }
     let Some(mut surface) = Surface::of(model, &mut state.nodes) else { return ContactWork::default() };
     surface.find_free_heights(simd, constants);
-    let face = surface.face_position(simd, constants.section_mass(), prediction);
+    let mass = constants.moved_mass() / constants.symmetry_factor;
+    // Of the slices alone: the surface stays where the compiler sees that its rows are of one length.
+    let (masses, heights) = (surface.row.mass, &*surface.normal);
+    let face = prediction.settle(constants, move |free| face_position(simd, masses, heights, mass, free));
     let normal_force = surface.hold(simd, constants.dt, face);
     let before = impactor.velocity_half;
-    impactor.advance(model, prediction, normal_force);
+    let rail_force = impactor.advance(model, prediction, face, normal_force);
     let [contact_dissipation, frictional_dissipation] =
         surface.slide(simd, constants, [before, impactor.velocity_half]);
-    ContactWork { normal_force, contact_dissipation, frictional_dissipation }
+    ContactWork { normal_force, contact_dissipation, frictional_dissipation, rail_force }
 }
 
 /// The nodes at the surface.
@@ -54,9 +61,9 @@ impl<'s> Surface<'s> {
     fn of(model: &'s Model, nodes: &'s mut StateNodes<&mut [Real]>) -> Option<Self> {
         let grid = &model.constants.grid;
         let count = grid.stride() / LANES;
-        let StateNodes { displacement, velocity, force, contact: [normal, tangential] } = nodes;
+        let StateNodes { displacement, velocity, force, contact: [normal, tangential], .. } = nodes;
         Some(Self {
-            row: NodeRow::of(model, grid.n_v, displacement, velocity, force)?,
+            row: NodeRow::of(model, grid.node_rows() - 1, displacement, velocity, force)?,
             normal: packs_mut(normal, 0, count)?,
             tangential: packs_mut(tangential, 0, count)?,
         })
@@ -82,31 +89,6 @@ impl<'s> Surface<'s> {
                 simd.store(height, &mut self.normal[i], chunk);
             }
         }
-    }
-
-    /// Height of the face at the end of the step, m, from the free heights.
-    ///
-    /// It is the root z of M (z - z_free) = sum m_i max(0, y_i - z), a concave rising function: Newton's method climbs to
-    /// it from z_free through a shrinking set of touching nodes.
-    #[inline(always)]
-    fn face_position<S: Simd>(&self, simd: S, impactor_mass: Real, prediction: &Prediction) -> Real {
-        let mut position = prediction.position;
-        if !prediction.free {
-            return position;
-        }
-        let (zero, start) = (simd.splat(0.0), simd.splat(prediction.position));
-        for _ in 0..PASSES {
-            let (face, mut masses, mut moments) = (simd.splat(position), ZERO, ZERO);
-            for i in 0..self.normal.len() {
-                for chunk in 0..LANES / S::WIDTH {
-                    let (mass, height) = (simd.load(&self.row.mass[i], chunk), simd.load(&self.normal[i], chunk));
-                    simd.add(height.select_greater(face, mass, zero), &mut masses, chunk);
-                    simd.add(height.select_greater(face, mass * (height - start), zero), &mut moments, chunk);
-                }
-            }
-            position = prediction.position + sum(&moments) / (impactor_mass + sum(&masses));
-        }
-        position
     }
 
     /// The force that brings each penetrating node back to the face within the step; returns their sum in index order.
@@ -157,4 +139,26 @@ impl<'s> Surface<'s> {
         }
         [0.5 * dt * sum(&contact_dissipation), 0.5 * dt * sum(&frictional_dissipation)]
     }
+}
+
+/// Height at which the contact leaves a face of a mass, kg, that would go to the height `free`, m, from the free heights.
+///
+/// It is the root z of M (z - z_free) = sum m_i max(0, y_i - z), a concave rising function: Newton's method climbs to
+/// it from z_free through a shrinking set of touching nodes.
+#[inline(always)]
+fn face_position<S: Simd>(simd: S, masses: &[Pack], heights: &[Pack], impactor_mass: Real, free: Real) -> Real {
+    let mut position = free;
+    let (zero, start) = (simd.splat(0.0), simd.splat(free));
+    for _ in 0..PASSES {
+        let (face, mut touching, mut moments) = (simd.splat(position), ZERO, ZERO);
+        for (mass, height) in masses.iter().zip(heights) {
+            for chunk in 0..LANES / S::WIDTH {
+                let (mass, height) = (simd.load(mass, chunk), simd.load(height, chunk));
+                simd.add(height.select_greater(face, mass, zero), &mut touching, chunk);
+                simd.add(height.select_greater(face, mass * (height - start), zero), &mut moments, chunk);
+            }
+        }
+        position = free + sum(&moments) / (impactor_mass + sum(&touching));
+    }
+    position
 }

@@ -2,6 +2,10 @@
 
 pub(crate) mod face;
 mod friction;
+pub(crate) mod interface;
+mod node;
 mod node_row;
+mod pairing;
 pub(crate) mod rigid_core;
+mod rounded_face;
 pub mod surface;

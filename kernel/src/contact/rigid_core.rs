@@ -73,6 +73,7 @@ impl Base<'_> {
             normal_force: sum(&total),
             contact_dissipation: energy(contact_dissipation),
             frictional_dissipation: energy(frictional_dissipation),
+            rail_force: 0.0,
         }
     }
 

@@ -12,7 +12,7 @@ pub fn surface_position(model: &Model, state: &StateView, column: usize) -> Opti
     if column > grid.n_u {
         return None;
     }
-    let node = grid.n_v * grid.stride() + column;
+    let node = grid.surface_node(column);
     let [x, y] = model.reference_position();
     let [ux, uy] = state.displacement();
     Some([x.get(node)? + ux.get(node)?, y.get(node)? + uy.get(node)?])

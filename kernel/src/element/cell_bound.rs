@@ -24,7 +24,7 @@ use crate::number::vector::{Simd, Vector};
 /// Rows of strain of a cell.
 const ROWS: usize = 7;
 /// Halvings of the interval that holds the largest stable step.
-const HALVINGS: usize = 30;
+pub(crate) const HALVINGS: usize = 30;
 
 /// Neighbouring cells in some state of deformation.
 pub(crate) struct CellStiffness<V> {

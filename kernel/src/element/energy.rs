@@ -5,7 +5,7 @@ use crate::number::pack::{Pack, ZERO};
 /// Sums over the triangles of each lane: energies of the section, J.
 #[derive(Clone, Copy, Debug)]
 pub struct ElementEnergy {
-    /// Long-term elastic energy, isochoric and volumetric.
+    /// Long-term elastic energy, isochoric and volumetric, less what softening has taken of it.
     pub elastic: Pack,
     /// Energy stored in the damping springs.
     pub slider_stored: Pack,
@@ -15,6 +15,8 @@ pub struct ElementEnergy {
     pub slider_increment: Pack,
     /// Energy dissipated by tearing in this step.
     pub tear_increment: Pack,
+    /// Energy dissipated by softening in this step.
+    pub softening_increment: Pack,
     /// Not an energy: 1 in lanes with a triangle whose Jacobian is not positive, or not a number; 0 in others.
     pub inverted: Pack,
 }
@@ -27,6 +29,7 @@ impl ElementEnergy {
         viscous_increment: ZERO,
         slider_increment: ZERO,
         tear_increment: ZERO,
+        softening_increment: ZERO,
         inverted: ZERO,
     };
 }

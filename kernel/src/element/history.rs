@@ -27,14 +27,17 @@ pub struct TriangleHistory {
 
 impl CellHistory {
     /// At rest: unit stretch, no stress.
+    pub const REST: Self = Self { triangle: [TriangleHistory::REST; 2] };
+}
+
+impl TriangleHistory {
+    /// At rest.
     pub const REST: Self = Self {
-        triangle: [TriangleHistory {
-            stretch_prev: [ONE, ZERO, ZERO, ONE],
-            elastic_prev: Deviator::ZERO,
-            slider_stress: Deviator::ZERO,
-            largest_stretch: ONE,
-            stored_prev: ZERO,
-        }; 2],
+        stretch_prev: [ONE, ZERO, ZERO, ONE],
+        elastic_prev: Deviator::ZERO,
+        slider_stress: Deviator::ZERO,
+        largest_stretch: ONE,
+        stored_prev: ZERO,
     };
 }
 

@@ -4,9 +4,11 @@
 //! R is the rotation by the angle of (F11 + F22, F21 - F12). All deviatoric stresses live in the unrotated frame. The
 //! two triangles of a cell share p = U'(J-bar) with J-bar their volume-weighted mean Jacobian (a mean-dilatation patch,
 //! Nagtegaal, Parks and Rice 1974), which removes volumetric locking and derives from an energy. The first
-//! Piola-Kirchhoff stress is P = R T R^T F^-T with T = dev + p J I, and the nodal force V P dN/dX.
+//! Piola-Kirchhoff stress is P = R T R^T F^-T with T = dev + p J I, and the nodal force V P dN/dX. A compressible law gives
+//! each triangle a mean stress of its own in the place of p J.
 
-use crate::element::response::deviatoric_stress;
+use crate::element::response::{EnergyDensity, deviatoric_stress};
+use crate::element::whole_response::whole_stress;
 use crate::element::{Block, CellHistory, Corners, Edges, ElementEnergy, HoopConstants, TriangleConstants};
 use crate::number::pack::Pack;
 use crate::number::real::Real;
@@ -17,8 +19,8 @@ use crate::tensor::kinematics::Kinematics;
 /// Internal forces on the corners of neighbouring cells, N, from their displacements; advances the history of their
 /// triangles.
 ///
-/// `viscous` holds the overstress of the first triangle's terms, then of the second's. The history of an inverted
-/// triangle ([`ElementEnergy::inverted`]) is not to be used.
+/// `viscous` holds the overstress of the first triangle's terms, then of the second's, and behind them what both remember of
+/// softening and of a compressible law. The history of an inverted triangle ([`ElementEnergy::inverted`]) is not to be used.
 #[inline(always)]
 pub fn internal_force<S: Simd>(
     simd: S,
@@ -29,18 +31,92 @@ pub fn internal_force<S: Simd>(
     viscous: &mut [Deviator],
     energy: &mut ElementEnergy,
 ) -> Corners<S::Vector> {
+    if block.laws.is_plain() {
+        plain_force(simd, chunk, block, displacement, history, viscous, energy)
+    } else {
+        whole_force(simd, chunk, block, displacement, history, viscous, energy)
+    }
+}
+
+/// [`internal_force`] of an isochoric law that does not soften; apart, so that it carries nothing of the others.
+#[inline(always)]
+pub(crate) fn plain_force<S: Simd>(
+    simd: S,
+    chunk: usize,
+    block: &Block,
+    displacement: &Corners<S::Vector>,
+    history: &mut CellHistory,
+    viscous: &mut [Deviator],
+    energy: &mut ElementEnergy,
+) -> Corners<S::Vector> {
     let edges = triangle_edges(simd, simd.load(&block.constants.diagonal, chunk), displacement);
     let kinematics = kinematics(simd, chunk, block, displacement, &edges);
+    mark_inverted(simd, chunk, &kinematics, energy);
     let pressure = mean_stress(simd, chunk, block, &kinematics, energy);
     let [(a, first), (b, second)] = deviatoric_stress(simd, chunk, block, &kinematics, history, viscous);
-    for (triangle, density) in block.constants.triangle.iter().zip([first, second]) {
+    add_energies(simd, chunk, block, [first, second], energy);
+    let means = [pressure * kinematics[0].jacobian, pressure * kinematics[1].jacobian];
+    nodal_forces(simd, chunk, block, &edges, &kinematics, [(a, means[0]), (b, means[1])])
+}
+
+/// [`internal_force`] of a compressible law, or of one that softens.
+#[inline(always)]
+pub(crate) fn whole_force<S: Simd>(
+    simd: S,
+    chunk: usize,
+    block: &Block,
+    displacement: &Corners<S::Vector>,
+    history: &mut CellHistory,
+    viscous: &mut [Deviator],
+    energy: &mut ElementEnergy,
+) -> Corners<S::Vector> {
+    let edges = triangle_edges(simd, simd.load(&block.constants.diagonal, chunk), displacement);
+    let kinematics = kinematics(simd, chunk, block, displacement, &edges);
+    mark_inverted(simd, chunk, &kinematics, energy);
+    let [first, second] = whole_stress(simd, chunk, block, &kinematics, history, viscous);
+    let mut means = [first.mean, second.mean];
+    if !block.laws.elastic.is_compressible() {
+        let pressure = mean_stress(simd, chunk, block, &kinematics, energy);
+        means = [pressure * kinematics[0].jacobian, pressure * kinematics[1].jacobian];
+    }
+    for (triangle, lost) in block.constants.triangle.iter().zip([first.softening_increment, second.softening_increment])
+    {
+        let volume = simd.load(&triangle.reference_volume, chunk);
+        simd.add(volume * lost, &mut energy.softening_increment, chunk);
+    }
+    add_energies(simd, chunk, block, [first.density, second.density], energy);
+    nodal_forces(simd, chunk, block, &edges, &kinematics, [(first.deviator, means[0]), (second.deviator, means[1])])
+}
+
+/// Adds the energies of both triangles of each cell.
+#[inline(always)]
+fn add_energies<S: Simd>(
+    simd: S,
+    chunk: usize,
+    block: &Block,
+    densities: [EnergyDensity<S::Vector>; 2],
+    energy: &mut ElementEnergy,
+) {
+    for (triangle, density) in block.constants.triangle.iter().zip(densities) {
         let volume = simd.load(&triangle.reference_volume, chunk);
         density.add_to(simd, chunk, volume, block.laws, energy);
     }
-    let [k, l] = &kinematics;
+}
+
+/// Forces on the corners, N, from deviator and mean of the Kirchhoff stress of both triangles of each cell, Pa.
+#[inline(always)]
+fn nodal_forces<S: Simd>(
+    simd: S,
+    chunk: usize,
+    block: &Block,
+    edges: &[Edges<S::Vector>; 2],
+    kinematics: &[Kinematics<S::Vector>; 2],
+    stresses: [(Deviator<S::Vector>, S::Vector); 2],
+) -> Corners<S::Vector> {
+    let [k, l] = kinematics;
     let stress = [
-        spatial_stress(simd, chunk, block, 0, k, pressure, &a),
-        spatial_stress(simd, chunk, block, 1, l, pressure, &b),
+        spatial_stress(simd, chunk, block, 0, k, &stresses[0]),
+        spatial_stress(simd, chunk, block, 1, l, &stresses[1]),
     ];
     let [of_first, of_second] = &block.constants.triangle;
     let edges = [
@@ -49,9 +125,9 @@ pub fn internal_force<S: Simd>(
     ];
     let mut force = corner_forces(simd, simd.load(&block.constants.diagonal, chunk), &edges);
     if let Some(hoop) = block.hoop {
-        for (t, deviator) in [&a, &b].into_iter().enumerate() {
+        for (t, (deviator, mean)) in stresses.iter().enumerate() {
             let volume = simd.load(&block.constants.triangle[t].reference_volume, chunk);
-            let kirchhoff = pressure * kinematics[t].jacobian - deviator.mean.mul_scalar(2.0 * SQRT_THIRD);
+            let kirchhoff = *mean - deviator.mean.mul_scalar(2.0 * SQRT_THIRD);
             let nominal = volume * kirchhoff / kinematics[t].hoop;
             add_hoop_force(simd, chunk, nominal, &hoop.weight[t], &mut force);
         }
@@ -147,7 +223,18 @@ fn corner_forces<S: Simd>(simd: S, diagonal: S::Vector, [first, second]: &[Edges
     force
 }
 
-/// Pressure of each cell from the volume-weighted mean Jacobian of its two triangles, and which lanes are inverted.
+/// Marks the lanes with an inverted triangle.
+#[inline(always)]
+fn mark_inverted<S: Simd>(simd: S, chunk: usize, [k, l]: &[Kinematics<S::Vector>; 2], energy: &mut ElementEnergy) {
+    let (j, k) = (k.jacobian, l.jacobian);
+    // What is next to nothing counts as inverted: roots want a normal number.
+    let (least, one) = (simd.splat(Real::MIN_POSITIVE), simd.splat(1.0));
+    let inverted = simd.load(&energy.inverted, chunk);
+    let inverted = j.select_greater(least, k.select_greater(least, inverted, one), one);
+    simd.store(inverted, &mut energy.inverted, chunk);
+}
+
+/// Pressure of each cell from the volume-weighted mean Jacobian of its two triangles.
 #[inline(always)]
 fn mean_stress<S: Simd>(
     simd: S,
@@ -157,12 +244,7 @@ fn mean_stress<S: Simd>(
     energy: &mut ElementEnergy,
 ) -> S::Vector {
     let [a, b] = &block.constants.triangle;
-    let [j, k] = [kinematics[0].jacobian, kinematics[1].jacobian];
-    // What is next to nothing counts as inverted: roots want a normal number.
-    let (least, one) = (simd.splat(Real::MIN_POSITIVE), simd.splat(1.0));
-    let inverted = simd.load(&energy.inverted, chunk);
-    let inverted = j.select_greater(least, k.select_greater(least, inverted, one), one);
-    simd.store(inverted, &mut energy.inverted, chunk);
+    let ([j, k], one) = ([kinematics[0].jacobian, kinematics[1].jacobian], simd.splat(1.0));
     let mean = (simd.load(&a.volume_fraction, chunk) * (j - one) + simd.load(&b.volume_fraction, chunk) * (k - one))
         .add_scalar(1.0);
     let density = block.laws.volumetric.strain_energy_density(simd, mean);
@@ -180,14 +262,13 @@ fn spatial_stress<S: Simd>(
     block: &Block,
     t: usize,
     k: &Kinematics<S::Vector>,
-    pressure: S::Vector,
-    deviator: &Deviator<S::Vector>,
+    (deviator, mean): &(Deviator<S::Vector>, S::Vector),
 ) -> [S::Vector; 3] {
     let volume = simd.load(&block.constants.triangle[t].reference_volume, chunk);
     // 1/J is the cube of J^(-1/3).
     let cube = volume * (k.inverse_cbrt_j * k.inverse_cbrt_j * k.inverse_cbrt_j);
     let scale = if block.hoop.is_some() { k.hoop * cube } else { cube };
-    let section = scale * (deviator.mean.mul_scalar(SQRT_THIRD) + pressure * k.jacobian);
+    let section = scale * (deviator.mean.mul_scalar(SQRT_THIRD) + *mean);
     let (difference, shear) = (scale * deviator.difference, scale * deviator.shear);
     let [cos, sin] = k.rotation_2theta;
     let (difference, shear) = (cos * difference - sin * shear, cos * shear + sin * difference);

@@ -3,10 +3,14 @@
 mod cell;
 pub(crate) mod cell_bound;
 mod energy;
+mod extra_history;
 mod history;
 pub mod internal_force;
+mod recovery;
 mod reference_triangle;
 mod response;
+pub(crate) mod whole_bound;
+mod whole_response;
 
 pub(crate) use cell::Edges;
 pub use cell::{Block, CellConstants, Corners, HoopConstants, TriangleConstants};
@@ -14,4 +18,6 @@ pub use energy::ElementEnergy;
 pub use history::{CellHistory, TriangleHistory};
 pub(crate) use internal_force::cell_kinematics;
 pub use internal_force::internal_force;
+pub(crate) use internal_force::{plain_force, whole_force};
+pub(crate) use recovery::recover;
 pub(crate) use reference_triangle::Triangle;

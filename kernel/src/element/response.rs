@@ -25,7 +25,7 @@ pub(crate) struct EnergyDensity<V> {
 impl<V: Vector> EnergyDensity<V> {
     /// Of elasticity, overstress and springs.
     #[inline(always)]
-    fn new<S: Simd<Vector = V>>(
+    pub(super) fn new<S: Simd<Vector = V>>(
         simd: S,
         stored: V,
         overstress: &Overstress<V>,
@@ -40,6 +40,12 @@ impl<V: Vector> EnergyDensity<V> {
             slider_increment: springs.dissipation,
             tear_increment: simd.splat(0.0),
         }
+    }
+
+    /// Adds the work on an overstress that is no deviator, J/m3.
+    #[inline(always)]
+    pub(super) fn add_viscous(&mut self, work: V) {
+        self.viscous_increment = self.viscous_increment + work;
     }
 
     /// Adds the energies of triangles of the reference volumes `volume`.
@@ -83,8 +89,8 @@ pub(crate) fn deviatoric_stress<S: Simd>(
     let (laws, axisymmetric) = (block.laws, block.hoop.is_some());
     let [a, b] = &mut history.triangle;
     let strain_increment = [
-        advance_stretch(simd, chunk, &kinematics[0], &mut a.stretch_prev, axisymmetric),
-        advance_stretch(simd, chunk, &kinematics[1], &mut b.stretch_prev, axisymmetric),
+        strain_increment(simd, chunk, &kinematics[0], &mut a.stretch_prev, axisymmetric),
+        strain_increment(simd, chunk, &kinematics[1], &mut b.stretch_prev, axisymmetric),
     ];
     let springs = spring_stress(simd, chunk, &laws.slider, &strain_increment, [&mut *a, &mut *b]);
     let [first, second] = laws.elastic.stress(simd, kinematics, axisymmetric);
@@ -110,13 +116,26 @@ pub(crate) fn deviatoric_stress<S: Simd>(
 
 /// Strain increment of one triangle of each cell since the stretch `before`, which becomes the current one.
 #[inline(always)]
-fn advance_stretch<S: Simd>(
+fn strain_increment<S: Simd>(
+    simd: S,
+    chunk: usize,
+    kinematics: &Kinematics<S::Vector>,
+    before: &mut [Pack; 4],
+    axisymmetric: bool,
+) -> Deviator<S::Vector> {
+    let before = advance_stretch(simd, chunk, kinematics, before, axisymmetric);
+    kinematics.strain_increment(simd, &before, axisymmetric)
+}
+
+/// The stretch of one triangle of each cell in the last step, in whose place the current one comes.
+#[inline(always)]
+pub(super) fn advance_stretch<S: Simd>(
     simd: S,
     chunk: usize,
     kinematics: &Kinematics<S::Vector>,
     [mean, difference, shear, hoop]: &mut [Pack; 4],
     axisymmetric: bool,
-) -> Deviator<S::Vector> {
+) -> [S::Vector; 4] {
     let before =
         [simd.load(mean, chunk), simd.load(difference, chunk), simd.load(shear, chunk), simd.load(hoop, chunk)];
     simd.store(kinematics.mean, mean, chunk);
@@ -125,12 +144,12 @@ fn advance_stretch<S: Simd>(
     if axisymmetric {
         simd.store(kinematics.hoop, hoop, chunk);
     }
-    kinematics.strain_increment(simd, &before, axisymmetric)
+    before
 }
 
 /// Springs and sliders of the two triangles of each cell, no stress where the material has none; advances their history.
 #[inline(always)]
-fn spring_stress<S: Simd>(
+pub(super) fn spring_stress<S: Simd>(
     simd: S,
     chunk: usize,
     slider: &Slider,
@@ -151,7 +170,7 @@ fn spring_stress<S: Simd>(
 
 /// Long-term stress and viscous overstress of the two triangles of each cell; advances their history.
 #[inline(always)]
-fn viscous_stress<S: Simd>(
+pub(super) fn viscous_stress<S: Simd>(
     simd: S,
     chunk: usize,
     laws: &MaterialModel,
@@ -190,6 +209,21 @@ fn tear<S: Simd>(
     stress: &Deviator<S::Vector>,
     density: &mut EnergyDensity<S::Vector>,
 ) -> Deviator<S::Vector> {
+    let [_, after] = tear_energies(simd, chunk, laws, kinematics, history, density);
+    stress.scaled(after)
+}
+
+/// Takes from one triangle of each cell the energies that it has lost by tearing; returns the part of all stresses that is left
+/// in the mean of the step, and after it.
+#[inline(always)]
+pub(super) fn tear_energies<S: Simd>(
+    simd: S,
+    chunk: usize,
+    laws: &MaterialModel,
+    kinematics: &Kinematics<S::Vector>,
+    history: &mut TriangleHistory,
+    density: &mut EnergyDensity<S::Vector>,
+) -> [S::Vector; 2] {
     let [largest, before, after] = laws.tear.update(simd, kinematics, simd.load(&history.largest_stretch, chunk));
     simd.store(largest, &mut history.largest_stretch, chunk);
     let mean = (before + after).mul_scalar(0.5);
@@ -202,5 +236,5 @@ fn tear<S: Simd>(
     density.viscous_increment = mean * density.viscous_increment;
     density.slider_stored = after * density.slider_stored;
     density.slider_increment = mean * density.slider_increment;
-    stress.scaled(after)
+    [mean, after]
 }

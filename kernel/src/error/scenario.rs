@@ -30,13 +30,15 @@ pub enum ScenarioError {
         /// Names of their parameters.
         names: [Name; 2],
     },
-    /// Interfaces that do not fit the layers.
-    #[error("{interfaces} interfaces are refused: expected {} between {layers} layers", layers.saturating_sub(1))]
-    Interfaces {
-        /// How many layers there are.
-        layers: usize,
-        /// How many interfaces there are.
-        interfaces: usize,
+    /// A layer is wider than what it lies on.
+    #[error("layers[{layer}].width = {} m is refused: expected at most {} m, the width of what is below it", Decimal(*width), Decimal(*maximum))]
+    LayerWidth {
+        /// The layer, counted from the core.
+        layer: usize,
+        /// Its width, m.
+        width: Real,
+        /// Largest legal width, m.
+        maximum: Real,
     },
     /// A layer has next to no thickness.
     #[error("layers[{layer}].thickness = {} m is refused: expected at least {} m", Decimal(*thickness), Decimal(*minimum))]
@@ -66,6 +68,14 @@ pub enum ScenarioError {
         /// Its shear modulus at rest, Pa.
         modulus: Real,
     },
+    /// A compressible law has no positive bulk modulus at rest.
+    #[error("layers[{layer}]: the coefficients of the law give a bulk modulus of {} Pa: expected above 0 Pa", Decimal(*modulus))]
+    BulkModulus {
+        /// The layer, counted from the core.
+        layer: usize,
+        /// Its bulk modulus at rest, Pa.
+        modulus: Real,
+    },
     /// The material would be torn before the test.
     #[error("layers[{layer}].tear_stretch = {} is refused: expected 0 (off) or at least 1", Decimal(*stretch))]
     TearStretch {
@@ -74,13 +84,39 @@ pub enum ScenarioError {
         /// Stretch at which it begins to tear.
         stretch: Real,
     },
-    /// The face does not cover the anvil, so the chord thickness ends inside the section.
-    #[error("impactor.face_diameter = {} m is refused: expected at least {} m over this anvil", Decimal(*diameter), Decimal(*minimum))]
+    /// The stress would turn round in softening.
+    #[error("layers[{layer}].softening_r = {} is refused: expected 0 (off) or at least 1", Decimal(*r))]
+    Softening {
+        /// The layer, counted from the core.
+        layer: usize,
+        /// r of the softening.
+        r: Real,
+    },
+    /// The face is narrower than two cells, of which none may be under it.
+    #[error("{name} = {} m is refused: expected at least {} m on this mesh", Decimal(*width), Decimal(*minimum))]
     FaceTooSmall {
-        /// Diameter of the face, m.
-        diameter: Real,
-        /// Smallest legal diameter for this anvil, m.
+        /// Name of the parameter that says how wide it is.
+        name: &'static str,
+        /// What that says, m.
+        width: Real,
+        /// Smallest legal value, m.
         minimum: Real,
+    },
+    /// A face that the formulation cannot have.
+    #[error("impactor.shape = {shape} is refused: expected {expected} with geometry.formulation = {formulation}")]
+    FaceOfFormulation {
+        /// Label of the face's shape.
+        shape: &'static str,
+        /// What the formulation can have instead.
+        expected: &'static str,
+        /// Label of the formulation.
+        formulation: &'static str,
+    },
+    /// A pad, or a face, that the kernel was built without.
+    #[error("{name} is refused: expected a kernel that was built with its feature pads")]
+    WithoutPads {
+        /// What asks for it.
+        name: Name,
     },
     /// A full section of a body of revolution.
     #[error("geometry.section = full is refused: expected half with an axisymmetric formulation")]

@@ -1,7 +1,7 @@
 //! The rigid impactor: one vertical degree of freedom, height above the undeformed anvil's top, upwards positive.
 
 use crate::impactor::StepInput;
-use crate::model::Model;
+use crate::model::{Constants, Model};
 use crate::number::real::Real;
 use crate::scenario::{Motion, prescribed};
 
@@ -49,7 +49,9 @@ impl ImpactorState {
         match impactor.motion {
             Motion::Drop => {
                 let acceleration = input.external_force / impactor.mass - impactor.gravity;
-                let velocity_half = self.velocity_half + constants.dt * acceleration;
+                // Damping takes the velocity at the end of the step, so that it never turns it round.
+                let kept = impactor.mass / constants.moved_mass();
+                let velocity_half = (self.velocity_half + constants.dt * acceleration) * kept;
                 let position = self.position + constants.dt * velocity_half;
                 Prediction { position, velocity: None, velocity_half, acceleration, free: true }
             }
@@ -72,9 +74,13 @@ impl ImpactorState {
         Prediction { position, velocity, velocity_half, acceleration, free: false }
     }
 
-    /// Completes the step with the contact force on the section, N.
-    pub(crate) fn advance(&mut self, model: &Model, prediction: &Prediction, section_force: Real) {
-        let dt = model.constants.dt;
+    /// Completes the step with the contact force on the section, N, and gives the force of the rails, N upwards. With rails it
+    /// leads to `face`, m, where [`Prediction::settle`] has found the face.
+    pub(crate) fn advance(&mut self, model: &Model, prediction: &Prediction, face: Real, section_force: Real) -> Real {
+        let (dt, impactor) = (model.constants.dt, &model.constants.scenario.impactor);
+        if prediction.free && impactor.has_rails() {
+            return self.slide_on_rails(model, prediction, face, section_force);
+        }
         self.acceleration = prediction.acceleration;
         self.velocity_half = prediction.velocity_half;
         self.position = prediction.position;
@@ -88,9 +94,25 @@ impl ImpactorState {
         self.velocity = match prediction.velocity {
             Some(velocity) => velocity,
             // Gravity goes on through the half step that is left.
-            None if prediction.free => self.velocity_half - 0.5 * dt * model.constants.scenario.impactor.gravity,
+            None if prediction.free => self.velocity_half - 0.5 * dt * impactor.gravity,
             None => self.velocity_half,
         };
+        0.0
+    }
+
+    /// A step of a mass on rails: what its way to `face` takes besides the other forces is theirs.
+    #[cold]
+    #[inline(never)]
+    fn slide_on_rails(&mut self, model: &Model, prediction: &Prediction, face: Real, section_force: Real) -> Real {
+        let (constants, impactor) = (model.constants, &model.constants.scenario.impactor);
+        let before = self.velocity_half;
+        self.velocity_half = (face - self.position) / constants.dt;
+        self.acceleration = (self.velocity_half - before) / constants.dt;
+        self.position = face;
+        let held = self.velocity_half == 0.0;
+        self.velocity = if held { 0.0 } else { self.velocity_half - 0.5 * constants.dt * impactor.gravity };
+        let contact = constants.symmetry_factor * section_force;
+        impactor.mass * (self.acceleration - prediction.acceleration) - contact
     }
 }
 
@@ -107,4 +129,30 @@ pub(crate) struct Prediction {
     pub acceleration: Real,
     /// Whether contact can change it.
     pub free: bool,
+}
+
+impl Prediction {
+    /// Where the face is at the end of the step, m, if `contact` tells where the contact leaves a face that it would otherwise
+    /// let go to a height, m: the higher that is, the higher it is left.
+    ///
+    /// The friction of the rails works against the motion and holds the mass where it is not enough to move it, so of three
+    /// answers exactly one is true: the mass still rises against the whole friction, it still falls against the whole, or it stays.
+    #[inline(always)]
+    pub fn settle(&self, constants: &Constants, contact: impl Fn(Real) -> Real) -> Real {
+        let impactor = &constants.scenario.impactor;
+        if !self.free {
+            return self.position;
+        }
+        let start = self.position - constants.dt * self.velocity_half;
+        let held_back = impactor.rail_friction / constants.moved_mass() * (constants.dt * constants.dt);
+        // In a loop, so that there is one copy of `contact`. Without friction the first answer is true.
+        for shift in [-held_back, held_back] {
+            let end = contact(self.position + shift);
+            let moves = if shift < 0.0 { end > start } else { end < start };
+            if moves || held_back == 0.0 {
+                return end;
+            }
+        }
+        start
+    }
 }

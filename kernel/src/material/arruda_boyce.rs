@@ -15,7 +15,7 @@ use crate::material::coefficient::Coefficient;
 use crate::material::invariants::{
     first_invariant, first_invariant_stress, invariant_principal_stress, invariant_shear_tangent,
 };
-use crate::material::law::{IsochoricLaw, Variant};
+use crate::material::law::{HyperelasticLaw, IsochoricLaw, Variant};
 use crate::number::real::Real;
 use crate::number::vector::{Simd, Vector};
 use crate::tensor::deviator::Deviator;
@@ -91,7 +91,7 @@ fn horner<V: Vector>(a: V, [c0, c1, c2, c3, c4]: [Real; 5]) -> V {
     (a * (a * sum.add_scalar(c2)).add_scalar(c1)).add_scalar(c0)
 }
 
-impl IsochoricLaw for ArrudaBoyce {
+impl HyperelasticLaw for ArrudaBoyce {
     const NAME: &'static str = "arruda_boyce";
     const LABEL: &'static str = "Arruda-Boyce";
     const DESCRIPTION: &'static str = "W = mu sum C_i / lambda_m^(2i - 2) (I1^i - 3^i), five terms";
@@ -127,21 +127,8 @@ impl IsochoricLaw for ArrudaBoyce {
         [self.mu, self.lambda_m]
     }
 
-    #[inline(always)]
-    fn response<S: Simd>(&self, _: S, kinematics: &Kinematics<S::Vector>, _: bool) -> (Deviator<S::Vector>, S::Vector) {
-        let c = kinematics.isochoric_cauchy_green();
-        let a = first_invariant(&c);
-        (first_invariant_stress(&c, self.slope(a).mul_scalar(2.0)), self.energy(a))
-    }
-
     fn shear_modulus(&self) -> Real {
         2.0 * self.polynomial[0]
-    }
-
-    #[inline(always)]
-    fn shear_tangent<S: Simd>(&self, simd: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
-        let (a, zero) = (stretch.invariants().0.add_scalar(-3.0), simd.splat(0.0));
-        invariant_shear_tangent(simd, stretch, [self.slope(a), zero], [self.second(a), zero, zero])
     }
 
     /// From the series in I1 itself.
@@ -150,6 +137,21 @@ impl IsochoricLaw for ArrudaBoyce {
             let [k1, k2, k3, k4, k5] = terms(self.mu, self.lambda_m);
             (k1 + i1 * (2.0 * k2 + i1 * (3.0 * k3 + i1 * (4.0 * k4 + i1 * 5.0 * k5))), 0.0)
         })
+    }
+}
+
+impl IsochoricLaw for ArrudaBoyce {
+    #[inline(always)]
+    fn response<S: Simd>(&self, _: S, kinematics: &Kinematics<S::Vector>, _: bool) -> (Deviator<S::Vector>, S::Vector) {
+        let c = kinematics.isochoric_cauchy_green();
+        let a = first_invariant(&c);
+        (first_invariant_stress(&c, self.slope(a).mul_scalar(2.0)), self.energy(a))
+    }
+
+    #[inline(always)]
+    fn shear_tangent<S: Simd>(&self, simd: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
+        let (a, zero) = (stretch.invariants().0.add_scalar(-3.0), simd.splat(0.0));
+        invariant_shear_tangent(simd, stretch, [self.slope(a), zero], [self.second(a), zero, zero])
     }
 }
 

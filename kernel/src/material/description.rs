@@ -4,7 +4,7 @@ use strum::{FromRepr, VariantNames};
 
 use crate::material::coefficients::Coefficients;
 use crate::material::elastic::{ElasticLaw, ListedLaw};
-use crate::material::relaxation::MAX_BRANCHES;
+use crate::material::relaxation::{MAX_BRANCHES, PACKS_OF_ENTRY};
 use crate::number::real::Real;
 
 /// The volumetric law.
@@ -57,7 +57,7 @@ pub const MAX_MAXWELL_TERMS: usize = MAX_BRANCHES;
 pub struct Material {
     /// Mass density, kg/m3.
     pub density: Real,
-    /// Isochoric hyperelastic law.
+    /// Hyperelastic law.
     pub law: ElasticLaw,
     /// Whether the coefficients are long-term or instantaneous.
     pub moduli: Moduli,
@@ -89,6 +89,12 @@ pub struct Material {
     pub tear_width: Real,
     /// Part of the deviatoric stress that remains.
     pub tear_residual: Real,
+    /// r of the softening after the first load; 0 switches it off.
+    pub softening_r: Real,
+    /// m of the softening, J/m3.
+    pub softening_m: Real,
+    /// beta of the softening.
+    pub softening_beta: Real,
 }
 
 impl Material {
@@ -120,6 +126,14 @@ impl Material {
         self.prony_g.iter().chain(&self.maxwell_g).filter(|g| **g > 0.0).count()
     }
 
+    /// Entries of the history that its triangles have beside that of every material: a deviator for each viscous term, and
+    /// what [`crate::element::ExtraHistory`] says.
+    pub fn n_history_entry(&self) -> usize {
+        let quasi_linear = self.prony_g.iter().filter(|g| **g > 0.0).count();
+        let compressible = self.law.is_compressible();
+        self.n_viscous_term() + n_extra_entry(compressible, quasi_linear, self.softening_r > 0.0)
+    }
+
     /// Factor from the given coefficients to the long-term law.
     pub fn long_term_scale(&self) -> Real {
         match self.moduli {
@@ -127,4 +141,10 @@ impl Material {
             Moduli::Instantaneous => self.prony_g_inf(),
         }
     }
+}
+
+/// Entries beside those of the viscous terms; see [`Material::n_history_entry`].
+pub(crate) fn n_extra_entry(compressible: bool, quasi_linear: usize, softens: bool) -> usize {
+    let means = if compressible { quasi_linear.div_ceil(PACKS_OF_ENTRY) } else { 0 };
+    means + usize::from(means > 0 || softens)
 }

@@ -1,11 +1,15 @@
-//! The isochoric hyperelastic laws, one a line of `laws!`, from whose descriptions everything else follows: the choice
+//! The hyperelastic laws, one a line of `laws!`, from whose descriptions everything else follows: the choice
 //! of a user, the coefficients of all laws together, and the dispatch, which is made once per block of triangles and
 //! outside the loop over lanes.
 
 use strum::{FromRepr, VariantNames};
 
+#[cfg(feature = "pads")]
+use crate::material::Hyperfoam;
 use crate::material::coefficient::Coefficient;
-use crate::material::law::{IsochoricLaw, LawDescription, sealed};
+#[cfg(feature = "pads")]
+use crate::material::law::CompressibleLaw;
+use crate::material::law::{HyperelasticLaw, IsochoricLaw, LawDescription, PrincipalTangent, WholeStress, sealed};
 use crate::material::union::{distinct, n_distinct, places};
 use crate::material::{ArrudaBoyce, Gent, MooneyRivlin, NeoHookean, Ogden, Yeoh};
 use crate::number::real::Real;
@@ -14,16 +18,26 @@ use crate::tensor::deviator::Deviator;
 use crate::tensor::kinematics::Kinematics;
 use crate::tensor::stretch::IsochoricStretch;
 
+/// An expression for laws of one kind, another one for those of the other.
+macro_rules! by_kind {
+    (isochoric, $isochoric:expr, $compressible:expr) => {
+        $isochoric
+    };
+    (compressible, $isochoric:expr, $compressible:expr) => {
+        $compressible
+    };
+}
+
 /// Makes of the laws the choice among them and their dispatch.
 macro_rules! laws {
-    ($($law:ident),+ $(,)?) => {
-        /// The isochoric hyperelastic law.
+    ($($law:ident: $kind:ident),+ $(,)?) => {
+        /// The hyperelastic law.
         #[derive(Clone, Copy, Debug, FromRepr, PartialEq, Eq)]
         pub enum ElasticLaw {
             $(#[doc = concat!("See [`", stringify!($law), "`].")] $law,)+
         }
 
-        /// Long-term isochoric elasticity.
+        /// Long-term elasticity.
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub enum Elastic {
             $(#[doc = concat!("See [`", stringify!($law), "`].")] $law($law),)+
@@ -45,10 +59,19 @@ macro_rules! laws {
             /// Every law, in the order of its number.
             pub const ALL: &'static [Self] = &[$(Self::$law),+];
 
+            /// Whether it says the mean stress as well: [`LawDescription::compressible`] without the rest of the description.
+            pub fn is_compressible(self) -> bool {
+                match self {
+                    $(Self::$law => by_kind!($kind, false, true),)+
+                }
+            }
+
             /// What the law says of itself.
             pub fn description(self) -> &'static LawDescription {
                 match self {
-                    $(Self::$law => &const { LawDescription::of::<$law>() },)+
+                    $(Self::$law => &const {
+                        LawDescription::of::<$law>(by_kind!($kind, false, true))
+                    },)+
                 }
             }
 
@@ -78,8 +101,8 @@ macro_rules! laws {
                 }
             }
 
-            /// Kirchhoff stress in the unrotated frame, Pa, and W, J/m3, of `N` neighbouring triangles each; without
-            /// `axisymmetric`, U33 = 1.
+            /// Kirchhoff stress of an isochoric law in the unrotated frame, Pa, and W, J/m3, of `N` neighbouring triangles each;
+            /// without `axisymmetric`, U33 = 1. Nothing of a compressible law.
             #[inline(always)]
             pub fn stress<S: Simd, const N: usize>(
                 &self,
@@ -94,11 +117,64 @@ macro_rules! laws {
                     $(Self::$law(law) => {
                         let kinematics = *kinematics;
                         for i in 0..N {
-                            response[i] = law.response(simd, &kinematics[i], axisymmetric);
+                            by_kind!(
+                                $kind,
+                                response[i] = law.response(simd, &kinematics[i], axisymmetric),
+                                { let _ = (law, &kinematics[i]); }
+                            )
                         }
                     })+
                 }
                 response
+            }
+
+            /// Stress and energy of a compressible law of neighbouring triangles; without `axisymmetric`, U33 = 1. Nothing of
+            /// an isochoric law.
+            #[inline(always)]
+            pub fn whole_stress<S: Simd>(
+                &self,
+                simd: S,
+                kinematics: &Kinematics<S::Vector>,
+                axisymmetric: bool,
+            ) -> WholeStress<S::Vector> {
+                match self {
+                    $(Self::$law(law) => by_kind!(
+                        $kind,
+                        { let _ = (law, kinematics, axisymmetric); WholeStress::none(simd) },
+                        law.response(simd, kinematics, axisymmetric)
+                    ),)+
+                }
+            }
+
+            /// Stress and tangent of a compressible law along the principal directions of U of neighbouring triangles. Nothing of an
+            /// isochoric law.
+            #[inline(always)]
+            pub fn principal_tangent<S: Simd>(
+                &self,
+                simd: S,
+                kinematics: &Kinematics<S::Vector>,
+            ) -> PrincipalTangent<S::Vector> {
+                match self {
+                    $(Self::$law(law) => by_kind!(
+                        $kind,
+                        { let _ = (law, kinematics); PrincipalTangent::none(simd) },
+                        law.principal_tangent(simd, kinematics)
+                    ),)+
+                }
+            }
+
+            /// Bulk modulus at rest of a compressible law, Pa; an isochoric one has none.
+            pub fn bulk_modulus(&self) -> Option<Real> {
+                match self {
+                    $(Self::$law(law) => by_kind!($kind, { let _ = law; None }, Some(law.bulk_modulus())),)+
+                }
+            }
+
+            /// Whether the law says the mean stress as well.
+            pub fn is_compressible(&self) -> bool {
+                match self {
+                    $(Self::$law(_) => by_kind!($kind, false, true),)+
+                }
             }
 
             /// Shear modulus at rest, Pa.
@@ -108,15 +184,20 @@ macro_rules! laws {
                 }
             }
 
-            /// A majorant of the shear tangent at a stretch with the geometric stiffness of the stress, Pa.
+            /// A majorant of the shear tangent of an isochoric law at a stretch with the geometric stiffness of the stress, Pa.
+            /// Nothing of a compressible law.
             #[inline(always)]
             pub fn shear_tangent<S: Simd>(&self, simd: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
                 match self {
-                    $(Self::$law(law) => law.shear_tangent(simd, stretch),)+
+                    $(Self::$law(law) => by_kind!(
+                        $kind,
+                        law.shear_tangent(simd, stretch),
+                        { let _ = law; simd.splat(0.0) }
+                    ),)+
                 }
             }
 
-            /// The closed form of [`IsochoricLaw::principal_stress`], Pa.
+            /// The closed form of [`HyperelasticLaw::principal_stress`], Pa.
             pub fn principal_stress(&self, stretches: [Real; 3]) -> [Real; 3] {
                 match self {
                     $(Self::$law(law) => law.principal_stress(stretches),)+
@@ -127,17 +208,30 @@ macro_rules! laws {
 }
 
 // The list. A law keeps its place, which is the number of the choice; a new one goes to the end.
+#[cfg(feature = "pads")]
 laws! {
-    NeoHookean,
-    MooneyRivlin,
-    Yeoh,
-    Ogden,
-    Gent,
-    ArrudaBoyce,
+    NeoHookean: isochoric,
+    MooneyRivlin: isochoric,
+    Yeoh: isochoric,
+    Ogden: isochoric,
+    Gent: isochoric,
+    ArrudaBoyce: isochoric,
+    Hyperfoam: compressible,
+}
+
+// Those of them that a kernel without pads has.
+#[cfg(not(feature = "pads"))]
+laws! {
+    NeoHookean: isochoric,
+    MooneyRivlin: isochoric,
+    Yeoh: isochoric,
+    Ogden: isochoric,
+    Gent: isochoric,
+    ArrudaBoyce: isochoric,
 }
 
 /// A law of the list.
-pub trait ListedLaw: IsochoricLaw {
+pub trait ListedLaw: HyperelasticLaw {
     /// Its choice.
     const LAW: ElasticLaw;
 }
@@ -149,7 +243,7 @@ pub const N_COEFFICIENT: usize = n_distinct(LISTS);
 pub static COEFFICIENTS: [Coefficient; N_COEFFICIENT] = distinct(LISTS);
 
 /// A law by the `places` of its values, the moduli times `scale`.
-fn select<L: IsochoricLaw>(places: &[usize], values: &[Real; N_COEFFICIENT], scale: Real) -> L {
+fn select<L: HyperelasticLaw>(places: &[usize], values: &[Real; N_COEFFICIENT], scale: Real) -> L {
     let mut own = L::Values::default();
     for (own, place) in own.as_mut().iter_mut().zip(places) {
         if let (Some(value), Some(coefficient)) = (values.get(*place), COEFFICIENTS.get(*place)) {
@@ -160,16 +254,10 @@ fn select<L: IsochoricLaw>(places: &[usize], values: &[Real; N_COEFFICIENT], sca
 }
 
 impl Elastic {
-    /// W, J/m3 of reference volume.
+    /// W, J/m3 of reference volume, at a stretch that keeps the volume.
     pub fn strain_energy_density(&self, stretch: &IsochoricStretch) -> Real {
-        let kinematics = Kinematics {
-            mean: 0.5 * (stretch.u11 + stretch.u22),
-            difference: 0.5 * (stretch.u11 - stretch.u22),
-            shear: stretch.u12,
-            hoop: stretch.u33,
-            ..Kinematics::REST
-        };
+        let kinematics = Kinematics::of_isochoric(Scalar, stretch);
         let [(_, energy)] = self.stress(Scalar, &[kinematics], true);
-        energy
+        if self.is_compressible() { self.whole_stress(Scalar, &kinematics, true).energy } else { energy }
     }
 }

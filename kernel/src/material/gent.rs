@@ -10,7 +10,7 @@ use crate::material::coefficient::Coefficient;
 use crate::material::invariants::{
     first_invariant, first_invariant_stress, invariant_principal_stress, invariant_shear_tangent,
 };
-use crate::material::law::{IsochoricLaw, Variant};
+use crate::material::law::{HyperelasticLaw, IsochoricLaw, Variant};
 use crate::number::power;
 use crate::number::real::Real;
 use crate::number::real::consts::LN_2;
@@ -78,7 +78,7 @@ impl Gent {
     }
 }
 
-impl IsochoricLaw for Gent {
+impl HyperelasticLaw for Gent {
     const NAME: &'static str = "gent";
     const LABEL: &'static str = "Gent";
     const DESCRIPTION: &'static str = "W = -mu Jm/2 ln(1 - (I1 - 3)/Jm)";
@@ -107,6 +107,21 @@ impl IsochoricLaw for Gent {
         [self.mu, self.jm]
     }
 
+    fn shear_modulus(&self) -> Real {
+        self.mu
+    }
+
+    fn principal_stress(&self, stretches: [Real; 3]) -> [Real; 3] {
+        invariant_principal_stress(stretches, |i1, _| {
+            let at_last = 3.0 + LAST * self.jm;
+            let gent = |i1: Real| 0.5 * self.mu * self.jm / (self.jm - (i1 - 3.0));
+            let tangent = 0.5 * self.mu / self.jm / ((1.0 - LAST) * (1.0 - LAST));
+            (if i1 <= at_last { gent(i1) } else { gent(at_last) + tangent * (i1 - at_last) }, 0.0)
+        })
+    }
+}
+
+impl IsochoricLaw for Gent {
     #[inline(always)]
     fn response<S: Simd>(
         &self,
@@ -119,10 +134,6 @@ impl IsochoricLaw for Gent {
         (first_invariant_stress(&c, self.factor(simd, &state)), self.energy(simd, &state))
     }
 
-    fn shear_modulus(&self) -> Real {
-        self.mu
-    }
-
     #[inline(always)]
     fn shear_tangent<S: Simd>(&self, simd: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
         let zero = simd.splat(0.0);
@@ -130,15 +141,6 @@ impl IsochoricLaw for Gent {
         let first = self.factor(simd, &state).mul_scalar(0.5);
         let second = simd.splat(0.5 * self.mu * self.inverse_jm) / (state.left * state.left);
         invariant_shear_tangent(simd, stretch, [first, zero], [second, zero, zero])
-    }
-
-    fn principal_stress(&self, stretches: [Real; 3]) -> [Real; 3] {
-        invariant_principal_stress(stretches, |i1, _| {
-            let at_last = 3.0 + LAST * self.jm;
-            let gent = |i1: Real| 0.5 * self.mu * self.jm / (self.jm - (i1 - 3.0));
-            let tangent = 0.5 * self.mu / self.jm / ((1.0 - LAST) * (1.0 - LAST));
-            (if i1 <= at_last { gent(i1) } else { gent(at_last) + tangent * (i1 - at_last) }, 0.0)
-        })
     }
 }
 

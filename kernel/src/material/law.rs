@@ -1,17 +1,14 @@
-//! What an isochoric hyperelastic law has to say and to do. [`crate::material::elastic`] lists the laws.
+//! What a hyperelastic law has to say and to do. [`crate::material::elastic`] lists the laws.
 
 use crate::material::coefficient::Coefficient;
 use crate::number::real::Real;
-use crate::number::vector::Simd;
+use crate::number::vector::{Simd, Vector};
 use crate::tensor::deviator::Deviator;
 use crate::tensor::kinematics::Kinematics;
 use crate::tensor::stretch::IsochoricStretch;
 
-/// An isochoric hyperelastic law, W of U-bar = J^(-1/3) U, with its coefficients.
-///
-/// It is handed the whole deformation; that W does not see J is the law's own affair. The pressure is that of
-/// [`crate::material::Volumetric`].
-pub trait IsochoricLaw: Copy + sealed::Sealed {
+/// A hyperelastic law with its coefficients. It is an [`IsochoricLaw`] or a [`CompressibleLaw`].
+pub trait HyperelasticLaw: Copy + sealed::Sealed {
     /// Name, the label of the choice `law`.
     const NAME: &'static str;
     /// Name for people.
@@ -24,7 +21,8 @@ pub trait IsochoricLaw: Copy + sealed::Sealed {
     const VARIANTS: &'static [Variant];
     /// What gives the shear modulus at rest, with the verb that belongs to it.
     const MODULUS_AT_REST: &'static str;
-    /// A soft rubber, some 0.2 MPa in shear: values of [`Self::COEFFICIENTS`], of which the first ones alone make one too.
+    /// A soft rubber, some 0.2 MPa in shear, or a foam: values of [`Self::COEFFICIENTS`], of which the first ones alone make
+    /// one too.
     const EXAMPLE: &'static [Real];
 
     /// An array of a value for each of [`Self::COEFFICIENTS`].
@@ -36,6 +34,22 @@ pub trait IsochoricLaw: Copy + sealed::Sealed {
     /// The values again.
     fn values(&self) -> Self::Values;
 
+    /// Shear modulus at rest, Pa.
+    fn shear_modulus(&self) -> Real;
+
+    /// Principal Kirchhoff stresses, Pa, l dW/dl for each of the principal `stretches`: of an isochoric law but for a
+    /// pressure, from the isochoric stretches l = J^(-1/3) times the stretch; of a compressible law whole, from the stretches
+    /// themselves.
+    ///
+    /// It is the closed form of the literature, written apart from the response to [`Kinematics`], which is tested against it.
+    fn principal_stress(&self, stretches: [Real; 3]) -> [Real; 3];
+}
+
+/// A law W of U-bar = J^(-1/3) U.
+///
+/// It is handed the whole deformation; that W does not see J is the law's own affair. The pressure is that of
+/// [`crate::material::Volumetric`].
+pub trait IsochoricLaw: HyperelasticLaw {
     /// Kirchhoff stress in the unrotated frame, Pa, and W, J/m3 of reference volume, of neighbouring triangles; without
     /// `axisymmetric`, U33 = 1.
     fn response<S: Simd>(
@@ -45,16 +59,71 @@ pub trait IsochoricLaw: Copy + sealed::Sealed {
         axisymmetric: bool,
     ) -> (Deviator<S::Vector>, S::Vector);
 
-    /// Shear modulus at rest, Pa.
-    fn shear_modulus(&self) -> Real;
-
     /// A majorant of the shear tangent at a stretch with the geometric stiffness of the stress, Pa.
     fn shear_tangent<S: Simd>(&self, simd: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector;
+}
 
-    /// Principal Kirchhoff stresses, Pa, but for a pressure: l dW/dl for each of the isochoric principal `stretches`.
-    ///
-    /// It is the closed form of the literature, written apart from [`Self::response`], which is tested against it.
-    fn principal_stress(&self, stretches: [Real; 3]) -> [Real; 3];
+/// A law W of the whole U, which says the mean stress as well: there is no other volumetric law beside it.
+pub trait CompressibleLaw: HyperelasticLaw {
+    /// Bulk modulus at rest, Pa.
+    fn bulk_modulus(&self) -> Real;
+
+    /// Stress and W of neighbouring triangles; without `axisymmetric`, U33 = 1.
+    fn response<S: Simd>(
+        &self,
+        simd: S,
+        kinematics: &Kinematics<S::Vector>,
+        axisymmetric: bool,
+    ) -> WholeStress<S::Vector>;
+
+    /// Stress and tangent along the principal directions of U of neighbouring triangles.
+    fn principal_tangent<S: Simd>(&self, simd: S, kinematics: &Kinematics<S::Vector>) -> PrincipalTangent<S::Vector>;
+}
+
+/// Kirchhoff stresses along the principal directions of U, and how they grow with the principal stretches l_j:
+/// l_j d tau_i / d l_j is `own` of i where i = j, and `common` besides. The larger stretch of the section comes first, then the
+/// smaller one and the one out of it.
+#[derive(Clone, Copy, Debug)]
+pub struct PrincipalTangent<V> {
+    /// tau_i, Pa.
+    pub stress: [V; 3],
+    /// (tau_1 - tau_2) / (l_1^2 - l_2^2), Pa, or the limit of that.
+    pub turning: V,
+    /// Pa.
+    pub own: [V; 3],
+    /// Pa.
+    pub common: V,
+    /// W, J/m3.
+    pub energy: V,
+}
+
+/// Stress and energy of a compressible law, of neighbouring triangles.
+#[derive(Clone, Copy, Debug)]
+pub struct WholeStress<V> {
+    /// Deviator of the Kirchhoff stress in the unrotated frame, Pa.
+    pub deviator: Deviator<V>,
+    /// Mean of the Kirchhoff stress, Pa, positive in tension.
+    pub mean: V,
+    /// W, J/m3 of reference volume.
+    pub energy: V,
+}
+
+impl<V: Vector> PrincipalTangent<V> {
+    /// No stress, no tangent.
+    #[inline(always)]
+    pub fn none<S: Simd<Vector = V>>(simd: S) -> Self {
+        let zero = simd.splat(0.0);
+        Self { stress: [zero; 3], turning: zero, own: [zero; 3], common: zero, energy: zero }
+    }
+}
+
+impl<V: Vector> WholeStress<V> {
+    /// No stress, no energy.
+    #[inline(always)]
+    pub fn none<S: Simd<Vector = V>>(simd: S) -> Self {
+        let zero = simd.splat(0.0);
+        Self { deviator: Deviator { mean: zero, difference: zero, shear: zero }, mean: zero, energy: zero }
+    }
 }
 
 /// A law with some of its coefficients, as fits have it.
@@ -71,27 +140,30 @@ pub struct Variant {
 /// What a law says of itself.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LawDescription {
-    /// [`IsochoricLaw::NAME`].
+    /// [`HyperelasticLaw::NAME`].
     pub name: &'static str,
-    /// [`IsochoricLaw::LABEL`].
+    /// [`HyperelasticLaw::LABEL`].
     pub label: &'static str,
-    /// [`IsochoricLaw::DESCRIPTION`].
+    /// [`HyperelasticLaw::DESCRIPTION`].
     pub description: &'static str,
-    /// [`IsochoricLaw::COEFFICIENTS`].
+    /// Whether it is a [`CompressibleLaw`].
+    pub compressible: bool,
+    /// [`HyperelasticLaw::COEFFICIENTS`].
     pub coefficients: &'static [Coefficient],
-    /// [`IsochoricLaw::VARIANTS`].
+    /// [`HyperelasticLaw::VARIANTS`].
     pub variants: &'static [Variant],
-    /// [`IsochoricLaw::EXAMPLE`].
+    /// [`HyperelasticLaw::EXAMPLE`].
     pub example: &'static [Real],
 }
 
 impl LawDescription {
     /// Of the law `L`.
-    pub const fn of<L: IsochoricLaw>() -> Self {
+    pub const fn of<L: HyperelasticLaw>(compressible: bool) -> Self {
         Self {
             name: L::NAME,
             label: L::LABEL,
             description: L::DESCRIPTION,
+            compressible,
             coefficients: L::COEFFICIENTS,
             variants: L::VARIANTS,
             example: L::EXAMPLE,

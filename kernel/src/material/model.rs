@@ -1,8 +1,9 @@
 //! All laws of a layer together.
 
-use crate::material::{Elastic, Material, Maxwell, Prony, Slider, Tear, Volumetric};
+use crate::material::{Elastic, Material, Maxwell, Prony, Slider, Softening, Tear, Volumetric, n_extra_entry};
 use crate::number::real::Real;
 use crate::number::vector::{Simd, Vector};
+use crate::tensor::kinematics::Kinematics;
 use crate::tensor::stretch::IsochoricStretch;
 
 /// The laws of one layer with everything precomputed that does not change.
@@ -10,9 +11,9 @@ use crate::tensor::stretch::IsochoricStretch;
 pub struct MaterialModel {
     /// Mass density, kg/m3.
     pub density: Real,
-    /// Long-term isochoric elasticity.
+    /// Long-term elasticity.
     pub elastic: Elastic,
-    /// Pressure.
+    /// Pressure, beside an isochoric law.
     pub volumetric: Volumetric,
     /// Quasi-linear viscous overstress.
     pub prony: Prony,
@@ -20,6 +21,8 @@ pub struct MaterialModel {
     pub maxwell: Maxwell,
     /// Frequency-independent damping.
     pub slider: Slider,
+    /// Loss of elastic stress after the first load.
+    pub softening: Softening,
     /// Loss of all these beyond a stretch.
     pub tear: Tear,
     /// Shear modulus at rest before any relaxation, of elasticity, overstress and damping together, Pa.
@@ -39,14 +42,31 @@ impl MaterialModel {
             prony,
             maxwell,
             slider,
+            softening: Softening::new(material),
             tear: Tear::new(material),
             shear_modulus_0: elastic.shear_modulus() * quasi_linear + additive,
         }
     }
 
-    /// Entries of viscous history per block of triangles: the Prony terms, then the Maxwell terms.
+    /// Whether the elastic law is isochoric and does not soften.
+    #[inline(always)]
+    pub fn is_plain(&self) -> bool {
+        !self.elastic.is_compressible() && !self.softening.active()
+    }
+
+    /// Terms of overstress: the Prony terms, then the Maxwell terms.
     pub fn n_term(&self) -> usize {
         self.prony.n_term() + self.maxwell.n_term()
+    }
+
+    /// Entries of viscous history per block of triangles: one for each term, then [`Self::n_extra_entry`].
+    pub fn n_history_entry(&self) -> usize {
+        self.n_term() + self.n_extra_entry()
+    }
+
+    /// Entries of viscous history for what softens and for the mean stress of a compressible law.
+    pub fn n_extra_entry(&self) -> usize {
+        n_extra_entry(self.elastic.is_compressible(), self.prony.n_term(), self.softening.active())
     }
 
     /// A majorant of the shear tangent of elasticity, overstress and damping together, Pa.
@@ -54,10 +74,21 @@ impl MaterialModel {
     /// All viscous terms count as unrelaxed, and nothing as torn.
     #[inline(always)]
     pub fn shear_tangent<S: Simd>(&self, simd: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
-        let elastic = self.elastic.shear_tangent(simd, stretch);
+        let mut elastic = self.elastic.shear_tangent(simd, stretch);
+        if self.softening.active() {
+            elastic = elastic + self.recovery_tangent(simd, stretch);
+        }
         elastic
             .mul_scalar(1.0 + self.prony.overstress())
             .add_scalar(self.maxwell.shear_modulus())
             .add_scalar(self.slider.stiffness())
+    }
+
+    /// What the shear tangent is more while an isochoric law recovers from its softening, Pa: half of the square of the stress
+    /// times the slope of its factor.
+    #[inline(always)]
+    fn recovery_tangent<S: Simd>(&self, simd: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
+        let [(stress, energy)] = self.elastic.stress(simd, &[Kinematics::of_isochoric(simd, stretch)], true);
+        self.softening.largest_slope(simd, energy) * stress.half_contract(&stress)
     }
 }

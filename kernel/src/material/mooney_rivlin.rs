@@ -8,7 +8,7 @@
 
 use crate::material::coefficient::Coefficient;
 use crate::material::invariants::{C10, C20, invariant_principal_stress, invariant_shear_tangent};
-use crate::material::law::{IsochoricLaw, Variant};
+use crate::material::law::{HyperelasticLaw, IsochoricLaw, Variant};
 use crate::number::real::Real;
 use crate::number::vector::{Simd, Vector};
 use crate::tensor::deviator::{Deviator, SQRT_THIRD};
@@ -35,7 +35,7 @@ impl MooneyRivlin {
     pub const ZERO: Self = Self { c10: 0.0, c01: 0.0, c11: 0.0, c20: 0.0, c02: 0.0 };
 }
 
-impl IsochoricLaw for MooneyRivlin {
+impl HyperelasticLaw for MooneyRivlin {
     const NAME: &'static str = "mooney_rivlin";
     const LABEL: &'static str = "Mooney-Rivlin";
     const DESCRIPTION: &'static str =
@@ -65,6 +65,19 @@ impl IsochoricLaw for MooneyRivlin {
         [self.c10, self.c01, self.c11, self.c20, self.c02]
     }
 
+    fn shear_modulus(&self) -> Real {
+        2.0 * (self.c10 + self.c01)
+    }
+
+    fn principal_stress(&self, stretches: [Real; 3]) -> [Real; 3] {
+        invariant_principal_stress(stretches, |i1, i2| {
+            let (a, b) = (i1 - 3.0, i2 - 3.0);
+            (self.c10 + 2.0 * self.c20 * a + self.c11 * b, self.c01 + 2.0 * self.c02 * b + self.c11 * a)
+        })
+    }
+}
+
+impl IsochoricLaw for MooneyRivlin {
     /// In the section, C-bar^-1 is the adjugate of C-bar times C33, and out of it the determinant of the section.
     #[inline(always)]
     fn response<S: Simd>(
@@ -97,10 +110,6 @@ impl IsochoricLaw for MooneyRivlin {
         (tau, energy)
     }
 
-    fn shear_modulus(&self) -> Real {
-        2.0 * (self.c10 + self.c01)
-    }
-
     #[inline(always)]
     fn shear_tangent<S: Simd>(&self, simd: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
         let (i1, i2) = stretch.invariants();
@@ -109,12 +118,5 @@ impl IsochoricLaw for MooneyRivlin {
         let w2 = b.mul_scalar(2.0 * self.c02).add_scalar(self.c01) + a.mul_scalar(self.c11);
         let second = [2.0 * self.c20, self.c11, 2.0 * self.c02].map(|c| simd.splat(c));
         invariant_shear_tangent(simd, stretch, [w1, w2], second)
-    }
-
-    fn principal_stress(&self, stretches: [Real; 3]) -> [Real; 3] {
-        invariant_principal_stress(stretches, |i1, i2| {
-            let (a, b) = (i1 - 3.0, i2 - 3.0);
-            (self.c10 + 2.0 * self.c20 * a + self.c11 * b, self.c01 + 2.0 * self.c02 * b + self.c11 * a)
-        })
     }
 }

@@ -3,7 +3,7 @@
 
 use crate::material::coefficient::Coefficient;
 use crate::material::invariants::{C10, first_invariant, invariant_principal_stress, invariant_shear_tangent};
-use crate::material::law::{IsochoricLaw, Variant};
+use crate::material::law::{HyperelasticLaw, IsochoricLaw, Variant};
 use crate::number::real::Real;
 use crate::number::vector::{Simd, Vector};
 use crate::tensor::deviator::{Deviator, SQRT_THIRD};
@@ -17,7 +17,7 @@ pub struct NeoHookean {
     pub c10: Real,
 }
 
-impl IsochoricLaw for NeoHookean {
+impl HyperelasticLaw for NeoHookean {
     const NAME: &'static str = "neo_hookean";
     const LABEL: &'static str = "neo-Hookean";
     const DESCRIPTION: &'static str = "W = C10 (I1 - 3)";
@@ -36,6 +36,16 @@ impl IsochoricLaw for NeoHookean {
         [self.c10]
     }
 
+    fn shear_modulus(&self) -> Real {
+        2.0 * self.c10
+    }
+
+    fn principal_stress(&self, stretches: [Real; 3]) -> [Real; 3] {
+        invariant_principal_stress(stretches, |_, _| (self.c10, 0.0))
+    }
+}
+
+impl IsochoricLaw for NeoHookean {
     #[inline(always)]
     fn response<S: Simd>(&self, _: S, kinematics: &Kinematics<S::Vector>, _: bool) -> (Deviator<S::Vector>, S::Vector) {
         let c = kinematics.isochoric_cauchy_green();
@@ -48,17 +58,9 @@ impl IsochoricLaw for NeoHookean {
         (tau, first_invariant(&c).mul_scalar(self.c10))
     }
 
-    fn shear_modulus(&self) -> Real {
-        2.0 * self.c10
-    }
-
     #[inline(always)]
     fn shear_tangent<S: Simd>(&self, simd: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
         let zero = simd.splat(0.0);
         invariant_shear_tangent(simd, stretch, [simd.splat(self.c10), zero], [zero; 3])
-    }
-
-    fn principal_stress(&self, stretches: [Real; 3]) -> [Real; 3] {
-        invariant_principal_stress(stretches, |_, _| (self.c10, 0.0))
     }
 }

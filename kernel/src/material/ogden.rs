@@ -20,7 +20,7 @@
 //! (e^-y - 1)(e^-y - 1 - 2 (e^y - 1)).
 
 use crate::material::coefficient::Coefficient;
-use crate::material::law::{IsochoricLaw, Variant};
+use crate::material::law::{HyperelasticLaw, IsochoricLaw, Variant};
 use crate::number::real::consts::LN_2;
 use crate::number::real::{LARGEST_EXPONENT, Real, TINY_SQUARE};
 use crate::number::vector::{Simd, Vector};
@@ -109,7 +109,7 @@ impl Ogden {
     }
 }
 
-impl IsochoricLaw for Ogden {
+impl HyperelasticLaw for Ogden {
     const NAME: &'static str = "ogden";
     const LABEL: &'static str = "Ogden";
     const DESCRIPTION: &'static str = "W = sum mu/alpha (l1^alpha + l2^alpha + l3^alpha - 3)";
@@ -140,6 +140,18 @@ impl IsochoricLaw for Ogden {
         [mu_1, alpha_1, mu_2, alpha_2, mu_3, alpha_3]
     }
 
+    fn shear_modulus(&self) -> Real {
+        0.5 * self.terms().fold(0.0, |sum, (mu, alpha)| sum + mu * alpha)
+    }
+
+    /// mu_k l^alpha_k, summed (Ogden 1972).
+    fn principal_stress(&self, stretches: [Real; 3]) -> [Real; 3] {
+        let power = |stretch: Real, alpha: Real| math::exp(alpha * math::ln(stretch));
+        stretches.map(|stretch| self.terms().fold(0.0, |sum, (mu, alpha)| sum + mu * power(stretch, alpha)))
+    }
+}
+
+impl IsochoricLaw for Ogden {
     #[inline(always)]
     fn response<S: Simd>(
         &self,
@@ -149,10 +161,6 @@ impl IsochoricLaw for Ogden {
     ) -> (Deviator<S::Vector>, S::Vector) {
         let Kinematics { mean, difference, shear, hoop, inverse_cbrt_j, .. } = *kinematics;
         self.of_stretch(simd, [mean, difference, shear], inverse_cbrt_j * hoop)
-    }
-
-    fn shear_modulus(&self) -> Real {
-        0.5 * self.terms().fold(0.0, |sum, (mu, alpha)| sum + mu * alpha)
     }
 
     /// A majorant of the shear tangent with the geometric stiffness of the stress, Pa. Only terms with mu alpha > 0 count;
@@ -192,12 +200,6 @@ impl IsochoricLaw for Ogden {
             tangent = tangent.max(along);
         }
         tangent
-    }
-
-    /// mu_k l^alpha_k, summed (Ogden 1972).
-    fn principal_stress(&self, stretches: [Real; 3]) -> [Real; 3] {
-        let power = |stretch: Real, alpha: Real| math::exp(alpha * math::ln(stretch));
-        stretches.map(|stretch| self.terms().fold(0.0, |sum, (mu, alpha)| sum + mu * power(stretch, alpha)))
     }
 }
 

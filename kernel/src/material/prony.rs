@@ -1,4 +1,5 @@
-//! Quasi-linear viscoelasticity on the isochoric stress (Fung's form of the Prony series):
+//! Quasi-linear viscoelasticity on the isochoric stress, or the whole one of a compressible law (Fung's form of the Prony
+//! series):
 //!
 //! H_k' = -H_k / tau_k + (g_k / g_inf) tau_iso', overstress = sum H_k,
 //!
@@ -58,5 +59,16 @@ impl Prony {
         overstress: &mut [Overstress<S::Vector>; 2],
     ) {
         self.branches.update(simd, chunk, increment, history, overstress);
+    }
+    /// Advances the `history` of the mean stress of a compressible law by its increment; see [`Branches::update_mean`].
+    #[inline(always)]
+    pub fn update_mean<S: Simd>(
+        &self,
+        simd: S,
+        chunk: usize,
+        increment: S::Vector,
+        history: &mut [Deviator],
+    ) -> [S::Vector; 2] {
+        self.branches.update_mean(simd, chunk, increment, history)
     }
 }

@@ -18,6 +18,9 @@ use crate::tensor::deviator::Deviator;
 /// Most branches of one kind.
 pub const MAX_BRANCHES: usize = 5;
 
+/// Packs of an entry of the history.
+pub const PACKS_OF_ENTRY: usize = 3;
+
 /// The constants of the recurrences, for one step size.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Branches(Vec<Branch, MAX_BRANCHES>);
@@ -88,6 +91,28 @@ impl Branches {
                 sum.total = sum.total + stress;
             }
         }
+    }
+
+    /// The same for a mean stress, whose histories are packs of the entries of `history`, one entry for three branches. Returns
+    /// the sums over the branches before and after the step, Pa.
+    #[inline(always)]
+    pub fn update_mean<S: Simd>(
+        &self,
+        simd: S,
+        chunk: usize,
+        increment: S::Vector,
+        history: &mut [Deviator],
+    ) -> [S::Vector; 2] {
+        let mut sums = [simd.splat(0.0); 2];
+        for (entry, branches) in history.iter_mut().zip(self.0.chunks(PACKS_OF_ENTRY)) {
+            for (pack, Branch { decay, gain }) in entry.packs_mut().into_iter().zip(branches) {
+                let before = simd.load(pack, chunk);
+                let stress = before.mul_scalar(*decay) + increment.mul_scalar(*gain);
+                simd.store(stress, pack, chunk);
+                sums = [sums[0] + before, sums[1] + stress];
+            }
+        }
+        sums
     }
 }
 

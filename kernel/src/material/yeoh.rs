@@ -5,7 +5,7 @@ use crate::material::coefficient::Coefficient;
 use crate::material::invariants::{
     C10, C20, first_invariant, first_invariant_stress, invariant_principal_stress, invariant_shear_tangent,
 };
-use crate::material::law::{IsochoricLaw, Variant};
+use crate::material::law::{HyperelasticLaw, IsochoricLaw, Variant};
 use crate::number::real::Real;
 use crate::number::vector::{Simd, Vector};
 use crate::tensor::deviator::Deviator;
@@ -33,7 +33,7 @@ impl Yeoh {
     pub const ZERO: Self = Self { c10: 0.0, c20: 0.0, c30: 0.0 };
 }
 
-impl IsochoricLaw for Yeoh {
+impl HyperelasticLaw for Yeoh {
     const NAME: &'static str = "yeoh";
     const LABEL: &'static str = "Yeoh";
     const DESCRIPTION: &'static str = "W = C10 (I1 - 3) + C20 (I1 - 3)^2 + C30 (I1 - 3)^3";
@@ -57,6 +57,19 @@ impl IsochoricLaw for Yeoh {
         [self.c10, self.c20, self.c30]
     }
 
+    fn shear_modulus(&self) -> Real {
+        2.0 * self.c10
+    }
+
+    fn principal_stress(&self, stretches: [Real; 3]) -> [Real; 3] {
+        invariant_principal_stress(stretches, |i1, _| {
+            let a = i1 - 3.0;
+            (self.c10 + 2.0 * self.c20 * a + 3.0 * self.c30 * a * a, 0.0)
+        })
+    }
+}
+
+impl IsochoricLaw for Yeoh {
     #[inline(always)]
     fn response<S: Simd>(&self, _: S, kinematics: &Kinematics<S::Vector>, _: bool) -> (Deviator<S::Vector>, S::Vector) {
         let c = kinematics.isochoric_cauchy_green();
@@ -67,10 +80,6 @@ impl IsochoricLaw for Yeoh {
         (first_invariant_stress(&c, factor), energy)
     }
 
-    fn shear_modulus(&self) -> Real {
-        2.0 * self.c10
-    }
-
     #[inline(always)]
     fn shear_tangent<S: Simd>(&self, simd: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
         let zero = simd.splat(0.0);
@@ -78,12 +87,5 @@ impl IsochoricLaw for Yeoh {
         let first = (a * a.mul_scalar(3.0 * self.c30).add_scalar(2.0 * self.c20)).add_scalar(self.c10);
         let second = a.mul_scalar(6.0 * self.c30).add_scalar(2.0 * self.c20);
         invariant_shear_tangent(simd, stretch, [first, zero], [second, zero, zero])
-    }
-
-    fn principal_stress(&self, stretches: [Real; 3]) -> [Real; 3] {
-        invariant_principal_stress(stretches, |i1, _| {
-            let a = i1 - 3.0;
-            (self.c10 + 2.0 * self.c20 * a + 3.0 * self.c30 * a * a, 0.0)
-        })
     }
 }

@@ -9,16 +9,18 @@
 use core::ops::Range;
 
 use crate::error::ModelError;
+use crate::features::PADS;
+use crate::mesh::columns::{MAX_PIECES, Piece, cells_along, layer_across, pieces};
 use crate::number::math;
 use crate::number::pack::LANES;
-use crate::number::real::Real;
-use crate::scenario::{Formulation, Layer, MAX_LAYERS, Scenario, Section, Shape};
+use crate::number::real::{Real, SAME};
+use crate::scenario::{Formulation, Layer, MAX_LAYERS, Scenario, Section};
 
 /// Largest number of cells of a mesh.
 pub const MAX_CELLS: usize = 1 << 20;
 
 /// Counts and strides of the structured mesh.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Grid {
     /// Cells along a row, outwards from the centre line or, in a full section, from left to right.
     pub n_u: usize,
@@ -28,6 +30,15 @@ pub struct Grid {
     pub n_v: usize,
     /// Row that ends each layer: the first of the next one. Layers that the scenario does not have end with the last.
     pub layer_end: [usize; MAX_LAYERS],
+    /// Whether each layer has nodes of its own where it lies on the one below, which are a row more then.
+    pub layer_open: [bool; MAX_LAYERS],
+    /// Columns of cells of each layer to either side of the centre line; those beyond are empty. Layers that the scenario does
+    /// not have are as the last.
+    pub layer_columns: [usize; MAX_LAYERS],
+    /// Row of nodes at the top of each layer, likewise.
+    pub layer_top: [usize; MAX_LAYERS],
+    /// How the columns of half the section are spread, from the centre line to the side; the last ones are alike.
+    pub pieces: [Piece; MAX_PIECES],
     /// Whether the section turns about its centre line.
     pub axisymmetric: bool,
 }
@@ -39,29 +50,52 @@ impl Grid {
     /// An element size that asks for more than [`MAX_CELLS`] cells.
     pub fn new(scenario: &Scenario) -> Result<Self, ModelError> {
         let geometry = &scenario.geometry;
-        let width = match geometry.shape {
-            Shape::Round => HALF_PI * (geometry.core_radius + 0.5 * scenario.thickness()),
-            Shape::Block => 0.5 * geometry.block_width,
-        };
         let element_size = scenario.mesh.element_size;
-        let columns = cells_along(width, element_size);
+        let pieces = pieces(scenario);
+        let half = pieces[MAX_PIECES - 1].end;
         let rows = scenario.layers.iter().fold(0.0, |sum, layer| sum + layer_rows(layer, element_size) as Real);
         let halves = if geometry.section == Section::Full { 2.0 } else { 1.0 };
-        let cells = halves * columns * rows;
+        let cells = halves * half as Real * rows;
         if cells > MAX_CELLS as Real {
             return Err(ModelError::TooManyCells { cells, max: MAX_CELLS });
         }
-        let half = columns as usize;
         let mut n_v = 0;
         let mut layers = scenario.layers.iter();
         let layer_end = [(); MAX_LAYERS].map(|()| {
             n_v += layers.next().map_or(0, |layer| layer_rows(layer, element_size));
             n_v
         });
+        let layer_open = core::array::from_fn(|place| scenario.is_open(place));
+        let layer_columns = columns_of_layers(scenario, &pieces);
+        let mut opened = 0;
+        let layer_top = core::array::from_fn(|place| {
+            opened += usize::from(scenario.is_open(place));
+            layer_end[place.min(MAX_LAYERS - 1)] + opened
+        });
         let axisymmetric = geometry.formulation == Formulation::Axisymmetric;
         Ok(match geometry.section {
-            Section::Half => Self { n_u: half, centre: 0, n_v, layer_end, axisymmetric },
-            Section::Full => Self { n_u: 2 * half, centre: half, n_v, layer_end, axisymmetric },
+            Section::Half => Self {
+                n_u: half,
+                centre: 0,
+                n_v,
+                layer_end,
+                layer_open,
+                layer_columns,
+                layer_top,
+                pieces,
+                axisymmetric,
+            },
+            Section::Full => Self {
+                n_u: 2 * half,
+                centre: half,
+                n_v,
+                layer_end,
+                layer_open,
+                layer_columns,
+                layer_top,
+                pieces,
+                axisymmetric,
+            },
         })
     }
 
@@ -93,6 +127,62 @@ impl Grid {
         self.layer_end.iter().take(MAX_LAYERS - 1).filter(|end| per_row * **end <= block).count()
     }
 
+    /// The node of column `u` that is at the surface.
+    pub fn surface_node(&self, u: usize) -> usize {
+        let from_centre = u.abs_diff(self.centre);
+        let covering =
+            self.layer_columns.iter().zip(&self.layer_top).filter(|(columns, _)| from_centre <= **columns).last();
+        covering.map_or(self.n_v, |(_, top)| *top) * self.stride() + u
+    }
+
+    /// Columns of cells that a layer has.
+    pub fn columns_of(&self, layer: usize) -> Range<usize> {
+        let columns = self.layer_columns.get(layer).copied().unwrap_or_default();
+        self.centre.saturating_sub(columns)..(self.centre + columns).min(self.n_u)
+    }
+
+    /// Whether a cell is there, or a layer is narrower than others.
+    pub fn has_cell(&self, u: usize, row: usize) -> bool {
+        self.columns_of(self.layer_of_row(row)).contains(&u)
+    }
+
+    /// Whether all nodes of the surface lie in one row.
+    pub fn has_even_surface(&self) -> bool {
+        self.layer_columns.iter().all(|columns| *columns == self.n_u - self.centre)
+    }
+
+    /// The row of nodes at the top of the layer below the layer `layer`, and that at its own lower side, if they are not bonded.
+    pub fn interface_rows(&self, layer: usize) -> Option<[usize; 2]> {
+        let open = self.layer_open.get(layer).copied().unwrap_or_default();
+        let upper = self.node_row(self.rows_of(layer).start);
+        if open { Some([upper.checked_sub(1)?, upper]) } else { None }
+    }
+
+    /// Where the column `u` of nodes stands: 0 on the centre line, 1 at the right side, -1 at the left one.
+    pub fn across(&self, u: usize) -> Real {
+        let column = u as Real - self.centre as Real;
+        let from_centre = u.abs_diff(self.centre);
+        if !PADS {
+            return column / (self.n_u - self.centre) as Real;
+        }
+        let mut start = Piece { end: 0, across: 0.0 };
+        for piece in self.pieces {
+            if from_centre <= piece.end {
+                let (columns, width) = ((piece.end - start.end) as Real, piece.across - start.across);
+                let within = math::abs(column) - start.end as Real;
+                // Of one piece a part of its columns and no more, which rounds once.
+                let across = if start.end == 0 && piece.across == 1.0 {
+                    within / columns
+                } else {
+                    start.across + width * (within / columns)
+                };
+                return if column < 0.0 { -across } else { across };
+            }
+            start = piece;
+        }
+        1.0
+    }
+
     /// Nodes from one row to the next, padding included: whole lanes, and one node more than cells.
     pub fn stride(&self) -> usize {
         self.blocks_per_row() * LANES + LANES
@@ -104,15 +194,28 @@ impl Grid {
         [block / per_row, block % per_row]
     }
 
+    /// Rows of nodes.
+    pub fn node_rows(&self) -> usize {
+        self.n_v + 1 + self.layer_open.iter().filter(|open| **open).count()
+    }
+
+    /// The row of nodes below a row of cells; the next one is above it.
+    #[inline(always)]
+    pub fn node_row(&self, row: usize) -> usize {
+        let open = self.layer_open.iter().skip(1).zip(&self.layer_end);
+        row + open.filter(|(open, end)| **open && **end <= row).count()
+    }
+
     /// First node below and first node above the block at `place` of row `row`.
+    #[inline(always)]
     pub fn first_nodes(&self, [row, place]: [usize; 2]) -> [usize; 2] {
-        let lower = row * self.stride() + place * LANES;
+        let lower = self.node_row(row) * self.stride() + place * LANES;
         [lower, lower + self.stride()]
     }
 
     /// Nodes of the whole mesh, padding included.
     pub fn n_node(&self) -> usize {
-        self.stride() * (self.n_v + 1)
+        self.stride() * self.node_rows()
     }
 
     /// Triangles of the whole mesh, padding excluded.
@@ -128,11 +231,13 @@ impl Grid {
     }
 }
 
-const HALF_PI: Real = crate::number::real::consts::FRAC_PI_2;
-
-/// Cells of about `size` m along `length` m, at least one.
-fn cells_along(length: Real, size: Real) -> Real {
-    math::max(1.0, math::round(length / size))
+/// Columns of cells of each layer beside the centre line: to the end of the piece where it ends.
+fn columns_of_layers(scenario: &Scenario, pieces: &[Piece; MAX_PIECES]) -> [usize; MAX_LAYERS] {
+    core::array::from_fn(|place| {
+        let across = layer_across(scenario, place);
+        let last = pieces[MAX_PIECES - 1].end;
+        pieces.iter().find(|piece| piece.across >= across - SAME).map_or(last, |piece| piece.end)
+    })
 }
 
 /// Rows of cells of a layer: as many as it says, or as come nearest to an element size.

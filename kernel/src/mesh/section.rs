@@ -1,23 +1,24 @@
 //! Where the nodes of a section rest, and how thick it is.
 
 use crate::mesh::Grid;
+use crate::mesh::columns::half_angle;
 use crate::number::math;
 use crate::number::real::Real;
-use crate::number::real::consts::{FRAC_PI_2, PI};
-use crate::scenario::{Formulation, Scenario, Shape};
+use crate::number::real::consts::PI;
+use crate::scenario::{FaceShape, Formulation, Scenario, Shape};
 
 /// Position of node (u, v) at rest, m.
 pub fn reference_position(scenario: &Scenario, grid: &Grid, u: usize, v: usize) -> [Real; 2] {
     let geometry = &scenario.geometry;
-    let across = (u as Real - grid.centre as Real) / (grid.n_u - grid.centre) as Real;
+    let across = grid.across(u);
     let depth = height_over_core(scenario, grid, v);
     match geometry.shape {
         Shape::Round => {
             let radius = geometry.core_radius + depth;
-            let angle = FRAC_PI_2 * across;
+            let angle = half_angle(scenario) * across;
             [radius * math::sin(angle), radius * math::cos(angle)]
         }
-        Shape::Block => [0.5 * geometry.block_width * across, depth],
+        Shape::Block => [scenario.half_block_width() * across, depth],
     }
 }
 
@@ -26,8 +27,10 @@ fn height_over_core(scenario: &Scenario, grid: &Grid, v: usize) -> Real {
     let mut below = 0.0;
     for (place, layer) in scenario.layers.iter().enumerate() {
         let rows = grid.rows_of(place);
-        if v <= rows.end {
-            return below + layer.thickness * (v.saturating_sub(rows.start) as Real / rows.len() as Real);
+        let (first, count) = (grid.node_row(rows.start), rows.end.saturating_sub(rows.start));
+        below += scenario.gap_below(place);
+        if v <= first + count {
+            return below + layer.thickness * (v.saturating_sub(first) as Real / count as Real);
         }
         below += layer.thickness;
     }
@@ -36,16 +39,21 @@ fn height_over_core(scenario: &Scenario, grid: &Grid, v: usize) -> Real {
 
 /// Reference volume per area of section at `x` from the centre line, m: the out-of-plane thickness in plane
 /// strain, the circumference when axisymmetric.
+///
+/// In plane strain it is as much of the length of the layers as the face covers: the chord of a round face at `x`, or, if
+/// that ends within the section, the length of a rectangle of its area and width; the length of a rectangular face or of a bar.
+/// A block under a round face has its whole length.
 pub fn out_of_plane(scenario: &Scenario, x: Real) -> Real {
-    let geometry = &scenario.geometry;
-    match (geometry.formulation, geometry.shape) {
-        (Formulation::Axisymmetric, _) => 2.0 * PI * x,
-        (Formulation::PlaneStrain, Shape::Block) => geometry.length,
-        (Formulation::PlaneStrain, Shape::Round) => {
-            let radius = 0.5 * scenario.impactor.face_diameter;
-            let x = x - scenario.impactor.offset;
-            let chord = 2.0 * math::sqrt(math::max(0.0, radius * radius - x * x));
-            if chord < geometry.length { chord } else { geometry.length }
+    let (geometry, impactor) = (&scenario.geometry, &scenario.impactor);
+    let covered = match (geometry.formulation, impactor.shape, geometry.shape) {
+        (Formulation::Axisymmetric, ..) => return 2.0 * PI * x,
+        (_, FaceShape::Rectangular | FaceShape::Bar, _) => impactor.face_length,
+        (_, FaceShape::Round | FaceShape::Sphere, Shape::Block) => geometry.length,
+        (_, FaceShape::Round | FaceShape::Sphere, Shape::Round) if scenario.face_covers() => {
+            let (radius, x) = (0.5 * impactor.face_diameter, x - impactor.offset);
+            2.0 * math::sqrt(math::max(0.0, radius * radius - x * x))
         }
-    }
+        (_, FaceShape::Round | FaceShape::Sphere, Shape::Round) => 0.25 * PI * impactor.face_diameter,
+    };
+    if covered < geometry.length { covered } else { geometry.length }
 }

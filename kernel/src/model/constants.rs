@@ -1,13 +1,14 @@
 //! The scalar constants of a model.
 
 use crate::cfc::Coefficients;
+use crate::features::PADS;
 use crate::material::MaterialModel;
 use crate::mesh::Grid;
 use crate::model::Size;
 use crate::number::math;
 use crate::number::real::{self, Real};
 use crate::sampling::SAMPLING_RATE;
-use crate::scenario::{MAX_LAYERS, Scenario};
+use crate::scenario::{MAX_LAYERS, Outline, Scenario};
 
 /// The scalar constants of a model.
 ///
@@ -43,6 +44,8 @@ pub struct Constants {
     pub laws: [MaterialModel; MAX_LAYERS],
     /// Forces of the whole anvil per force of the meshed section: 2 in plane strain, which meshes one half.
     pub symmetry_factor: Real,
+    /// The face of the impactor in the section.
+    pub outline: Outline,
     /// Height of the undeformed anvil's top above the origin, m.
     pub top_height: Real,
     /// Fingerprint of the scenario and of the positions of the nodes at rest, which a snapshot must match.
@@ -65,6 +68,18 @@ impl Constants {
         self.scenario.impactor.mass / self.symmetry_factor
     }
 
+    /// Whether the nodes that the face may meet are not one row under a flat face without edges.
+    pub(crate) fn has_uneven_contact(&self) -> bool {
+        PADS && (self.outline.radius > 0.0 || !self.grid.has_even_surface())
+    }
+
+    /// Mass that a force on a falling impactor moves within a step, kg: with the damping of its rails, which takes the velocity
+    /// at the end of it.
+    pub(crate) fn moved_mass(&self) -> Real {
+        let impactor = &self.scenario.impactor;
+        impactor.mass + self.dt * impactor.rail_damping
+    }
+
     /// Material model of a block of cells.
     pub fn laws_of(&self, block: usize) -> &MaterialModel {
         let [first, second, third, fourth] = &self.laws;
@@ -76,9 +91,14 @@ impl Constants {
         }
     }
 
+    /// Whether any layer softens.
+    pub fn softens(&self) -> bool {
+        self.laws.iter().any(|laws| laws.softening.active())
+    }
+
     /// Entries of viscous history per triangle: those of the layer that has more.
-    pub fn n_term(&self) -> usize {
-        self.laws.iter().fold(0, |most, laws| most.max(laws.n_term()))
+    pub fn n_history_entry(&self) -> usize {
+        self.laws.iter().fold(0, |most, laws| most.max(laws.n_history_entry()))
     }
 
     /// Simulated time after `step_index` steps, s: whole sampling intervals and the steps beyond them.

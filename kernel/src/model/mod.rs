@@ -8,6 +8,6 @@ mod view;
 pub use constants::Constants;
 pub use memory::ModelMemory;
 pub(crate) use memory::{ModelArrays, split_row, take};
-pub(crate) use size::MODEL_NODE_FIELDS;
 pub use size::Size;
+pub(crate) use size::{MODEL_NODE_FIELDS, NodeArrays, PAIR_FIELDS};
 pub use view::Model;

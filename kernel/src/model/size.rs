@@ -2,7 +2,7 @@
 
 use crate::error::ModelError;
 use crate::mesh::Grid;
-use crate::scenario::Scenario;
+use crate::scenario::{Outline, Scenario};
 
 /// Numbers per node in a model: height of rest, inverse masses along x and y, mass, and x of rest.
 pub(crate) const MODEL_NODE_FIELDS: usize = 5;
@@ -10,6 +10,39 @@ pub(crate) const MODEL_NODE_FIELDS: usize = 5;
 pub(crate) const STATE_NODE_FIELDS: usize = 6;
 /// Numbers per surface node in a state: normal and tangential contact force.
 pub(crate) const SURFACE_FIELDS: usize = 2;
+/// Numbers per surface node under a face that is round or has edges: depth in it, its direction there, and the node's mass.
+pub(crate) const ROUNDING_FIELDS: usize = 4;
+
+/// Numbers of a node that may touch the layer across an interface: see [`crate::state::Pair`].
+pub(crate) const PAIR_FIELDS: usize = 16;
+
+/// Lengths of the arrays of the nodes of a state.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct NodeArrays {
+    /// Of those with a number for every node.
+    pub nodes: usize,
+    /// Of those with a number for every surface node.
+    pub surface: usize,
+    /// Of that for the touch of a face that is round or has edges.
+    pub rounding: usize,
+    /// Of that for the nodes on both sides of the interfaces that are not bonded.
+    pub pairs: usize,
+}
+
+impl NodeArrays {
+    /// Those of a mesh under a face of this outline.
+    pub fn new(grid: &Grid, outline: &Outline) -> Self {
+        let rounding =
+            if outline.radius > 0.0 || !grid.has_even_surface() { ROUNDING_FIELDS * grid.stride() } else { 0 };
+        let sides = 2 * grid.layer_open.iter().filter(|open| **open).count();
+        Self { nodes: grid.n_node(), surface: grid.stride(), rounding, pairs: sides * PAIR_FIELDS * grid.stride() }
+    }
+
+    /// Numbers of all.
+    fn total(&self) -> usize {
+        STATE_NODE_FIELDS * self.nodes + SURFACE_FIELDS * self.surface + self.rounding + self.pairs
+    }
+}
 
 /// Items of each kind that a model and its states need.
 ///
@@ -56,14 +89,14 @@ impl Size {
 
     /// What a legal `scenario` needs on its `grid`.
     pub(crate) fn of_grid(scenario: &Scenario, grid: &Grid) -> Self {
-        let terms = scenario.layers.iter().fold(0, |most, layer| most.max(layer.material.n_viscous_term()));
+        let entries = scenario.layers.iter().fold(0, |most, layer| most.max(layer.material.n_history_entry()));
         Self {
             model_nodes: MODEL_NODE_FIELDS * grid.n_node(),
             model_cells: grid.n_block(),
             model_hoops: if grid.axisymmetric { grid.n_block() } else { 0 },
-            state_nodes: STATE_NODE_FIELDS * grid.n_node() + SURFACE_FIELDS * grid.stride(),
+            state_nodes: NodeArrays::new(grid, &Outline::of(scenario)).total(),
             state_cells: grid.n_block(),
-            state_viscous: 2 * terms * grid.n_block(),
+            state_viscous: 2 * entries * grid.n_block(),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::number::real::Real;
 
-pub use crate::number::real::{ceil, cos, exp, exp_m1, ln, round, sin, sqrt};
+pub use crate::number::real::{asin, ceil, cos, exp, exp_m1, ln, round, sin, sqrt};
 
 /// Absolute value.
 #[inline(always)]

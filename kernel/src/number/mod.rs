@@ -5,6 +5,7 @@ pub mod cube_root;
 pub mod decimal;
 pub mod digest;
 pub(crate) mod dispatch;
+pub mod erf;
 pub mod instruction_set;
 pub mod math;
 pub mod pack;

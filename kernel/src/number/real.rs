@@ -8,7 +8,7 @@ pub use chosen::*;
 #[cfg(not(feature = "single"))]
 mod chosen {
     pub use core::f64::consts;
-    pub use libm::{ceil, cos, exp, expm1 as exp_m1, log as ln, round, sin, sqrt};
+    pub use libm::{asin, ceil, cos, exp, expm1 as exp_m1, log as ln, round, sin, sqrt};
 
     /// A floating-point number.
     pub type Real = f64;
@@ -55,6 +55,26 @@ mod chosen {
         1.321_545_166_322_143_4e-6,
         7.070_977_866_508_138e-9,
     ];
+    /// The polynomial of [`crate::number::erf`], relative error 3e-17.
+    pub const ERF: [Real; 17] = [
+        1.726_001_084_749_877_2,
+        -1.207_864_987_229_535_5,
+        0.770_425_629_393_001,
+        -0.441_909_995_998_038_7,
+        0.223_983_641_201_490_6,
+        -0.097_768_009_943_195_37,
+        0.035_169_896_791_842_126,
+        -0.009_482_004_379_664_248,
+        0.001_361_480_737_422_472_2,
+        0.000_236_777_846_607_676,
+        -0.000_193_283_996_423_541_92,
+        3.518_231_925_768_726e-05,
+        9.721_549_340_690_386e-06,
+        -5.895_136_286_259_321e-06,
+        6.062_223_808_554_277e-07,
+        1.276_191_516_157_747_3e-06,
+        2.354_037_805_452_105_2e-07,
+    ];
     /// A square next to nothing: far below any strain's that matters, far above the smallest number.
     pub const TINY_SQUARE: Real = 1e-280;
     /// Significant digits in messages, of which the scaling spoils none.
@@ -87,8 +107,8 @@ mod chosen {
 mod chosen {
     pub use core::f32::consts;
     pub use libm::{
-        ceilf as ceil, cosf as cos, expf as exp, expm1f as exp_m1, logf as ln, roundf as round, sinf as sin,
-        sqrtf as sqrt,
+        asinf as asin, ceilf as ceil, cosf as cos, expf as exp, expm1f as exp_m1, logf as ln, roundf as round,
+        sinf as sin, sqrtf as sqrt,
     };
 
     /// A floating-point number.
@@ -117,6 +137,19 @@ mod chosen {
         [consts::LN_2, 0.055_504_109_710_454_94, 0.001_333_352_178_335_189_8, 1.529_094_879_515_469e-5];
     /// (cosh(f ln 2) - 1) / f^2, likewise, relative error 5e-9.
     pub const COSH: [Real; 3] = [0.240_226_507_186_889_65, 0.009_618_083_015_084_267, 0.000_154_531_633_597_798_65];
+    /// The polynomial of [`crate::number::erf`], relative error 3e-8.
+    #[allow(clippy::excessive_precision, reason = "the digits that were found")]
+    pub const ERF: [Real; 9] = [
+        1.726_001_074_037_366_1,
+        -1.207_865_722_883_011_6,
+        0.770_427_194_542_001_8,
+        -0.441_858_192_061_992_2,
+        0.224_058_340_400_994_18,
+        -0.098_486_047_206_032_39,
+        0.032_279_833_125_972_13,
+        -0.013_712_289_922_403_547,
+        -0.001_171_982_962_139_200_1,
+    ];
     /// A square next to nothing: far below any strain's that matters, far above the smallest number.
     pub const TINY_SQUARE: Real = 1e-30;
     /// Significant digits in messages, of which the scaling spoils none.

@@ -200,7 +200,7 @@ impl Field {
     pub fn shape(&self, model: &Model) -> [usize; 2] {
         let grid = &model.constants.grid;
         match self.location {
-            Location::Node => [grid.n_v + 1, grid.n_u + 1],
+            Location::Node => [grid.node_rows(), grid.n_u + 1],
             Location::Surface => [1, grid.n_u + 1],
             Location::Element => [grid.n_v, 2 * grid.n_u],
         }

@@ -12,6 +12,7 @@ use crate::number::real::Real;
 use crate::number::vector::Scalar;
 use crate::state::StateView;
 use crate::tensor::deviator::Deviator;
+use crate::tensor::kinematics::Kinematics;
 use crate::tensor::stretch::largest_in_plane;
 
 /// Cauchy stress of a triangle in its unrotated frame, Pa, positive in tension.
@@ -19,7 +20,7 @@ use crate::tensor::stretch::largest_in_plane;
 pub struct Stress {
     /// Deviator in the section, shape (2 x 2); out of it it is minus the trace.
     pub deviator: Matrix2<Real>,
-    /// Mean stress of the cell, from its mean dilatation.
+    /// Mean stress: of the cell, from its mean dilatation, or of the triangle, by a compressible law.
     pub mean: Real,
 }
 
@@ -36,8 +37,13 @@ impl Stress {
         let [xx, yy, xy] = kirchhoff.section();
         let largest = *triangle.history.largest_stretch.get(triangle.lane)?;
         let whole = if laws.tear.active() { laws.tear.factor(Scalar, largest) } else { 1.0 };
-        let deviator = Matrix2::new(xx, xy, xy, yy) * (whole / jacobian(triangle.stretch()?));
-        Some(Self { deviator, mean: laws.volumetric.stress(triangle.mean_jacobian()?) })
+        let scale = whole / jacobian(triangle.stretch()?);
+        let mean = if laws.elastic.is_compressible() {
+            scale * triangle.whole_mean(model, state)?
+        } else {
+            laws.volumetric.stress(triangle.mean_jacobian()?)
+        };
+        Some(Self { deviator: Matrix2::new(xx, xy, xy, yy) * scale, mean })
     }
 
     /// Von Mises stress, Pa.
@@ -83,9 +89,43 @@ impl<'a> Triangle<'a> {
 
     /// Overstresses of its viscous terms, Pa.
     fn overstress(&self, model: &Model, state: &StateView<'a>) -> Option<&'a [Deviator]> {
-        // The terms of the first triangle, then those of the second, in a block's share of the history.
-        let first = 2 * self.block * model.constants.n_term() + self.number * self.laws.n_term();
-        state.viscous.get(first..first + self.laws.n_term())
+        // The terms of the first triangle, then those of the second.
+        let (terms, _) = self.entries(model, state)?.split_at_checked(2 * self.laws.n_term())?;
+        terms.chunks_exact(self.laws.n_term().max(1)).nth(self.number).or(Some(&[]))
+    }
+
+    /// What it remembers of softening and of the mean stress of a compressible law.
+    fn extra(&self, model: &Model, state: &StateView<'a>) -> Option<&'a [Deviator]> {
+        let (_, extra) = self.entries(model, state)?.split_at_checked(2 * self.laws.n_term())?;
+        extra.chunks_exact(self.laws.n_extra_entry().max(1)).nth(self.number).or(Some(&[]))
+    }
+
+    /// The share of its block of the viscous history.
+    fn entries(&self, model: &Model, state: &StateView<'a>) -> Option<&'a [Deviator]> {
+        let share = 2 * model.constants.n_history_entry();
+        state.viscous.get(self.block * share..)?.get(..2 * self.laws.n_history_entry())
+    }
+
+    /// Mean of the Kirchhoff stress of a compressible law before any tear, Pa.
+    fn whole_mean(&self, model: &Model, state: &StateView<'a>) -> Option<Real> {
+        let elastic = self.laws.elastic.whole_stress(Scalar, &self.kinematics()?, true);
+        let Some((numbers, means)) = self.extra(model, state)?.split_first() else { return Some(elastic.mean) };
+        let mut mean = elastic.mean;
+        if self.laws.softening.active() {
+            let largest = *numbers.difference.get(self.lane)?;
+            mean *= self.laws.softening.factor(Scalar, elastic.energy, largest);
+        }
+        // Packs that no term needs are 0.
+        for entry in means {
+            let Deviator { mean: first, difference: second, shear: third } = entry.lane(self.lane)?;
+            mean += first + second + third;
+        }
+        Some(mean)
+    }
+
+    /// Its stretch, as laws want it.
+    fn kinematics(&self) -> Option<Kinematics<Real>> {
+        Some(Kinematics::of_stretch(Scalar, self.stretch()?))
     }
 
     /// Right stretch: mean and half difference in the section, shear, hoop.

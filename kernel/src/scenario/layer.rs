@@ -1,6 +1,7 @@
 //! A soft layer: how thick it is, what it is made of, how it is meshed, and how it sits on the one below.
 
 use heapless::String;
+use strum::{FromRepr, VariantNames};
 
 use crate::material::Material;
 use crate::number::real::Real;
@@ -20,20 +21,34 @@ pub struct Layer {
     pub thickness: Real,
     /// Rows of cells through its thickness; 0 takes as many as come nearest to [`crate::scenario::Mesh::element_size`].
     pub rows: usize,
+    /// Width along its lower side, m, full or, of a dome, the diameter; 0 is as wide as what is below it.
+    pub width: Real,
+    /// How it sits on the layer below; the lowest one sits on the core as [`crate::scenario::CoreInterface`] says.
+    pub interface: LayerInterface,
+    /// Coulomb coefficient of a frictional interface with the layer below.
+    pub friction_coefficient: Real,
+    /// Distance to the layer below at rest, m, where they are not bonded.
+    pub gap: Real,
     /// What it is made of.
     pub material: Material,
 }
 
 impl Layer {
-    /// A layer of `thickness` m, meshed by the element size. A name that is longer than [`MAX_LAYER_NAME`] bytes is left out.
+    /// A layer of `thickness` m, meshed by the element size, as wide as what is below it and bonded to that. A name that is longer than [`MAX_LAYER_NAME`] bytes is left out.
     pub fn new(name: &str, thickness: Real, material: Material) -> Self {
-        Self { name: String::try_from(name).unwrap_or_default(), thickness, rows: 0, material }
+        let (name, interface) = (String::try_from(name).unwrap_or_default(), LayerInterface::Bonded);
+        Self { name, thickness, rows: 0, width: 0.0, interface, friction_coefficient: 0.3, gap: 0.0, material }
     }
 }
 
-/// How two neighbouring layers hold together.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// How a layer sits on the one below.
+#[derive(Clone, Copy, Debug, FromRepr, PartialEq, Eq, VariantNames)]
+#[strum(serialize_all = "snake_case")]
 pub enum LayerInterface {
     /// Glued: both share the nodes between them.
     Bonded,
+    /// They touch where they meet, lift and slide, with Coulomb friction.
+    Frictional,
+    /// The same without friction.
+    Separating,
 }

@@ -2,10 +2,10 @@
 
 use crate::error::{ParameterError, ScenarioError};
 use crate::number::real::Real;
-use crate::scenario::{Layer, LayerInterface, MAX_LAYERS, Scenario, preset};
+use crate::scenario::{Layer, MAX_LAYERS, Scenario, preset};
 
 impl Scenario {
-    /// Lays `layer` on the others, bonded to them.
+    /// Lays `layer` on the others.
     ///
     /// # Errors
     /// There are as many layers as there can be; nothing changes then.
@@ -23,7 +23,6 @@ impl Scenario {
         let (value, max) = (self.layers.len() as Real + 1.0, MAX_LAYERS as Real);
         let name = "layers.count".into();
         self.layers.push(layer).map_err(|_| ParameterError { name, value, unit: "1", min: 1.0, max })?;
-        self.join_layers();
         Ok(())
     }
 
@@ -31,13 +30,5 @@ impl Scenario {
     pub fn set_layer_count(&mut self, count: usize) {
         self.layers.truncate(count.max(1));
         while self.layers.len() < count && self.layers.push(preset::spare_layer()).is_ok() {}
-        self.join_layers();
-    }
-
-    /// Makes as many interfaces as the layers have between them; those that are new are bonded.
-    fn join_layers(&mut self) {
-        let between = self.layers.len().saturating_sub(1);
-        self.interfaces.truncate(between);
-        while self.interfaces.len() < between && self.interfaces.push(LayerInterface::Bonded).is_ok() {}
     }
 }

@@ -1,4 +1,4 @@
-//! Ready-made scenarios. The parameter sets stand here and nowhere else.
+//! Ready-made anvils. The parameter sets stand here and nowhere else.
 
 use heapless::Vec;
 
@@ -8,118 +8,9 @@ use crate::material::{
 use crate::number::real::Real;
 use crate::sampling::SAMPLING_INTERVAL;
 use crate::scenario::{
-    CoreInterface, DropBy, FaceInterface, Formulation, Geometry, Impactor, Interface, Layer, MAX_LAYERS, Measurement,
-    Mesh, Motion, Scenario, Section, Shape, StepBy, Time,
+    CoreInterface, DropBy, FaceInterface, FaceShape, Formulation, Geometry, Impactor, Interface, Layer, MAX_LAYERS,
+    Measurement, Mesh, Motion, Scenario, Section, Shape, StepBy, Time,
 };
-
-/// A scenario with a name.
-#[derive(Clone, Copy, Debug)]
-pub struct Preset {
-    /// Its number, for ever: no other preset gets it, even when this one is no more.
-    pub id: u32,
-    /// Name.
-    pub name: &'static str,
-    /// Makes the scenario.
-    pub scenario: fn() -> Scenario,
-    /// Meaning, one line.
-    pub description: &'static str,
-    /// What of the study's table went into it.
-    pub fitted: Fitted,
-}
-
-/// How many parameters were fitted to how many numbers of the study's table: what the errors against it are worth.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Fitted {
-    /// Parameters.
-    pub parameters: u32,
-    /// Numbers they were fitted to; the others are predicted.
-    pub numbers: u32,
-}
-
-impl Fitted {
-    /// Numbers of the study's table: four of each of three drops.
-    pub const TABLE: u32 = 12;
-    /// Nothing was: the model is not the study's.
-    pub const NONE: Self = Self { parameters: 0, numbers: 0 };
-}
-
-impl core::fmt::Display for Fitted {
-    fn fmt(&self, f: &mut core::fmt::Formatter) -> core::fmt::Result {
-        let Self { parameters, numbers } = *self;
-        if *self == Self::NONE {
-            return f.write_str("no parameter fitted to any of the numbers");
-        }
-        let plural = if parameters == 1 { "" } else { "s" };
-        write!(f, "{parameters} parameter{plural} fitted to ")?;
-        match Self::TABLE.saturating_sub(numbers) {
-            0 => write!(f, "all {numbers} numbers, none predicted"),
-            predicted => write!(f, "{numbers} of the {} numbers, the other {predicted} predicted", Self::TABLE),
-        }
-    }
-}
-
-/// Ids of presets that are no more, which no other preset gets.
-pub const RETIRED: &[u32] = &[];
-
-/// Every preset; the first is the default.
-pub static PRESETS: &[Preset] = &[
-    Preset {
-        id: 0,
-        name: "study",
-        scenario: study,
-        description: "the study's soft anvil, 5 parameters fitted to the 12 numbers of its 3 drops",
-        fitted: Fitted { parameters: 5, numbers: 12 },
-    },
-    Preset {
-        id: 1,
-        name: "study-14.7",
-        scenario: study_14_7,
-        description: "the study's soft anvil, 4 parameters fitted to the 4 numbers of 14.7 J alone",
-        fitted: Fitted { parameters: 4, numbers: 4 },
-    },
-    Preset {
-        id: 2,
-        name: "study-incompressible",
-        scenario: study_incompressible,
-        description: "the study's soft anvil, incompressible, 5 parameters fitted to the 12 numbers",
-        fitted: Fitted { parameters: 5, numbers: 12 },
-    },
-    Preset {
-        id: 3,
-        name: "elastic",
-        scenario: elastic,
-        description: "the study's anvil of a plain elastic silicone, to start from with a material of one's own",
-        fitted: Fitted::NONE,
-    },
-    Preset {
-        id: 4,
-        name: "block",
-        scenario: block,
-        description: "a flat block of the plain elastic silicone on a flat core, bonded",
-        fitted: Fitted::NONE,
-    },
-    Preset {
-        id: 5,
-        name: "ecoflex-00-30",
-        scenario: ecoflex_00_30,
-        description: "the study's anvil of Ecoflex 00-30, elastic, from tension tests of Marechal et al. (2021)",
-        fitted: Fitted::NONE,
-    },
-    Preset {
-        id: 6,
-        name: "dragon-skin-30",
-        scenario: dragon_skin_30,
-        description: "the study's anvil of Dragon Skin 30, elastic, from tension tests of Marechal et al. (2021)",
-        fitted: Fitted::NONE,
-    },
-    Preset {
-        id: 7,
-        name: "natural-rubber",
-        scenario: natural_rubber,
-        description: "the study's anvil of Treloar's vulcanised natural rubber, elastic, by Ogden (1972)",
-        fitted: Fitted::NONE,
-    },
-];
 
 /// The soft anvil of "Finite element model to simulate impact on a soft tissue simulant", Sports Engineering (2023),
 /// doi 10.1007/s12283-023-00407-7, dropped on with 14.7 J.
@@ -141,10 +32,15 @@ pub fn study() -> Scenario {
         impactor: Impactor {
             motion: Motion::Drop,
             mass: 5.0,
+            shape: FaceShape::Round,
             face_diameter: 130e-3,
+            face_width: 40e-3,
+            face_length: 30e-3,
             offset: 0.0,
             gap: 2e-3,
             gravity: 9.81,
+            rail_friction: 0.0,
+            rail_damping: 0.0,
             drop_by: DropBy::Energy,
             drop_height: 0.0,
             drop_energy: 14.7,
@@ -154,7 +50,6 @@ pub fn study() -> Scenario {
             prescribed_rise: 5e-3,
         },
         layers: one_layer(study_silicone()),
-        interfaces: Vec::new(),
         core: CoreInterface { interface: Interface::Frictional, friction_coefficient: 0.3 },
         face: FaceInterface { friction_coefficient: 0.3 },
         mesh: Mesh { element_size: 3e-3 },
@@ -170,7 +65,7 @@ pub fn study() -> Scenario {
 }
 
 /// Gives the values that do not decide what those that do decide say, so that naming one of them changes nothing.
-fn consistent(mut scenario: Scenario) -> Scenario {
+pub(super) fn consistent(mut scenario: Scenario) -> Scenario {
     let (speed, impactor) = (scenario.impactor.start_speed(), &mut scenario.impactor);
     if impactor.drop_by != DropBy::Height {
         impactor.drop_height = 0.5 * speed * speed / impactor.gravity;
@@ -254,6 +149,9 @@ pub fn elastic_silicone() -> Material {
         tear_stretch: 0.0,
         tear_width: 0.1,
         tear_residual: 0.0,
+        softening_r: 0.0,
+        softening_m: 1e3,
+        softening_beta: 0.1,
     }
 }
 

@@ -12,7 +12,7 @@ use crate::number::real::Real;
 use crate::sampling::SAMPLING_INTERVAL;
 use crate::scenario::parameter::Parameter;
 use crate::scenario::preset::elastic_silicone;
-use crate::scenario::{Formulation, Interface, Scenario, Section};
+use crate::scenario::{Formulation, Interface, Outline, Scenario, Section};
 
 /// Fills `arrays` with the model of `scenario` whose nodes rest at `position(u, v)`, m, and `place` with its constants, for steps
 /// of a sampling interval until [`Constants::set_step`] says otherwise; without a [`fingerprint`]. Apart, so that what it needs leaves the stack.
@@ -44,7 +44,8 @@ pub(crate) fn assemble<'c>(
         channel: channel.map_err(ScenarioError::Parameter)?,
         laws: core::array::from_fn(|_| none.clone()),
         symmetry_factor: symmetry_factor(scenario),
-        top_height: position(grid.centre, grid.n_v)[1],
+        outline: Outline::of(scenario),
+        top_height: position(grid.centre, grid.node_rows() - 1)[1],
         fingerprint: 0,
     });
     constants.set_step(SAMPLING_INTERVAL, 1);
@@ -85,10 +86,10 @@ fn build_cells(
     for (block, cell) in cells.iter_mut().enumerate() {
         for l in 0..LANES {
             let (u, v) = ((block % blocks) * LANES + l, block / blocks);
-            if u >= grid.n_u {
+            if !grid.has_cell(u, v) {
                 continue;
             }
-            let corners = CORNERS.map(|(du, dv)| position(u + du, v + dv).into());
+            let corners = CORNERS.map(|(du, dv)| position(u + du, grid.node_row(v) + dv).into());
             let nodes = triangles(grid, u, v);
             cell.diagonal[l] = if nodes[0] == RISING { 1.0 } else { 0.0 };
             let pair = nodes.map(|nodes| Triangle::new(scenario, &corners, nodes));
@@ -124,14 +125,16 @@ fn build_nodes(
     let [x, y, inverse_x, inverse_y, mass]: [&mut [Real]; MODEL_NODE_FIELDS] =
         core::array::from_fn(|_| split_row(&mut nodes, n).unwrap_or_default());
     lump_mass(scenario, grid, cells, mass);
-    for v in 0..=grid.n_v {
+    for v in 0..grid.node_rows() {
         for u in 0..=grid.n_u {
             let node = v * grid.stride() + u;
             let fixed = fixed_directions(scenario, u, v);
             let [px, py] = position(u, v);
             put(x, node, px);
             put(y, node, py);
-            let inverse_mass = 1.0 / mass.get(node).copied().unwrap_or_default();
+            // Beside a layer that is narrower than others there are nodes of no cell, which nothing moves.
+            let mass = mass.get(node).copied().unwrap_or_default();
+            let inverse_mass = if mass > 0.0 { 1.0 / mass } else { 0.0 };
             put(inverse_x, node, if fixed[0] { 0.0 } else { inverse_mass });
             put(inverse_y, node, if fixed[1] { 0.0 } else { inverse_mass });
         }
@@ -162,7 +165,7 @@ fn lump_mass(scenario: &Scenario, grid: &Grid, cells: &[CellConstants], mass: &m
             let [a, b] = &cell.triangle;
             let quarter = 0.25 * density * (a.reference_volume[u % LANES] + b.reference_volume[u % LANES]);
             for (du, dv) in CORNERS {
-                if let Some(mass) = mass.get_mut((v + dv) * grid.stride() + u + du) {
+                if let Some(mass) = mass.get_mut((grid.node_row(v) + dv) * grid.stride() + u + du) {
                     *mass += quarter;
                 }
             }

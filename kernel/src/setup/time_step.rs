@@ -12,7 +12,7 @@ use crate::model::{Constants, ModelArrays};
 use crate::number::math;
 use crate::number::real::{self, Real};
 use crate::sampling::{MAX_STEPS_PER_SAMPLE, SAMPLING_INTERVAL, SMALLEST_STEP};
-use crate::scenario::{Scenario, StepBy};
+use crate::scenario::{Outline, Scenario, StepBy};
 use crate::setup::assembly::{assemble, fingerprint};
 use crate::setup::trial::{self, Forecast};
 use crate::state::StateMemory;
@@ -26,6 +26,9 @@ const REPEAT_BELOW: Real = 0.6;
 
 /// What a drop may leave of the limit that its trial has found: meshes and steps differ, and a layer may fold on the way up.
 const MARGIN: Real = 0.9;
+
+/// The same again where layers meet that are not bonded: which nodes touch, and when, differs with every step.
+const OPEN_MARGIN: Real = 0.8;
 
 /// The same again for every factor of e that the limit has fallen by: of a layer pressed flat a trial says less.
 const MARGIN_POWER: Real = 0.03;
@@ -50,7 +53,10 @@ pub(crate) fn with_chosen_step<'c>(
     let constants = assemble(scenario, grid, position, arrays, place)?;
     let at_rest = Cells::new(constants, arrays).limit_at_rest();
     let step = match forecast {
-        Some(forecast) => scenario.time.safety_factor * margin(forecast.ratio) * forecast.ratio * at_rest,
+        Some(forecast) => {
+            let open = if grid.layer_open.contains(&true) { OPEN_MARGIN } else { 1.0 };
+            scenario.time.safety_factor * (margin(forecast.ratio) * open) * forecast.ratio * at_rest
+        }
         None if scenario.time.step > at_rest => {
             return Err(ModelError::StepTooLarge { step: scenario.time.step, limit: at_rest });
         }
@@ -74,13 +80,17 @@ fn foresee(
     state: &mut StateMemory,
     place: &mut Option<Constants>,
 ) -> Result<Forecast, ModelError> {
-    let (mut tried, motion) = trial::of(scenario);
+    let mut tried = scenario.clone();
+    let motion = trial::prepare(&mut tried);
     let size = scenario.thickness() / COARSE_ROWS;
     tried.mesh.element_size = math::max(size, scenario.mesh.element_size);
     let coarse = Grid::new(&tried)?;
     // The cells of a layer that says its rows may be flat or tall, and a coarse mesh says little of those.
     let says_rows = scenario.layers.iter().any(|layer| layer.rows > 0);
-    if coarse != *grid && !says_rows {
+    // Nor does it of nodes at an edge of the face or of a layer, or between layers that meet.
+    let even = grid.has_even_surface() && Outline::of(scenario).radius == 0.0;
+    let open = grid.layer_open.contains(&true);
+    if coarse != *grid && !says_rows && even && !open {
         let rest = |u, v| reference_position(&tried, &coarse, u, v);
         let forecast = trial::run(&tried, &motion, coarse, &rest, arrays, state, place)?;
         if forecast.ratio >= REPEAT_BELOW {

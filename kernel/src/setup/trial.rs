@@ -44,17 +44,16 @@ const PRESS_SPEED: Real = 0.05;
 /// Deepest that a face is taken to press, as a part of the layer's thickness.
 const DEEPEST: Real = 0.95;
 
-/// The scenario of a trial of `scenario`, and how its impactor moves.
-pub(crate) fn of(scenario: &Scenario) -> (Scenario, TrialMotion) {
-    let (motion, mut trial) = (TrialMotion::new(scenario), scenario.clone());
-    trial.impactor.gap = 0.0;
+/// Makes of a `scenario` that of its trial; tells how the impactor moves.
+pub(crate) fn prepare(scenario: &mut Scenario) -> TrialMotion {
+    let motion = TrialMotion::new(scenario);
+    let impactor = &mut scenario.impactor;
+    impactor.gap = 0.0;
     match motion {
-        TrialMotion::Drop { speed } => {
-            (trial.impactor.drop_by, trial.impactor.drop_speed) = (DropBy::Speed, speed);
-        }
-        TrialMotion::Press { .. } => trial.impactor.motion = Motion::Driven,
+        TrialMotion::Drop { speed } => (impactor.drop_by, impactor.drop_speed) = (DropBy::Speed, speed),
+        TrialMotion::Press { .. } => impactor.motion = Motion::Driven,
     }
-    (trial, motion)
+    motion
 }
 
 /// Runs the trial `scenario`, whose impactor moves by `motion`, on its `grid`, whose nodes rest at `position(u, v)`, m, with
@@ -78,20 +77,12 @@ pub(crate) fn run(
     let mut trial = Trial { smallest: at_rest, stretch: 1.0, constants };
     trial.constants.set_step(FOLLOWED * at_rest, 1);
     State::new(&trial.model(&arrays), state.lend())?;
-    let (mut time, mut steps) = (0.0, 0);
-    while steps < MAX_STEPS {
+    trial.march_through(motion, &arrays, state)?;
+    if trial.constants.softens() {
+        // The next impact presses what has softened deeper.
         let model = trial.model(&arrays);
-        let mut view = State::view(&model, state.lend())?;
-        let stride = stride(&model, &view);
-        let stopped = march(&model, &mut view, motion, stride, &mut time);
-        steps += stride;
-        let ended = motion.has_ended(trial.constants, &view, time);
-        trial.look(&arrays, state, stopped);
-        if ended || stopped.is_some_and(|error| matches!(error, StepError::Inverted { .. })) {
-            break;
-        }
-        if trial.smallest < SMALLEST_STEP {
-            break;
+        if State::view(&model, state.lend())?.next_impact(&model, 0.0).is_ok() {
+            trial.march_through(motion, &arrays, state)?;
         }
     }
     Ok(Forecast { ratio: trial.smallest / at_rest, stretch: trial.stretch })
@@ -109,6 +100,35 @@ struct Trial<'c> {
 impl Trial<'_> {
     fn model<'m>(&'m self, arrays: &'m ModelArrays) -> Model<'m> {
         Model::view(self.constants, arrays.nodes, arrays.cells, arrays.hoops)
+    }
+
+    /// From the touch to the end of the motion.
+    ///
+    /// # Errors
+    /// Too little memory for a state.
+    fn march_through(
+        &mut self,
+        motion: &TrialMotion,
+        arrays: &ModelArrays,
+        state: &mut StateMemory,
+    ) -> Result<(), ModelError> {
+        let (mut time, mut steps) = (0.0, 0);
+        while steps < MAX_STEPS {
+            let model = self.model(arrays);
+            let mut view = State::view(&model, state.lend())?;
+            let stride = stride(&model, &view);
+            let stopped = march(&model, &mut view, motion, stride, &mut time);
+            steps += stride;
+            let ended = motion.has_ended(self.constants, &view, time);
+            self.look(arrays, state, stopped);
+            if ended || stopped.is_some_and(|error| matches!(error, StepError::Inverted { .. })) {
+                break;
+            }
+            if self.smallest < SMALLEST_STEP {
+                break;
+            }
+        }
+        Ok(())
     }
 
     /// Looks at all cells, and at what the monitor may have found; goes on with a smaller step where the limit has fallen.
@@ -157,12 +177,14 @@ pub(crate) enum TrialMotion {
 impl TrialMotion {
     fn new(scenario: &Scenario) -> Self {
         let (impactor, thickness) = (&scenario.impactor, scenario.thickness());
+        let gaps = scenario.height() - thickness;
         let depth = match impactor.motion {
             Motion::Drop => return Self::Drop { speed: touching_speed(impactor) },
-            Motion::Driven => scenario.time.design_compression * thickness,
+            Motion::Driven => scenario.time.design_compression * thickness + gaps,
             Motion::Prescribed => impactor.prescribed_depth,
         };
-        let depth = if depth < DEEPEST * thickness { depth } else { DEEPEST * thickness };
+        let deepest = DEEPEST * thickness + gaps;
+        let depth = if depth < deepest { depth } else { deepest };
         let slowest = scenario.layers.iter().map(|layer| &layer.material).fold(Real::MAX, |slowest, material| {
             let waves = math::sqrt(material.shear_modulus_inf() / material.density);
             if waves < slowest { waves } else { slowest }
@@ -183,9 +205,7 @@ impl TrialMotion {
     fn has_ended(&self, constants: &Constants, state: &State, time: Real) -> bool {
         let impactor = &state.scalars.impactor;
         match *self {
-            Self::Drop { .. } => {
-                impactor.velocity_half >= 0.0 || impactor.deformation() > constants.scenario.thickness()
-            }
+            Self::Drop { .. } => impactor.velocity_half >= 0.0 || impactor.deformation() > constants.scenario.height(),
             Self::Press { depth, speed } => speed * time >= depth,
         }
     }

@@ -3,7 +3,7 @@
 use crate::element::{CellHistory, Corners};
 use crate::error::MemoryError;
 use crate::mesh::Grid;
-use crate::model::{Model, split_row, take};
+use crate::model::{Model, NodeArrays, split_row, take};
 use crate::number::real::Real;
 use crate::number::vector::Simd;
 use crate::state::{Scalars, StateMemory, StateNodes, corners};
@@ -51,10 +51,10 @@ impl<'a> State<'a> {
     #[inline(always)]
     pub fn view(model: &Model, memory: StateMemory<'a>) -> Result<Self, MemoryError> {
         let size = &model.constants.size;
-        let grid = &model.constants.grid;
+        let lengths = NodeArrays::new(&model.constants.grid, &model.constants.outline);
         let given = memory.nodes.len();
         let mut nodes = take(memory.nodes, size.state_nodes, "state nodes")?;
-        let nodes = StateNodes::of(grid.n_node(), grid.stride(), |n| split_row(&mut nodes, n));
+        let nodes = StateNodes::of(&lengths, |n| split_row(&mut nodes, n));
         Ok(Self {
             scalars: memory.scalars,
             nodes: nodes.ok_or(MemoryError { what: "state nodes", given, needed: size.state_nodes })?,

@@ -26,8 +26,10 @@ use crate::number::pack::sum;
 use crate::number::real::Real;
 use crate::scenario::Motion;
 
-/// Numbers of an [`EnergyBalance`] in a snapshot.
+/// Numbers of an [`EnergyBalance`] in every snapshot; [`EnergyBalance::guide`] is in those of a mass on rails.
 pub(crate) const ENERGY_WORDS: usize = 16;
+/// Further ones of a model that softens.
+pub(crate) const SOFTENING_WORDS: usize = 2;
 
 /// Energies of the whole anvil and impactor at the end of the last step, J.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,10 +48,14 @@ pub struct EnergyBalance {
     pub slider_dissipation: Real,
     /// Energy dissipated by tearing.
     pub tear: Real,
-    /// Energy dissipated by friction under the face and on the core.
+    /// Energy dissipated by softening.
+    pub softening: Real,
+    /// Energy dissipated by friction under the face, on the core and between layers.
     pub friction: Real,
-    /// Energy lost in catching nodes at the face and on the core.
+    /// Energy lost in catching nodes at the face, on the core and between layers.
     pub contact: Real,
+    /// Energy dissipated on the rails of a falling impactor.
+    pub guide: Real,
     /// Energy brought in: kinetic energy at the start, work of gravity and of the external force, or the work of the
     /// drive.
     pub external: Real,
@@ -67,6 +73,7 @@ pub(crate) struct AtForces {
     slider_stored: Real,
     slider_dissipation: Real,
     tear: Real,
+    softening: Real,
 }
 
 impl EnergyBalance {
@@ -79,8 +86,10 @@ impl EnergyBalance {
         slider_stored: 0.0,
         slider_dissipation: 0.0,
         tear: 0.0,
+        softening: 0.0,
         friction: 0.0,
         contact: 0.0,
+        guide: 0.0,
         external: 0.0,
         at_forces: AtForces {
             kinetic: 0.0,
@@ -89,6 +98,7 @@ impl EnergyBalance {
             slider_stored: 0.0,
             slider_dissipation: 0.0,
             tear: 0.0,
+            softening: 0.0,
         },
     };
 
@@ -111,14 +121,17 @@ impl EnergyBalance {
             + self.slider_stored
             + self.slider_dissipation
             + self.tear
+            + self.softening
             + self.friction
-            + self.contact;
+            + self.contact
+            + self.guide;
         self.external - found
     }
 
-    /// Every number, for snapshots.
+    /// Every number but those of softening and of the rails, for snapshots.
     pub(crate) fn words_mut(&mut self) -> [&mut Real; ENERGY_WORDS] {
-        let AtForces { kinetic, elastic, viscous, slider_stored, slider_dissipation, tear } = &mut self.at_forces;
+        let AtForces { kinetic, elastic, viscous, slider_stored, slider_dissipation, tear, softening: _ } =
+            &mut self.at_forces;
         [
             &mut self.impactor_kinetic,
             &mut self.layer_kinetic,
@@ -138,6 +151,11 @@ impl EnergyBalance {
             tear,
         ]
     }
+
+    /// The numbers of softening, for snapshots of a model that softens.
+    pub(crate) fn softening_words_mut(&mut self) -> [&mut Real; SOFTENING_WORDS] {
+        [&mut self.softening, &mut self.at_forces.softening]
+    }
 }
 
 /// What the contact did in one step, on the section.
@@ -149,6 +167,8 @@ pub(crate) struct ContactWork {
     pub contact_dissipation: Real,
     /// Energy lost in sliding, likewise, J.
     pub frictional_dissipation: Real,
+    /// Force of the rails on the whole impactor, N, upwards.
+    pub rail_force: Real,
 }
 
 /// What one step did, on the section.
@@ -156,6 +176,7 @@ pub(crate) struct StepWork<'w> {
     pub element: &'w ElementEnergy,
     pub face: &'w ContactWork,
     pub core: &'w ContactWork,
+    pub interfaces: &'w ContactWork,
     /// Kinetic energy of the layer at the forces, from the velocities on both sides, and after their impulse, J.
     pub layer_kinetic: [Real; 2],
     /// Velocity of the impactor before and after the forces, m/s.
@@ -178,6 +199,7 @@ impl EnergyBalance {
             slider_stored: factor * sum(&element.slider_stored),
             slider_dissipation: before.slider_dissipation + factor * sum(&element.slider_increment),
             tear: before.tear + factor * sum(&element.tear_increment),
+            softening: before.softening + factor * sum(&element.softening_increment),
         };
         self.at_forces = now;
         self.layer_kinetic = factor * work.layer_kinetic[1];
@@ -187,8 +209,15 @@ impl EnergyBalance {
         let slid = carried(before.slider_dissipation, now.slider_dissipation);
         self.slider_dissipation = math::max(self.slider_dissipation, slid);
         self.tear = math::max(self.tear, carried(before.tear, now.tear));
-        self.friction += factor * (work.face.frictional_dissipation + work.core.frictional_dissipation);
-        self.contact += factor * (work.face.contact_dissipation + work.core.contact_dissipation);
+        self.softening = math::max(self.softening, carried(before.softening, now.softening));
+        self.friction += factor
+            * (work.face.frictional_dissipation
+                + work.core.frictional_dissipation
+                + work.interfaces.frictional_dissipation);
+        self.contact += factor
+            * (work.face.contact_dissipation + work.core.contact_dissipation + work.interfaces.contact_dissipation);
+        let [before, after] = work.impactor_velocity;
+        self.guide -= work.face.rail_force * (0.5 * model.constants.dt * (before + after));
         self.external += external_work(model, work);
         if work.prediction.free {
             let velocity = work.impactor.velocity;

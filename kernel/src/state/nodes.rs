@@ -1,6 +1,7 @@
 //! The arrays of the nodes.
 
 use crate::element::Corners;
+use crate::model::NodeArrays;
 use crate::number::pack::{LANES, Pack};
 use crate::number::real::Real;
 use crate::number::vector::{Simd, Vector};
@@ -17,25 +18,33 @@ pub(crate) struct StateNodes<R> {
     pub force: [R; 2],
     /// Contact force on the surface nodes, downwards, N, then friction on them, outwards.
     pub contact: [R; 2],
+    /// Of every surface node under a face that is round or has edges, its depth in it at the end of the step without contact,
+    /// m, the direction out of the face, to the right and downwards, and its mass, kg.
+    pub rounding: R,
+    /// Of every interface that is not bonded, from the core, the nodes above it, then those below it: a [`super::Pair`] for
+    /// each column.
+    pub pairs: R,
 }
 
 impl<R> StateNodes<R> {
-    /// The arrays that `row` gives by their lengths, in the order of storage: `n` for one number per node, then `surface`;
-    /// none if there is one that it does not give.
+    /// The arrays that `row` gives by their `lengths`, in the order of storage; none if there is one that it does not give.
     #[inline(always)]
-    pub(crate) fn of(n: usize, surface: usize, mut row: impl FnMut(usize) -> Option<R>) -> Option<Self> {
+    pub(crate) fn of(lengths: &NodeArrays, mut row: impl FnMut(usize) -> Option<R>) -> Option<Self> {
+        let NodeArrays { nodes: n, surface, rounding, pairs } = *lengths;
         Some(Self {
             displacement: [row(n)?, row(n)?],
             velocity: [row(n)?, row(n)?],
             force: [row(n)?, row(n)?],
             contact: [row(surface)?, row(surface)?],
+            rounding: row(rounding)?,
+            pairs: row(pairs)?,
         })
     }
 
     /// Every array, in the order of storage.
-    pub(crate) fn all(&mut self) -> [&mut R; 8] {
-        let Self { displacement: [a, b], velocity: [c, d], force: [e, f], contact: [g, h] } = self;
-        [a, b, c, d, e, f, g, h]
+    pub(crate) fn all(&mut self) -> [&mut R; 10] {
+        let Self { displacement: [a, b], velocity: [c, d], force: [e, f], contact: [g, h], rounding, pairs } = self;
+        [a, b, c, d, e, f, g, h, rounding, pairs]
     }
 }
 
@@ -48,6 +57,8 @@ impl StateNodes<&mut [Real]> {
             velocity: self.velocity.each_ref().map(|row| &**row),
             force: self.force.each_ref().map(|row| &**row),
             contact: self.contact.each_ref().map(|row| &**row),
+            rounding: &*self.rounding,
+            pairs: &*self.pairs,
         }
     }
 

@@ -1,7 +1,7 @@
 //! Saving and restoring a state as bytes that mean the same on every target.
 //!
 //! Format: little-endian 64-bit words. Header: magic, format version, fingerprint of the model, number of words that
-//! follow before the checksum; then the scalars and the arrays in the order of `visit`; last the FNV-1a digest of
+//! follow before the checksum; then the scalars (those of softening where a layer softens) and the arrays in the order of `visit`; last the FNV-1a digest of
 //! everything before it. Equal states give equal bytes. A number of single precision is a word whose upper half is zero;
 //! the fingerprints of the two precisions differ, so neither takes over a state of the other.
 
@@ -11,7 +11,7 @@ use crate::model::{Constants, Model};
 use crate::number::digest::Digest;
 use crate::number::pack::LANES;
 use crate::number::real::{self, Real};
-use crate::state::{ENERGY_WORDS, Scalars, State, StateView};
+use crate::state::{ENERGY_WORDS, SOFTENING_WORDS, Scalars, State, StateView};
 use crate::tensor::deviator::Deviator;
 
 /// "SOFTANVL" in ASCII, least significant byte first.
@@ -36,7 +36,14 @@ pub fn snapshot_size(constants: &Constants) -> usize {
 
 fn payload_words(constants: &Constants) -> usize {
     let size = &constants.size;
-    SCALAR_WORDS + size.state_nodes + size.state_cells * 2 * HISTORY_LANES * LANES + size.state_viscous * 3 * LANES
+    let softening = if constants.softens() { SOFTENING_WORDS } else { 0 };
+    let rails = usize::from(constants.scenario.impactor.has_rails());
+    SCALAR_WORDS
+        + softening
+        + rails
+        + size.state_nodes
+        + size.state_cells * 2 * HISTORY_LANES * LANES
+        + size.state_viscous * 3 * LANES
 }
 
 /// Writes `state` into `bytes`, which has exactly [`snapshot_size`].
@@ -70,7 +77,7 @@ pub fn write_words(model: &Model, state: &StateView, put: &mut dyn FnMut(u64)) -
         put(word);
     };
     [MAGIC, VERSION, model.constants.fingerprint, payload].into_iter().for_each(&mut put_and_digest);
-    read(state, &mut put_and_digest);
+    read(model, state, &mut put_and_digest);
     put(digest.value());
     Ok(())
 }
@@ -83,7 +90,7 @@ pub fn restore(model: &Model, state: &mut State, bytes: &[u8]) -> Result<(), Sna
     check_length(model, bytes.len())?;
     check_content(model, bytes)?;
     let mut words = bytes.chunks_exact(8).skip(HEADER_WORDS).map(word_of);
-    visit(state, &mut |word| {
+    visit(model, state, &mut |word| {
         if let Some(saved) = words.next() {
             *word = saved;
         }
@@ -134,16 +141,16 @@ fn word_of(chunk: &[u8]) -> u64 {
 }
 
 /// Digest of everything that a snapshot holds.
-pub fn state_digest(state: &State) -> u64 {
+pub fn state_digest(model: &Model, state: &State) -> u64 {
     let mut digest = Digest::new();
-    read(&state.as_view(), &mut |word| digest.word(word));
+    read(model, &state.as_view(), &mut |word| digest.word(word));
     digest.value()
 }
 
 /// Shows every word of the state to `f`, in the order of [`visit`], of which it changes only copies.
-fn read(state: &StateView, f: &mut dyn FnMut(u64)) {
+fn read(model: &Model, state: &StateView, f: &mut dyn FnMut(u64)) {
     let mut scalars = *state.scalars;
-    visit_scalars(&mut scalars, &mut |word| f(*word));
+    visit_scalars(model, &mut scalars, &mut |word| f(*word));
     let mut nodes = state.nodes;
     for number in nodes.all().into_iter().flat_map(|row| *row) {
         f(real::to_word(*number));
@@ -159,8 +166,8 @@ fn read(state: &StateView, f: &mut dyn FnMut(u64)) {
 }
 
 /// Shows every word of the state to `f`, always in the same order, and takes back what `f` makes of it.
-fn visit(state: &mut State, f: &mut dyn FnMut(&mut u64)) {
-    visit_scalars(state.scalars, f);
+fn visit(model: &Model, state: &mut State, f: &mut dyn FnMut(&mut u64)) {
+    visit_scalars(model, state.scalars, f);
     let mut number = |value: &mut Real| {
         let mut bits = real::to_word(*value);
         f(&mut bits);
@@ -191,7 +198,7 @@ fn visit_deviator(deviator: &mut Deviator, number: &mut impl FnMut(&mut Real)) {
     }
 }
 
-fn visit_scalars(scalars: &mut Scalars, f: &mut dyn FnMut(&mut u64)) {
+fn visit_scalars(model: &Model, scalars: &mut Scalars, f: &mut dyn FnMut(&mut u64)) {
     let Scalars { step_index, impactor, force, contact_half_width, sampler, metrics, energy, failure: _ } = scalars;
     let mut steps = u64::from(sampler.steps);
     for word in [
@@ -230,9 +237,16 @@ fn visit_scalars(scalars: &mut Scalars, f: &mut dyn FnMut(&mut u64)) {
         &mut metrics.rebound_speed,
         &mut metrics.contact_time,
     ];
-    for number in numbers.into_iter().chain(energy.words_mut()) {
+    let mut visit_number = |number: &mut Real| {
         let mut bits = real::to_word(*number);
         f(&mut bits);
         *number = real::from_word(bits);
+    };
+    numbers.into_iter().chain(energy.words_mut()).for_each(&mut visit_number);
+    if model.constants.softens() {
+        energy.softening_words_mut().into_iter().for_each(&mut visit_number);
+    }
+    if model.constants.scenario.impactor.has_rails() {
+        visit_number(&mut energy.guide);
     }
 }

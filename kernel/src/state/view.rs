@@ -2,7 +2,7 @@
 
 use crate::element::CellHistory;
 use crate::error::MemoryError;
-use crate::model::Model;
+use crate::model::{Model, NodeArrays};
 use crate::number::real::Real;
 use crate::state::{Scalars, State, StateNodes};
 use crate::tensor::deviator::Deviator;
@@ -74,7 +74,8 @@ impl<'a> StateView<'a> {
     /// # Errors
     /// Too little memory.
     pub fn new(model: &Model, scalars: &'a Scalars, content: StateContent<'a>) -> Result<Self, MemoryError> {
-        let (size, grid) = (&model.constants.size, &model.constants.grid);
+        let (constants, size) = (model.constants, &model.constants.size);
+        let lengths = NodeArrays::new(&constants.grid, &constants.outline);
         let mut nodes = content.nodes;
         let row = |n| {
             let (row, rest) = nodes.split_at_checked(n)?;
@@ -82,7 +83,7 @@ impl<'a> StateView<'a> {
             Some(row)
         };
         let (given, needed) = (content.nodes.len(), size.state_nodes);
-        let nodes = StateNodes::of(grid.n_node(), grid.stride(), row);
+        let nodes = StateNodes::of(&lengths, row);
         let nodes = nodes.ok_or(MemoryError { what: "state nodes", given, needed })?;
         Ok(Self { scalars, nodes, cells: content.cells, viscous: content.viscous })
     }

@@ -2,7 +2,7 @@
 
 use core::hint::black_box;
 
-use crate::contact::{face, rigid_core, surface};
+use crate::contact::{face, interface, rigid_core, surface};
 use crate::element::{self, Block, CellHistory, Corners, ElementEnergy};
 use crate::error::StepError;
 use crate::impactor::{DrivenPath, StepInput};
@@ -106,6 +106,7 @@ fn advance<S: Simd>(simd: S, model: &Model, state: &mut State, input: &StepInput
     internal_forces(simd, model, state, &mut energy)?;
     monitor::check(simd, model, state)?;
     let core = rigid_core::react(simd, model, state);
+    let interfaces = interface::press(model, state);
     let prediction = state.scalars.impactor.predict(model, input, state.scalars.step_index);
     let before = state.scalars.impactor.velocity_half;
     let face = face::contact(simd, model, state, &prediction);
@@ -116,6 +117,7 @@ fn advance<S: Simd>(simd: S, model: &Model, state: &mut State, input: &StepInput
         element: &energy,
         face: &face,
         core: &core,
+        interfaces: &interfaces,
         layer_kinetic,
         impactor_velocity: [before, state.scalars.impactor.velocity_half],
         impactor: &state.scalars.impactor,
@@ -137,37 +139,46 @@ fn internal_forces<S: Simd>(
     energy: &mut ElementEnergy,
 ) -> Result<(), StepError> {
     let grid = &model.constants.grid;
-    let terms = (2 * model.constants.n_term()).max(1);
+    let entries = (2 * model.constants.n_history_entry()).max(1);
     for force in &mut state.nodes.force {
         force.fill(0.0);
     }
-    let viscous = state.viscous.chunks_exact_mut(terms).map(Some).chain(core::iter::repeat_with(|| None));
+    let viscous = state.viscous.chunks_exact_mut(entries).map(Some).chain(core::iter::repeat_with(|| None));
     let blocks = model.cells.iter().zip(state.cells.iter_mut()).zip(viscous).enumerate();
-    let (per_row, mut place, mut nodes) = (grid.blocks_per_row(), 0, grid.first_nodes([0, 0]));
+    let (per_row, mut row, mut place, mut nodes) = (grid.blocks_per_row(), 0, 0, grid.first_nodes([0, 0]));
     for (index, ((constants, history), viscous)) in blocks {
         let block = Block { laws: model.constants.laws_of(index), constants, hoop: model.hoops.get(index) };
         let viscous = viscous.unwrap_or_default();
         let rows = state.nodes.rows(nodes);
         // Written twice, so that a copy knows whether it is axisymmetric and need not ask all over the element; processors
         // without vectors have less room for it.
-        let force = if S::WIDTH == 1 || block.hoop.is_some() {
-            block_force(simd, &block, &rows, history, viscous, energy)
+        let force = if !block.laws.is_plain() {
+            block_force::<S, WHOLE>(simd, &block, &rows, history, viscous, energy)
+        } else if S::WIDTH == 1 || block.hoop.is_some() {
+            block_force::<S, PLAIN>(simd, &block, &rows, history, viscous, energy)
         } else {
-            block_force(simd, &Block { hoop: None, ..block }, &rows, history, viscous, energy)
+            block_force::<S, PLAIN>(simd, &Block { hoop: None, ..block }, &rows, history, viscous, energy)
         };
         state.nodes.subtract_force(simd, nodes, &force);
-        // The next block follows in the row, or begins the next one behind the lane that closes this one.
+        // The next block follows in the row, or begins the next one.
         place += 1;
-        let further = if place == per_row { 2 * LANES } else { LANES };
-        place = if place == per_row { 0 } else { place };
-        nodes = [nodes[0] + further, nodes[1] + further];
+        nodes = [nodes[0] + LANES, nodes[1] + LANES];
+        if place == per_row {
+            (row, place) = (row + 1, 0);
+            nodes = grid.first_nodes([row, 0]);
+        }
     }
     if sum(&energy.inverted) > 0.0 { Err(first_inverted(model, state)) } else { Ok(()) }
 }
 
-/// Internal forces on the corners of the cells of a block, N.
+/// A law that is isochoric and does not soften.
+const PLAIN: bool = true;
+/// Any other.
+const WHOLE: bool = false;
+
+/// Internal forces on the corners of the cells of a block, N, by the forces of a law that is [`PLAIN`] or not.
 #[inline(always)]
-fn block_force<S: Simd>(
+fn block_force<S: Simd, const IS_PLAIN: bool>(
     simd: S,
     block: &Block,
     rows: &Rows,
@@ -182,7 +193,11 @@ fn block_force<S: Simd>(
         let (rows, history) = (black_box(rows), black_box(&mut *history));
         let block = &Block { constants: black_box(block.constants), ..*block };
         let displacement = corners(simd, chunk, rows);
-        let of_chunk = element::internal_force(simd, chunk, block, &displacement, history, viscous, energy);
+        let of_chunk = if IS_PLAIN {
+            element::plain_force(simd, chunk, block, &displacement, history, viscous, energy)
+        } else {
+            element::whole_force(simd, chunk, block, &displacement, history, viscous, energy)
+        };
         for corner in 0..4 {
             for i in 0..2 {
                 simd.store(of_chunk[corner][i], &mut force[corner][i], chunk);

@@ -1,7 +1,6 @@
 //! The monitor of the step's stability: what tells in time that a step was too large.
 
 use crate::element::Block;
-use crate::element::cell_bound::unstable;
 use crate::error::StepError;
 use crate::model::Model;
 use crate::number::math;
@@ -9,7 +8,7 @@ use crate::number::pack::{LANES, ZERO};
 use crate::number::real::Real;
 use crate::number::vector::Simd;
 use crate::state::{EnergyBalance, State};
-use crate::step::stable_step::{critical_time_step, current_matrix};
+use crate::step::stable_step::{critical_time_step, is_unstable};
 
 /// The monitor visits every cell at least once in this many steps. At the study's speeds a stretch changes by some
 /// hundredths in that time.
@@ -32,9 +31,8 @@ pub(crate) fn check<S: Simd>(simd: S, model: &Model, state: &State) -> Result<()
         let (Some(constants), Some(history)) = (model.cells.get(block), state.cells.get(block)) else { continue };
         let block_of = Block { laws: model.constants.laws_of(block), constants, hoop: model.hoops.get(block) };
         for chunk in start / S::WIDTH..(start + share.group).div_ceil(S::WIDTH) {
-            let matrix = current_matrix(simd, chunk, &block_of, history);
             let mut lost = ZERO;
-            simd.store(unstable(simd, &matrix, step_squared), &mut lost, chunk);
+            simd.store(is_unstable(simd, chunk, &block_of, history, step_squared), &mut lost, chunk);
             let (first, end) = (start.max(chunk * S::WIDTH), (start + share.group).min((chunk + 1) * S::WIDTH));
             if lost.get(first..end).unwrap_or_default().iter().any(|lost| *lost > 0.0) {
                 return Err(failure(model, state));
@@ -99,7 +97,7 @@ const NEGATIVE_PART: Real = 0.01;
 /// The cell with the smallest limit.
 #[inline(always)]
 pub(crate) fn guard(model: &Model, state: &State, layer_kinetic: Real) -> Result<(), StepError> {
-    if is_unstable(&state.scalars.energy, layer_kinetic) {
+    if grows(&state.scalars.energy, layer_kinetic) {
         return Err(failure(model, state));
     }
     Ok(())
@@ -108,7 +106,7 @@ pub(crate) fn guard(model: &Model, state: &State, layer_kinetic: Real) -> Result
 /// Whether the kinetic energies of this step and of the last, which `balance` holds, are below zero by more than those of single
 /// nodes.
 #[inline(always)]
-fn is_unstable(balance: &EnergyBalance, layer_kinetic: Real) -> bool {
+fn grows(balance: &EnergyBalance, layer_kinetic: Real) -> bool {
     let before = balance.at_forces.kinetic;
     if layer_kinetic >= 0.0 || before >= 0.0 {
         return false;
@@ -133,10 +131,10 @@ mod tests {
         for (before, now, expected) in
             [(-0.2, -0.4, true), (0.3, -0.4, false), (-0.4, 0.1, false), (-0.11, -0.4, false), (-1e-17, -1e-17, false)]
         {
-            assert_eq!(is_unstable(&balance(before, 12.0), now), expected, "{before} J, then {now} J");
+            assert_eq!(grows(&balance(before, 12.0), now), expected, "{before} J, then {now} J");
         }
         // Nothing but round-off is at hand.
-        assert!(!is_unstable(&balance(-1e-20, 0.0), -1e-20));
+        assert!(!grows(&balance(-1e-20, 0.0), -1e-20));
     }
 
     #[test]

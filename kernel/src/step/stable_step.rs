@@ -9,6 +9,7 @@
 //! (`tests/verification/tests/suite/frequency.rs`).
 
 use crate::element::cell_bound::{CellMatrix, CellStiffness, cell_matrix, limit_squared, unstable};
+use crate::element::whole_bound::WholeMatrix;
 use crate::element::{Block, CellConstants, CellHistory, HoopConstants};
 use crate::model::{Constants, Model, ModelArrays};
 use crate::number::cube_root::inverse_cbrt;
@@ -18,6 +19,7 @@ use crate::number::pack::{LANES, ZERO};
 use crate::number::real::Real;
 use crate::number::vector::{Simd, Vector, Work};
 use crate::state::State;
+use crate::tensor::kinematics::Kinematics;
 use crate::tensor::stretch::{IsochoricStretch, largest_in_plane};
 
 /// Largest stable step of `state` as its last internal forces have found it, s, and the first triangle of the cell that
@@ -84,14 +86,21 @@ impl Work for Search<'_, '_, '_> {
             let Some(history) = (self.history)(index) else { continue };
             let block = Block { laws: constants.laws_of(index), constants: cell, hoop: hoops.get(index) };
             for chunk in 0..LANES / S::WIDTH {
-                let matrix = current_matrix(simd, chunk, &block, history);
-                let (step_squared, mut lost) = (simd.splat(bound), ZERO);
-                simd.store(unstable(simd, &matrix, step_squared), &mut lost, chunk);
-                if lost == ZERO {
-                    continue;
-                }
+                let step_squared = simd.splat(bound);
                 let mut limits = ZERO;
-                simd.store(limit_squared(simd, &matrix, step_squared), &mut limits, chunk);
+                if block.laws.elastic.is_compressible() {
+                    let matrix = whole_matrix(simd, chunk, &block, history);
+                    if !any(simd, matrix.unstable(simd, step_squared)) {
+                        continue;
+                    }
+                    simd.store(matrix.limit_squared(simd, step_squared), &mut limits, chunk);
+                } else {
+                    let matrix = current_matrix(simd, chunk, &block, history);
+                    if !any(simd, unstable(simd, &matrix, step_squared)) {
+                        continue;
+                    }
+                    simd.store(limit_squared(simd, &matrix, step_squared), &mut limits, chunk);
+                }
                 for l in chunk * S::WIDTH..(chunk + 1) * S::WIDTH {
                     // Padding has no volume.
                     let limit_squared = limits[l % LANES];
@@ -107,6 +116,44 @@ impl Work for Search<'_, '_, '_> {
     }
 }
 
+/// Whether any of the numbers is not 0.
+#[inline(always)]
+fn any<S: Simd>(simd: S, numbers: S::Vector) -> bool {
+    let mut pack = ZERO;
+    simd.store(numbers, &mut pack, 0);
+    pack != ZERO
+}
+
+/// 1 where `step_squared`, s2, is above the limit of neighbouring cells, 0 elsewhere.
+#[inline(always)]
+pub(crate) fn is_unstable<S: Simd>(
+    simd: S,
+    chunk: usize,
+    block: &Block,
+    history: &CellHistory,
+    step_squared: S::Vector,
+) -> S::Vector {
+    if block.laws.elastic.is_compressible() {
+        whole_matrix(simd, chunk, block, history).unstable(simd, step_squared)
+    } else {
+        unstable(simd, &current_matrix(simd, chunk, block, history), step_squared)
+    }
+}
+
+/// The matrix of neighbouring cells of a compressible material, likewise.
+#[inline(always)]
+fn whole_matrix<S: Simd>(simd: S, chunk: usize, block: &Block, history: &CellHistory) -> WholeMatrix<S::Vector> {
+    let mut matrix = WholeMatrix::new(simd);
+    for (t, triangle) in history.triangle.iter().enumerate() {
+        let [mean, difference, shear, hoop] = &triangle.stretch_prev;
+        let section = [simd.load(mean, chunk), simd.load(difference, chunk), simd.load(shear, chunk)];
+        let [mean, difference, shear] = section;
+        let kinematics = Kinematics::of_stretch(simd, [mean, difference, shear, simd.load(hoop, chunk)]);
+        matrix.add(simd, chunk, block, t, &kinematics);
+    }
+    matrix
+}
+
 /// The smallest principal stretch in the section of the triangles of lane `l`.
 fn smallest_stretch(history: &CellHistory, l: usize) -> Real {
     let stretches = history.triangle.each_ref().map(|triangle| {
@@ -118,12 +165,7 @@ fn smallest_stretch(history: &CellHistory, l: usize) -> Real {
 
 /// The matrix of neighbouring cells at the stretches that the last internal forces have left in the history.
 #[inline(always)]
-pub(crate) fn current_matrix<S: Simd>(
-    simd: S,
-    chunk: usize,
-    block: &Block,
-    history: &CellHistory,
-) -> CellMatrix<S::Vector> {
+fn current_matrix<S: Simd>(simd: S, chunk: usize, block: &Block, history: &CellHistory) -> CellMatrix<S::Vector> {
     let (zero, one) = (simd.splat(0.0), simd.splat(1.0));
     let mut stiffness =
         CellStiffness { inverse_stretch: [[zero; 3]; 2], hoop_scale: [one; 2], shear: [zero; 2], bulk: zero };

@@ -24,6 +24,11 @@ impl Deviator {
     /// No stress, no strain.
     pub const ZERO: Self = Self { mean: ZERO, difference: ZERO, shear: ZERO };
 
+    /// The packs of its components, for a history of other numbers than those of a tensor.
+    pub(crate) fn packs_mut(&mut self) -> [&mut Pack; 3] {
+        [&mut self.mean, &mut self.difference, &mut self.shear]
+    }
+
     /// The tensor of lane `l`; none past the last.
     pub fn lane(&self, l: usize) -> Option<Deviator<Real>> {
         Some(Deviator { mean: *self.mean.get(l)?, difference: *self.difference.get(l)?, shear: *self.shear.get(l)? })

@@ -4,7 +4,7 @@ use crate::number::cube_root::inverse_cbrt;
 use crate::number::real::Real;
 use crate::number::vector::{Simd, Vector};
 use crate::tensor::deviator::{Deviator, SQRT_THIRD};
-use crate::tensor::stretch::CauchyGreen;
+use crate::tensor::stretch::{CauchyGreen, IsochoricStretch};
 
 /// Deformation of one triangle of some neighbouring cells.
 #[derive(Clone, Copy, Debug)]
@@ -76,6 +76,23 @@ impl<V: Vector> Kinematics<V> {
         }
     }
 
+    /// The deformation that has the right stretch U (mean, half difference, shear, hoop), and no rotation; for laws that take the
+    /// whole stretch and not J^(-1/3).
+    #[inline(always)]
+    pub(crate) fn of_stretch<S: Simd<Vector = V>>(simd: S, [mean, difference, shear, hoop]: [V; 4]) -> Self {
+        let (zero, one) = (simd.splat(0.0), simd.splat(1.0));
+        let jacobian = (mean * mean - (difference * difference + shear * shear)) * hoop;
+        Self { rotation_2theta: [one, zero], mean, difference, shear, hoop, jacobian, inverse_cbrt_j: one }
+    }
+
+    /// The deformation of an isochoric stretch, without rotation.
+    #[inline(always)]
+    pub fn of_isochoric<S: Simd<Vector = V>>(simd: S, stretch: &IsochoricStretch<V>) -> Self {
+        let (mean, difference) =
+            ((stretch.u11 + stretch.u22).mul_scalar(0.5), (stretch.u11 - stretch.u22).mul_scalar(0.5));
+        Self::of_stretch(simd, [mean, difference, stretch.u12, stretch.u33])
+    }
+
     /// C-bar = J^(-2/3) U^2.
     #[inline(always)]
     pub fn isochoric_cauchy_green(&self) -> CauchyGreen<V> {
@@ -88,6 +105,18 @@ impl<V: Vector> Kinematics<V> {
             shear: double * self.shear,
             out: scale * (self.hoop * self.hoop),
         }
+    }
+
+    /// tr(delta U U^-1) against the stretch before, likewise: the increment of ln J.
+    #[inline(always)]
+    pub(crate) fn volume_increment<S: Simd<Vector = V>>(&self, simd: S, before: &[V; 4], axisymmetric: bool) -> V {
+        let [mean, difference, shear, hoop] = *before;
+        let change = [self.mean - mean, self.difference - difference, self.shear - shear];
+        let sum = [self.mean + mean, self.difference + difference, self.shear + shear];
+        let double_inverse = simd.splat(2.0) / (sum[0] * sum[0] - (sum[1] * sum[1] + sum[2] * sum[2]));
+        let section = (change[0] * sum[0] - (change[1] * sum[1] + change[2] * sum[2])) * double_inverse;
+        let half = if axisymmetric { section + (self.hoop - hoop) / (self.hoop + hoop) } else { section };
+        half + half
     }
 
     /// dev sym(delta U U^-1) against the stretch before (mean, half difference, shear, hoop), at the mean stretch.

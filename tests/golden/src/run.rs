@@ -73,7 +73,7 @@ impl<'a> Run<'a> {
             step: scalars.step_index,
             force: scalars.force.contact,
             position: scalars.impactor.position,
-            state: state_digest(&self.state),
+            state: state_digest(&self.model, &self.state),
         }
     }
 

@@ -127,6 +127,9 @@ fn rubber() -> Material {
         tear_stretch: 0.0,
         tear_width: 0.1,
         tear_residual: 0.0,
+        softening_r: 0.0,
+        softening_m: 1e3,
+        softening_beta: 0.1,
     }
 }
 

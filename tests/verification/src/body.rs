@@ -167,7 +167,7 @@ impl Body {
             },
             corners,
             &mut CellHistory::REST.clone(),
-            &mut vec![Deviator::ZERO; 2 * self.constants.n_term()],
+            &mut vec![Deviator::ZERO; 2 * self.constants.n_history_entry()],
             &mut energy,
         );
         assert_eq!(energy.inverted, ZERO, "a positive Jacobian");

@@ -25,6 +25,8 @@ pub struct Cell {
     pub slider_dissipation: f64,
     /// Dissipation by tearing so far, J/m3.
     pub tear: f64,
+    /// Dissipation by softening so far, J/m3.
+    pub softening: f64,
     /// Energy in the damping spring, J/m3.
     pub slider_stored: f64,
     /// Elastic energy, J/m3.
@@ -62,6 +64,7 @@ impl Cell {
             viscous_work: 0.0,
             slider_dissipation: 0.0,
             tear: 0.0,
+            softening: 0.0,
             slider_stored: 0.0,
             elastic_energy: 0.0,
         }
@@ -94,6 +97,7 @@ impl Cell {
         self.viscous_work += sum(&energy.viscous_increment) / volume;
         self.slider_dissipation += sum(&energy.slider_increment) / volume;
         self.tear += sum(&energy.tear_increment) / volume;
+        self.softening += sum(&energy.softening_increment) / volume;
         self.slider_stored = sum(&energy.slider_stored) / volume;
         self.elastic_energy = sum(&energy.elastic) / volume;
         let mut stress = [[0.0; 2]; 2];

@@ -2,11 +2,12 @@
 //! of each with the step that the kernel chose for it.
 
 use softanvil_kernel::material::{Material, VolumetricBy, VolumetricLaw};
-use softanvil_kernel::scenario::{Formulation, Interface};
+use softanvil_kernel::scenario::{FaceShape, Formulation, Interface, Layer, LayerInterface};
 use softanvil_kernel::step::critical_time_step;
 use softanvil_kernel::{SAMPLING_INTERVAL, Scenario, Simulation, StepInput, preset};
 
 use crate::deformation::Samples;
+use crate::penetration::deepest;
 use crate::scenes::random_law;
 
 /// What came of a drop.
@@ -16,11 +17,13 @@ pub struct Outcome {
     pub steps_over_hindsight: f64,
     /// Largest size of the energy's residual over the energy of the drop.
     pub residual: f64,
+    /// The deepest that a node has been inside another layer, over the element size, which segments are about as long as.
+    pub penetration: f64,
 }
 
 /// A plausible drop: c10 from 20 kPa to 1 MPa, or another law as stiff; Poisson's ratio from 0.45 to 0.495; a layer of 6 to
 /// 30 mm; 2.5 to 14.7 J; half with a Prony term, a Maxwell term or a spring-slider; cylinder or dome; core bonded or
-/// frictional.
+/// frictional. A foam has an energy that it bears.
 pub fn scenario(samples: &mut Samples) -> Scenario {
     let mut scenario = preset::study();
     let mut unit = || 0.5 * (1.0 + samples.number());
@@ -41,6 +44,64 @@ pub fn scenario(samples: &mut Samples) -> Scenario {
     scenario.layers[0].material =
         Material { volumetric_by: VolumetricBy::PoissonsRatio, poissons_ratio, volumetric_law, ..law };
     damp(&mut scenario.layers[0].material, damping, numbers);
+    if scenario.layers[0].material.law.description().compressible {
+        make_foam(&mut scenario, samples);
+    }
+    scenario
+}
+
+/// A foam is light, bears a drop by its stiffness and thickness, and half of them soften.
+fn make_foam(scenario: &mut Scenario, samples: &mut Samples) {
+    let mut unit = || 0.5 * (1.0 + samples.number());
+    let layer = &mut scenario.layers[0];
+    let modulus = layer.material.shear_modulus_inf();
+    layer.material.density = logarithmic(unit(), 40.0, 300.0);
+    scenario.impactor.drop_energy = modulus * layer.thickness * PRESSED_AREA * (0.05 + 0.15 * unit());
+    if unit() < 0.5 {
+        layer.material.softening_r = 1.2 + unit();
+        layer.material.softening_m = modulus * logarithmic(unit(), 0.003, 0.03);
+        layer.material.softening_beta = 0.3 * unit();
+    }
+}
+
+/// About the area of the study's anvil that is pressed, m2.
+const PRESSED_AREA: f64 = 5e-3;
+
+/// A plausible drop on a stack: one or two layers more, from 1 to 15 mm thick, of other laws and stiffnesses; bonded, frictional or
+/// separating, some with a gap, some narrower; faces of every kind that the formulation has, many of them narrower than the anvil.
+pub fn stack(samples: &mut Samples) -> Scenario {
+    let mut scenario = scenario(samples);
+    let more = 1 + usize::from(samples.number() > 0.3);
+    let mut part = 1.0;
+    for place in 1..=more {
+        let mut unit = || 0.5 * (1.0 + samples.number());
+        let (thickness, c10) = (logarithmic(unit(), 1e-3, 15e-3), logarithmic(unit(), 20e3, 1e6));
+        let interface = [LayerInterface::Bonded, LayerInterface::Frictional, LayerInterface::Separating];
+        let interface = interface[(3.0 * unit()) as usize % 3];
+        let gap = if unit() < 0.3 && interface != LayerInterface::Bonded { 2e-3 * unit() } else { 0.0 };
+        if unit() < 0.5 {
+            part *= 0.4 + 0.6 * unit();
+        }
+        let (friction_coefficient, poissons_ratio) = (0.6 * unit(), 0.3 + 0.19 * unit());
+        let material =
+            Material { volumetric_by: VolumetricBy::PoissonsRatio, poissons_ratio, ..random_law(samples, c10) };
+        let below = scenario.geometry.core_radius + scenario.height() + gap;
+        let width = if part < 1.0 { part * std::f64::consts::PI * below } else { 0.0 };
+        let layer = Layer { width, interface, friction_coefficient, gap, ..Layer::new("", thickness, material) };
+        scenario.add_layer(layer).unwrap_or_else(|error| panic!("layer {place}: {error}"));
+    }
+    let mut unit = || 0.5 * (1.0 + samples.number());
+    let impactor = &mut scenario.impactor;
+    let third = match scenario.geometry.formulation {
+        Formulation::PlaneStrain => FaceShape::Bar,
+        Formulation::Axisymmetric => FaceShape::Sphere,
+    };
+    impactor.shape = [FaceShape::Round, FaceShape::Rectangular, third][(3.0 * unit()) as usize % 3];
+    (impactor.face_width, impactor.face_length) = (20e-3 + 80e-3 * unit(), 30e-3 + 100e-3 * unit());
+    impactor.face_diameter = if unit() < 0.3 { 0.25 } else { 30e-3 + 70e-3 * unit() };
+    (impactor.rail_friction, impactor.rail_damping) = (20.0 * unit(), 5.0 * unit());
+    // The load is that of the face, not of the anvil.
+    impactor.drop_energy *= 0.5 * (impactor.face_diameter.min(impactor.face_width) / 0.13).min(1.0);
     scenario
 }
 
@@ -76,33 +137,51 @@ pub fn outcome(scenario: &Scenario) -> Result<Outcome, String> {
     let mut simulation = Simulation::new(scenario).map_err(|error| error.to_string())?;
     let constants = simulation.constants();
     let (steps, chosen) = (constants.steps_in(scenario.time.duration), constants.steps_per_sample);
-    let (mut limit, mut residual) = (f64::INFINITY, 0.0_f64);
+    let (mut limit, mut residual, mut depth) = (f64::INFINITY, 0.0_f64, 0.0_f64);
     let stride = steps.div_ceil(LOOKS);
     let mut done = 0;
     while done < steps {
         let count = stride.min(steps - done);
         simulation.step(count, &StepInput::default()).map_err(|error| error.to_string())?;
         done += count;
-        let now =
-            simulation.with(|model, state| critical_time_step(model, state).0).map_err(|error| error.to_string())?;
-        limit = limit.min(now);
+        let look = simulation.with(|model, state| (critical_time_step(model, state).0, deepest(model, state)));
+        let (now, inside) = look.map_err(|error| error.to_string())?;
+        (limit, depth) = (limit.min(now), depth.max(inside));
         residual = residual.max(simulation.scalars().energy.residual().abs() / scenario.impactor.drop_energy);
     }
     let needed = (SAMPLING_INTERVAL / limit).ceil().max(1.0);
-    Ok(Outcome { steps_over_hindsight: f64::from(chosen) / needed, residual })
+    Ok(Outcome {
+        steps_over_hindsight: f64::from(chosen) / needed,
+        residual,
+        penetration: depth / scenario.mesh.element_size,
+    })
 }
 
 /// A drop in one line.
 pub fn summary(scenario: &Scenario) -> String {
     let (geometry, material) = (&scenario.geometry, &scenario.layers[0].material);
     format!(
-        "{:?}, {:?}, {:.1} mm of {:?} with G = {:.0} Pa, nu = {:.3}, {:.1} J",
+        "{:?}, {:?}, {:.1} mm of {:?} with G = {:.0} Pa, nu = {:.3}, {:.1} J, {:?} of {:.0} mm{}",
         geometry.formulation,
         scenario.core.interface,
         1e3 * scenario.thickness(),
         material.law,
         material.shear_modulus_inf(),
         material.poissons_ratio,
-        scenario.impactor.drop_energy
+        scenario.impactor.drop_energy,
+        scenario.impactor.shape,
+        2e3 * scenario.face_half_width(),
+        scenario.layers.iter().skip(1).map(above).collect::<String>()
+    )
+}
+
+/// A layer that lies on another one.
+fn above(layer: &Layer) -> String {
+    let (material, [thickness, gap, width]) = (&layer.material, [layer.thickness, layer.gap, layer.width]);
+    let [thickness, gap, width] = [thickness, gap, width].map(|length| 1e3 * length);
+    let modulus = material.shear_modulus_inf();
+    format!(
+        "; {:?} {thickness:.1} mm of {:?}, G = {modulus:.0} Pa, gap {gap:.1}, width {width:.0}",
+        layer.interface, material.law
     )
 }

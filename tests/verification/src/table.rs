@@ -3,8 +3,9 @@
 use std::fmt::Write;
 
 use crate::problems::{
-    bar_wave, bonded_strip, checkerboard, closed_forms, contact_convergence, cook, coulomb_block, cylinder, harmonic,
-    hertz, impactor, lame, maxwell, patch, patch_distorted, slider, swinging_plate, tear, viscoelastic, volumetric,
+    bar_wave, bonded_strip, checkerboard, closed_forms, contact_convergence, cook, coulomb_block, cylinder, foam,
+    harmonic, hertz, impactor, indentation, interface, lame, maxwell, patch, patch_distorted, slider, softening,
+    swinging_plate, tear, viscoelastic, volumetric,
 };
 use crate::row::{Check, Row};
 
@@ -12,12 +13,14 @@ use crate::row::{Check, Row};
 pub fn single_checks() -> Vec<Check> {
     [
         closed_forms::checks(),
+        foam::checks(),
         volumetric::checks(),
         viscoelastic::checks(),
         maxwell::checks(),
         harmonic::checks(),
         slider::checks(),
         tear::checks(),
+        softening::checks(),
         patch::checks(),
         impactor::checks(),
     ]
@@ -45,10 +48,13 @@ pub fn regular_rows() -> Vec<Row> {
         bar_wave::rows(&bar_wave::CELLS),
         bonded_strip::rows(),
         hertz::rows(&hertz::CELLS),
+        indentation::rows(&indentation::CELLS),
+        interface::rows(&interface::CELLS),
         coulomb_block::rows(),
         cylinder::rows(),
         lame::rows(&lame::CELLS),
         checkerboard::rows(),
+        softening::rows(),
     ]
     .into_iter()
     .flatten()

@@ -180,6 +180,38 @@ pub const STICKING: f64 = 1e-4;
 /// Hertz's peak pressure: the body is forty contact half widths wide and deep, not infinite.
 pub const HERTZ_PEAK: f64 = 0.015;
 
+/// Force on a flat punch with sixteen cells under its radius: half a hundredth, of which rounded edges and the extent of the
+/// block are a part.
+pub const PUNCH: f64 = 5e-3;
+
+/// Force on a ball, extrapolated over the mesh: the block is sixty contact half widths wide and deep, not infinite.
+pub const BALL: f64 = 0.02;
+
+/// Largest pressure under a bar: as [`HERTZ_PEAK`].
+pub const BAR_PRESSURE: f64 = 0.01;
+
+/// Radius of the contact of a flat punch.
+pub const INDENTATION_WIDTH: f64 = 2e-3;
+
+/// Stiffness of a stack against springs in series at a strain of 1e-4, the size of what is not linear.
+pub const SERIES_SPRINGS: f64 = 3e-4;
+
+/// Waves at a change of impedance, with 64 cells along each part: the start of the wave is sixteen cells long.
+pub const IMPEDANCE: f64 = 2e-3;
+
+/// Stopping distance of a slab on a layer: both vibrate.
+pub const STOPPING_DISTANCE_ON_LAYER: f64 = 6e-3;
+
+/// What a slab that friction holds still moves in the time that it slid, over the way that it slid.
+pub const CREEP: f64 = 1e-5;
+
+/// The deepest that a node may be inside another layer, over the element size: the requirement.
+pub const LAYER_PENETRATION: f64 = 0.01;
+
+/// Motion on rails against its closed form: the friction of a step works over all of it, also in the half step that the start
+/// is behind.
+pub const RAILS: f64 = 1e-4;
+
 /// Stopping distance of a rigid block: the elastic one vibrates in shear while it slides.
 pub const STOPPING_DISTANCE: f64 = 2e-3;
 

@@ -71,11 +71,13 @@ function drawSection(canvas, animation, frame, shade, showMesh) {
     context.fill(path);
   });
   strokeLayer(context, x, y, sides, showMesh);
-  const face = mesh.top + at(animation.face, frame), { left, right, slab } = data.impactor;
+  const face = mesh.top + at(animation.face, frame), impactor = new Path2D();
+  data.impactor.outline.forEach(([px, py], i) => i === 0 ? impactor.moveTo(px, face + py) : impactor.lineTo(px, face + py));
+  impactor.closePath();
   context.fillStyle = css("--steel");
   context.strokeStyle = css("--ink");
-  context.fillRect(left, face, right - left, slab);
-  context.strokeRect(left, face, right - left, slab);
+  context.fill(impactor);
+  context.stroke(impactor);
 }
 
 function fillCore(context, sides) {
@@ -92,7 +94,7 @@ function strokeLayer(context, x, y, sides, showMesh) {
   for (const sign of sides) {
     const line = new Path2D();
     const along = nodes => nodes.forEach((n, i) => i === 0 ? line.moveTo(sign * x[n], y[n]) : line.lineTo(sign * x[n], y[n]));
-    along(data.mesh.outline);
+    data.mesh.outlines.forEach(along);
     if (showMesh) for (const nodes of data.mesh.triangles) { along(nodes); line.closePath(); }
     context.strokeStyle = showMesh ? "rgba(255,255,255,.45)" : css("--ink");
     context.stroke(line);

@@ -23,8 +23,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         [name, files @ ..] if files.len() == MODES.len() => {
             let law = Law::find(name).ok_or("no such law")?;
             let data = MODES.iter().zip(files).map(|(mode, file)| read(*mode, file)).collect::<Result<Vec<_>, _>>()?;
-            let settings =
-                Settings { weighting: Weighting::Absolute, stability_range: (0.5, 7.6), demand_stability: false };
+            let settings = Settings::plain((0.5, 7.6));
             timed(|| Fit::new(law, &data, &settings).map(|fit| fit.statistics.rms))?
         }
         _ => return Err("usage: fit_law LAW UNIAXIAL PLANAR EQUIBIAXIAL, or fit_law prony TERMS RELAXATION".into()),

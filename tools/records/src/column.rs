@@ -298,7 +298,7 @@ fn kind_of(words: &[String], unit: Option<Unit>, spelled: Option<&str>) -> Resul
         return Ok(Some(Kind::Stretch));
     }
     if has(&["stress", "spannung", "contrainte", "sigma", "σ", "piola"])
-        || has_word(words, &["p", "s", "pk"]) && !of(Dimension::Time) && !of(Dimension::Force)
+        || has_word(words, &["p", "s", "pk", "tau", "τ"]) && !of(Dimension::Time) && !of(Dimension::Force)
     {
         return Ok(Some(Kind::Stress));
     }
@@ -308,7 +308,9 @@ fn kind_of(words: &[String], unit: Option<Unit>, spelled: Option<&str>) -> Resul
     if of(Dimension::Stress) && (loaded || is(&["t", "f", "n"]) || joined == "f a" || joined == "f a0") {
         return Ok(Some(Kind::Stress));
     }
-    let strained = has(&["strain", "dehnung", "stauchung", "epsilon", "ε"]) || has_word(words, &["eps"]) || is(&["e"]);
+    let strained = has(&["strain", "dehnung", "stauchung", "epsilon", "ε"])
+        || has_word(words, &["eps", "gamma", "γ"])
+        || is(&["e"]);
     let lengthened =
         has(&["elongation", "deform", "compression", "déform", "verformung", "allongement", "alargamiento"]);
     let moved = has(&[

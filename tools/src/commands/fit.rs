@@ -10,7 +10,7 @@ use softanvil_identify::data::repeats::Repeats;
 use softanvil_identify::data::specimen::Specimen;
 use softanvil_identify::export::Layer;
 use softanvil_identify::law::fit::{Settings, Weighting};
-use softanvil_identify::law::{LAWS, Law, Mode};
+use softanvil_identify::law::{FOAMS, LAWS, Law, Mode};
 use softanvil_identify::relaxation::choice::TERMS;
 use softanvil_identify::relaxation::read as relaxation;
 use softanvil_kernel::material::Moduli;
@@ -46,11 +46,14 @@ pub struct Options {
     /// Equibiaxial tension
     #[arg(long, value_name = "FILE", num_args = 1..)]
     equibiaxial: Vec<PathBuf>,
+    /// Simple shear: amount of shear (or displacement) and shear stress (or force)
+    #[arg(long, value_name = "FILE", num_args = 1..)]
+    simple_shear: Vec<PathBuf>,
     /// Stress relaxation: time and modulus, stress or force
     #[arg(long, value_name = "FILE")]
     relaxation: Option<PathBuf>,
     /// No data: the start from the scalars that the paper prints, with their contradictions
-    #[arg(long, conflicts_with_all = ["uniaxial", "planar", "equibiaxial", "relaxation", "json"])]
+    #[arg(long, conflicts_with_all = ["uniaxial", "planar", "equibiaxial", "simple_shear", "relaxation", "json"])]
     paper: bool,
     #[command(flatten)]
     table: TableOptions,
@@ -127,12 +130,16 @@ struct SpecimenOptions {
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Laws")]
 struct LawOptions {
+    /// The specimens are of a foam: fit laws that change their volume, by the stresses alone
+    #[arg(long)]
+    foam: bool,
     /// Law to choose instead of the stable one of lowest residual
     #[arg(long, value_name = "NAME", value_parser = law)]
     law: Option<&'static Law>,
-    /// Residuals in Pa, or divided by the stress (of at least 1 % of the largest)
-    #[arg(long, value_enum, default_value = "absolute")]
-    weighting: WeightingOption,
+    /// Residuals in Pa, divided by the stress (of at least 1 % of the largest), or by the largest stress of their test, so that
+    /// every test counts alike [default: absolute; of a foam tests]
+    #[arg(long, value_enum)]
+    weighting: Option<WeightingOption>,
     /// Only Drucker-stable laws
     #[arg(long)]
     stable: bool,
@@ -164,14 +171,15 @@ struct MaterialOptions {
     /// Whether the curves were slow (long-term moduli) or fast (instantaneous moduli) against the relaxation
     #[arg(long, value_enum, default_value = "long-term")]
     moduli: ModuliOption,
-    /// Layer of the anvil
-    #[arg(long, value_enum, default_value = "silicone")]
-    layer: LayerOption,
-    /// Density in kg/m3 [default: that of the layer in the preset study]
+    /// Layer of the stack: its name, its place from the core, 0 to 3, or both, as in pad=0 [default: silicone; of a foam pad]
+    #[arg(long, value_name = "NAME|PLACE", value_parser = Layer::parse)]
+    layer: Option<Layer>,
+    /// Density in kg/m3 [default: that of the layer in the preset study; of a foam 50]
     #[arg(long, value_name = "KG_PER_M3", allow_negative_numbers = true)]
     density: Option<f64>,
     /// Poisson's ratio; below 0.45 the laws are fitted to a specimen that changes its volume so [default: as lateral strains
-    /// in the files say, else that of the layer in the preset study beside laws fitted as to a constant volume]
+    /// in the files say, else that of the layer in the preset study beside laws fitted as to a constant volume; of a foam fitted
+    /// with the others]
     #[arg(long, value_name = "RATIO", allow_negative_numbers = true)]
     poissons_ratio: Option<f64>,
 }
@@ -198,9 +206,8 @@ choice!(MeasureOption => Measure {
 });
 choice!(DirectionOption => Direction { Tension => Direction::Tension, Compression => Direction::Compression });
 choice!(RepeatsOption => Repeats { Median => Repeats::Median, All => Repeats::All });
-choice!(WeightingOption => Weighting { Absolute => Weighting::Absolute, Relative => Weighting::Relative });
+choice!(WeightingOption => Weighting { Absolute => Weighting::Absolute, Relative => Weighting::Relative, Tests => Weighting::Tests });
 choice!(ModuliOption => Moduli { LongTerm => Moduli::LongTerm, Instantaneous => Moduli::Instantaneous });
-choice!(LayerOption => Layer { Silicone => Layer::Silicone, Skin => Layer::Skin });
 
 /// File of the scenario that holds the material and goes through.
 const SCENARIO: &str = "scenario.toml";
@@ -210,7 +217,9 @@ const SCENARIO: &str = "scenario.toml";
 /// # Errors
 /// Files or options that are refused, a fit that failed, or files that cannot be written.
 pub fn carry_out(options: &Options) -> Result<String, Failure> {
-    let layer = options.material.layer.into();
+    let foam = options.laws.foam()?;
+    let default = if foam { PAD } else { SILICONE };
+    let layer = options.material.layer.clone().map_or_else(|| Layer::parse(default), Ok).map_err(Failure::Input)?;
     if options.paper {
         let identified = Identified::of_study(layer)?;
         let mut text = identified.comment.clone() + "\n";
@@ -219,9 +228,9 @@ pub fn carry_out(options: &Options) -> Result<String, Failure> {
         }
         return Ok(text);
     }
-    let identification = options.identify()?;
+    let identification = options.identify(foam)?;
     let material = &options.material;
-    let given = given(material.moduli.into(), material.density, material.poissons_ratio, layer);
+    let given = given(material.moduli.into(), material.density, material.poissons_ratio, layer, foam);
     let mut report = json::of_identification(&identification);
     let mut text = String::new();
     if options.out.is_some() {
@@ -241,8 +250,27 @@ pub fn carry_out(options: &Options) -> Result<String, Failure> {
     })
 }
 
+/// Layers that a material is for where no option says otherwise.
+const SILICONE: &str = "silicone";
+/// See [`SILICONE`].
+const PAD: &str = "pad";
+
+impl LawOptions {
+    /// Whether the laws are those of foams.
+    fn foam(&self) -> Result<bool, Failure> {
+        let chosen = self.law.map(|law| law.is_compressible());
+        match (self.foam, self.law) {
+            (true, Some(law)) if !law.is_compressible() => {
+                let legal = FOAMS.iter().map(|law| law.name).collect::<Vec<_>>().join(", ");
+                Err(Failure::Input(format!("--law {} is refused beside --foam: expected {legal}", law.name)))
+            }
+            _ => Ok(self.foam || chosen == Some(true)),
+        }
+    }
+}
+
 impl Options {
-    fn identify(&self) -> Result<Identification, Failure> {
+    fn identify(&self, foam: bool) -> Result<Identification, Failure> {
         let (table, specimen) = (&self.table, &self.specimen);
         let area = specimen.area.or(specimen.diameter.map(|d| 0.25 * std::f64::consts::PI * d * d));
         let size = Specimen { area, height: specimen.height };
@@ -255,16 +283,22 @@ impl Options {
                 strain_measure: table.strain_measure.map(Into::into),
                 stress_measure: table.stress_measure.map(Into::into),
                 direction: table.direction.map(Into::into),
+                shear: false,
             },
             selection: Selection { drop_first_cycle: specimen.drop_first_cycle, unloading: specimen.unloading },
             repeats: specimen.repeats.into(),
         };
-        let tests =
-            [(Mode::Uniaxial, &self.uniaxial), (Mode::Planar, &self.planar), (Mode::Equibiaxial, &self.equibiaxial)];
+        let tests = [
+            (Mode::Uniaxial, &self.uniaxial),
+            (Mode::Planar, &self.planar),
+            (Mode::Equibiaxial, &self.equibiaxial),
+            (Mode::SimpleShear, &self.simple_shear),
+        ];
         let curves = tests.into_iter().filter(|(_, paths)| !paths.is_empty());
         let curves = curves.map(|(mode, paths)| Curves::read(mode, paths, &reading)).collect::<Result<Vec<_>, _>>()?;
         if curves.is_empty() && self.relaxation.is_none() {
-            let legal = "expected --uniaxial, --planar, --equibiaxial or --relaxation with a file, or --paper";
+            let legal =
+                "expected --uniaxial, --planar, --equibiaxial, --simple-shear or --relaxation with a file, or --paper";
             return Err(Failure::Input(format!("there is nothing to fit: {legal}")));
         }
         let relaxation = relaxation::Options {
@@ -281,11 +315,17 @@ impl Options {
         let request = Request {
             stability_range: self.laws.stable_range,
             settings: Settings {
-                weighting: self.laws.weighting.into(),
+                weighting: match self.laws.weighting {
+                    Some(weighting) => weighting.into(),
+                    None if foam => Weighting::Tests,
+                    None => Weighting::Absolute,
+                },
                 stability_range: self.laws.stable_range.unwrap_or((1.0, 1.0)),
                 demand_stability: self.laws.stable,
+                poissons_ratio: None,
             },
             law: self.laws.law,
+            foam,
             n_term: self.prony.terms,
             poissons_ratio: self.material.poissons_ratio,
         };
@@ -347,7 +387,7 @@ fn length(text: &str) -> Result<f64, String> {
 }
 
 fn law(name: &str) -> Result<&'static Law, String> {
-    let names = || LAWS.iter().map(|law| law.name).collect::<Vec<_>>().join(", ");
+    let names = || LAWS.iter().chain(FOAMS.iter()).map(|law| law.name).collect::<Vec<_>>().join(", ");
     Law::find(name).ok_or_else(|| format!("expected {}", names()))
 }
 

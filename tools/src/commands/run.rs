@@ -38,6 +38,14 @@ pub struct Options {
     /// Time from one frame of the series to the next in s, a whole multiple of 50e-6
     #[arg(long, value_name = "S", default_value = "250e-6", allow_negative_numbers = true, value_parser = frame_samples)]
     vtu_interval: usize,
+    /// Drop again and again on the same anvil, which keeps its damage; files and the table of results are those of the last
+    /// impact
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=1000),
+        conflicts_with = "vtu")]
+    impacts: u32,
+    /// Time between one impact and the next in s
+    #[arg(long, value_name = "S", default_value_t = 60.0, allow_negative_numbers = true, requires = "impacts")]
+    rest: f64,
     /// Print JSON in SI units instead of the table
     #[arg(long)]
     json: bool,
@@ -53,15 +61,16 @@ pub fn carry_out(options: &Options) -> Result<String, Failure> {
     let subject = options.drop.subject()?;
     options.overwrite.check(options.plot.as_deref(), options.csv.as_deref())?;
     let mut series = options.series()?;
-    let run = simulate_watched(&subject, |simulation| series.iter_mut().try_for_each(|s| s.take(simulation)))?;
+    let (earlier, run) = options.simulate(&subject, &mut series)?;
     let files = options.files(&run)?;
     staging::write_files(&files).map_err(|(path, error)| Failure::writing(&path, error))?;
     let series = series.map(Series::finish).transpose()?;
     if options.json {
-        return Ok(json::text(&json::of_run(&run, &subject)));
+        return Ok(json::text(&json::of_impacts(&earlier, &run, &subject)));
     }
     let head = subject.text() + &warning_lines(&warnings(&run.constants)) + &run::remark(&run);
-    let mut text = format!("{head}{}{}\n", table::of_run(&run), table::settings(&run));
+    let impacts = if earlier.is_empty() { String::new() } else { table::of_impacts(&earlier, &run, options.rest) };
+    let mut text = format!("{head}{impacts}{}{}\n", table::of_run(&run), table::settings(&run));
     for (path, _) in &files {
         let _ = writeln!(text, "written: {}", path.display());
     }
@@ -72,6 +81,17 @@ pub fn carry_out(options: &Options) -> Result<String, Failure> {
 }
 
 impl Options {
+    /// Runs the impacts, with progress: those before the last, and the last.
+    fn simulate(&self, subject: &Subject, series: &mut Option<Series>) -> Result<(Vec<Run>, Run), Failure> {
+        let drop = Drop::until(&subject.scenario, subject.until)?;
+        let bar = progress::bar(u64::from(self.impacts) * drop.steps());
+        bar.set_message("drop");
+        drop.run_impacts(self.impacts, self.rest, |steps, simulation| {
+            bar.inc(steps);
+            series.iter_mut().try_for_each(|series| series.take(simulation))
+        })
+    }
+
     fn series(&self) -> Result<Option<Series>, Failure> {
         let Some(folder) = &self.vtu else { return Ok(None) };
         Series::new(OwnFolder::new(folder, &paraview::KIND, self.overwrite.overwrite)?, self.vtu_interval).map(Some)

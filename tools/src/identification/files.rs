@@ -80,7 +80,8 @@ impl Curves {
         for path in paths {
             let source = Source::read(path)?;
             let name = source.name();
-            let curve = curve::read(&name, &source.bytes, &reading.curve).map_err(|error| source.refused(&error))?;
+            let options = curve::Options { shear: mode == Mode::SimpleShear, ..reading.curve.clone() };
+            let curve = curve::read(&name, &source.bytes, &options).map_err(|error| source.refused(&error))?;
             let mut say = |note: &str| notes.push(format!("{name}: {note}"));
             curve.notes.iter().for_each(|note| say(note));
             for repeat in &curve.repeats {
@@ -98,18 +99,22 @@ impl Curves {
         }
         let n_specimen = specimens.len();
         let points = match reading.repeats {
-            Repeats::Median => medians(specimens, &mut notes)
+            Repeats::Median => medians(mode, specimens, &mut notes)
                 .map_err(|reason| Failure::Input(format!("--{}: {reason}", mode.name())))?,
             Repeats::All => specimens.concat(),
         };
-        let points = points.iter().map(|point| (point.stretch, point.stress)).collect();
+        // Of a shear the stretch is 1 more than the amount.
+        let rest = if mode == Mode::SimpleShear { 1.0 } else { 0.0 };
+        let points = points.iter().map(|point| (point.stretch - rest, point.stress)).collect();
         Ok(Self { data: DataSet { mode, points }, files, n_specimen, volumes, words, notes })
     }
 }
 
-/// The median curve of the specimens in tension and that of those in compression.
-fn medians(specimens: Vec<Vec<Point>>, notes: &mut Vec<String>) -> Result<Vec<Point>, String> {
-    let compressed = |points: &Vec<Point>| points.iter().map(|point| point.stretch).sum::<f64>() < points.len() as f64;
+/// The median curve of the specimens in tension and that of those in compression; of those in shear together.
+fn medians(mode: Mode, specimens: Vec<Vec<Point>>, notes: &mut Vec<String>) -> Result<Vec<Point>, String> {
+    let compressed = |points: &Vec<Point>| {
+        mode != Mode::SimpleShear && points.iter().map(|point| point.stretch).sum::<f64>() < points.len() as f64
+    };
     let (compression, tension): (Vec<_>, Vec<_>) = specimens.into_iter().partition(compressed);
     let mut points = Vec::new();
     for group in [compression, tension] {

@@ -3,6 +3,7 @@
 use serde_json::{Map, Value, json};
 use softanvil_identify::law::MODES;
 use softanvil_identify::law::fit::{Fit, Weighting};
+use softanvil_identify::law::parts::{Misfit, Part};
 use softanvil_identify::law::volume::Volume;
 use softanvil_identify::relaxation::prony::Prony;
 use softanvil_identify::relaxation::read::Load;
@@ -16,7 +17,7 @@ pub fn of_identification(identification: &Identification) -> Value {
             "mode": curves.data.mode.name(),
             "files": curves.files,
             "specimens": curves.n_specimen,
-            "stretch": curves.data.points.iter().map(|point| point.0).collect::<Vec<_>>(),
+            curves.data.mode.measured(): curves.data.points.iter().map(|point| point.0).collect::<Vec<_>>(),
             "nominal_stress": curves.data.points.iter().map(|point| point.1).collect::<Vec<_>>(),
             "notes": curves.notes,
         })
@@ -28,25 +29,31 @@ pub fn of_identification(identification: &Identification) -> Value {
             "known_by": match identification.volume {
                 Volume::Assumed => "assumption",
                 Volume::Stated(_) => "statement",
+                Volume::OfLaw(_) => "law",
                 Volume::Measured { .. } => "measurement",
             },
             "poissons_ratio": identification.volume.poissons_ratio(),
-            "fitted_as": if identification.volume.compressible().is_some() { "compressible" } else { "incompressible" },
+            "fitted_as": match identification.volume {
+                Volume::OfLaw(_) => "foam",
+                volume if volume.compressible().is_some() => "compressible",
+                _ => "incompressible",
+            },
         },
         "weighting": match identification.settings.weighting {
             Weighting::Absolute => "absolute",
             Weighting::Relative => "relative",
+            Weighting::Tests => "tests",
         },
         "stability_range": [low, high],
         "chosen": identification.law().map(|fit| fit.law.name),
-        "laws": identification.fits.iter().map(of_fit).collect::<Vec<_>>(),
+        "laws": identification.fits.iter().map(|fit| of_fit(identification, fit)).collect::<Vec<_>>(),
         "not_fitted": identification.failed,
         "caveats": identification.caveats,
         "relaxation": identification.relaxed.as_ref().map(of_relaxed),
     })
 }
 
-fn of_fit(fit: &Fit) -> Value {
+fn of_fit(identification: &Identification, fit: &Fit) -> Value {
     let statistics = &fit.statistics;
     let named = |values: &[f64]| -> Map<String, Value> {
         fit.law
@@ -70,12 +77,23 @@ fn of_fit(fit: &Fit) -> Value {
         "residual_sum": statistics.residual_sum,
         "residual_rms": statistics.rms,
         "residual_largest": statistics.largest,
+        "tests": identification.misfits(fit).into_iter().map(of_misfit).collect::<Vec<_>>(),
         "r_squared": statistics.r_squared,
         "aic": statistics.aic,
         "shear_modulus": fit.shear_modulus(),
         "degenerate": fit.degeneracy.map(|degeneracy| degeneracy.to_string()),
         "stable": fit.is_stable,
         "stable_stretches": stable,
+    })
+}
+
+fn of_misfit((part, misfit): (Part, Misfit)) -> Value {
+    json!({
+        "test": part.name,
+        "points": part.places.len(),
+        "residual_rms": misfit.rms,
+        "largest_stress": misfit.largest,
+        "residual_rms_relative": misfit.relative(),
     })
 }
 

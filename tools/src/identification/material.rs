@@ -12,7 +12,7 @@ use crate::failure::Failure;
 use crate::scenario_file;
 
 /// What the data do not identify.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 pub struct Given {
     /// Which moduli the curves gave.
     pub moduli: Moduli,
@@ -56,7 +56,14 @@ impl Files {
 
     /// Notes that there is no file `name`, because `program` does not have the law of `material`.
     fn lacks(&mut self, name: &str, program: &str, material: &Material) {
-        self.refused.push((name.into(), format!("{program} has no law {}", material.law.description().label)));
+        let label = material.law.description().label;
+        let reason = match material.law.description().compressible {
+            false => format!("{program} has no law {label}"),
+            true => format!(
+                "the {label} of {program} has one Poisson's ratio for all terms (--poissons-ratio gives them one) and no viscous terms"
+            ),
+        };
+        self.refused.push((name.into(), reason));
     }
 }
 
@@ -96,11 +103,12 @@ impl Identified {
         material.volumetric_by = VolumetricBy::PoissonsRatio;
         let measured = match identification.volume {
             Volume::Measured { poissons_ratio, .. } => Some(poissons_ratio),
-            Volume::Assumed | Volume::Stated(_) => None,
+            Volume::Assumed | Volume::Stated(_) | Volume::OfLaw(_) => None,
         };
         material.poissons_ratio = measured.unwrap_or(given.poissons_ratio);
         let (density, ratio) = (given.density, given.poissons_ratio);
         lines.push(match measured {
+            None if material.law.description().compressible => format!("Not identified: density {density} kg/m3,"),
             Some(ratio) => {
                 format!("Poisson's ratio {ratio:.4} as in the files. Not identified: density {density} kg/m3,")
             }
@@ -114,7 +122,7 @@ impl Identified {
         let states = identification.data.iter().map(|set| (set.mode, set.points.iter().map(|point| point.0).collect()));
         let states: Vec<States> = states.collect();
         let states = if states.is_empty() { states_without_data() } else { states };
-        Self::checked(material, given.layer, lines.join("\n"), states)
+        Self::checked(material, given.layer.clone(), lines.join("\n"), states)
     }
 
     /// The start from the study's scalars.
@@ -138,8 +146,8 @@ impl Identified {
 
     /// The study's scenario with this material.
     pub fn scenario(&self) -> Scenario {
-        let mut scenario = anvil(self.layer);
-        scenario.layers[self.layer.place()].material = self.material;
+        let mut scenario = anvil(&self.layer);
+        scenario.layers[self.layer.place].material = self.material;
         scenario
     }
 
@@ -148,9 +156,9 @@ impl Identified {
     /// # Errors
     /// Never, as they are made in memory.
     pub fn files(&self) -> Result<Files, Failure> {
-        let (material, layer) = (&self.material, self.layer);
+        let (material, layer) = (&self.material, &self.layer);
         let mut files = Files { written: Vec::new(), refused: Vec::new() };
-        let toml = scenario_file::material_to_toml(&self.scenario(), layer.place(), &self.comment);
+        let toml = scenario_file::material_to_toml(&self.scenario(), layer.place, &self.comment);
         let read = self.read_toml(&toml);
         files.add(self, "material.toml", toml, read);
         let text = ssv::text("material", material, layer).map_err(|error| Failure::Failed(error.to_string()))?;
@@ -176,20 +184,33 @@ impl Identified {
     /// A file that is refused.
     pub fn read_toml(&self, text: &str) -> Result<Card, ReadBackError> {
         let scenario =
-            scenario_file::parse(text, &anvil(self.layer)).map_err(|error| ReadBackError::new(error.to_string()))?;
-        Ok(Card::of(&scenario.layers[self.layer.place()].material))
+            scenario_file::parse(text, &anvil(&self.layer)).map_err(|error| ReadBackError::new(error.to_string()))?;
+        Ok(Card::of(&scenario.layers[self.layer.place].material))
     }
 }
 
-/// The study's anvil, with a skin on a silicone that is as much thinner where the layer is the skin.
-fn anvil(layer: Layer) -> Scenario {
+/// Thickness of a pad that nothing is said of, m: the most that rugby union's body padding may have.
+const PAD_THICKNESS: f64 = 10e-3;
+/// Density of a foam that nothing is said of, kg/m3: rugby union's body padding may have 45, and 15 more. The mass of a pad hardly
+/// matters beside that of the impactor.
+const FOAM_DENSITY: f64 = 50.0;
+
+/// The study's anvil; where the layer is a skin, with that on a silicone that is as much thinner, and where it is another one, with
+/// a pad at its place and plain silicones of the same thickness between.
+fn anvil(layer: &Layer) -> Scenario {
     let mut scenario = preset::study();
-    if layer == Layer::Skin {
-        let skin = preset::chamois();
+    let skin = preset::chamois();
+    if layer.place == 1 && layer.name == skin.name.as_str() {
         scenario.layers[0].thickness -= skin.thickness;
-        scenario.set_layer_count(layer.place() + 1);
-        scenario.layers[layer.place()] = skin;
+        scenario.set_layer_count(layer.place + 1);
+        scenario.layers[layer.place] = skin;
+        return scenario;
     }
+    scenario.set_layer_count(layer.place + 1);
+    for other in scenario.layers.iter_mut().skip(1) {
+        other.thickness = PAD_THICKNESS;
+    }
+    scenario.layers[layer.place].name = layer.name.as_str().try_into().unwrap_or_default();
     scenario
 }
 
@@ -207,11 +228,11 @@ fn add_prony(material: &mut Material, terms: Vec<(f64, f64)>) -> Option<String> 
 }
 
 /// What the options give, and the layer's values in the preset study where they leave it open.
-pub fn given(moduli: Moduli, density: Option<f64>, poissons_ratio: Option<f64>, layer: Layer) -> Given {
-    let own = anvil(layer).layers[layer.place()].material;
+pub fn given(moduli: Moduli, density: Option<f64>, poissons_ratio: Option<f64>, layer: Layer, foam: bool) -> Given {
+    let own = anvil(&layer).layers[layer.place].material;
     Given {
         moduli,
-        density: density.unwrap_or(own.density),
+        density: density.unwrap_or(if foam { FOAM_DENSITY } else { own.density }),
         poissons_ratio: poissons_ratio.unwrap_or(own.poissons_ratio),
         layer,
     }
@@ -224,10 +245,11 @@ mod tests {
     #[test]
     fn what_no_option_gives_is_the_preset_s() {
         let silicone = preset::study().layers[0].material;
-        for (layer, material) in [(Layer::Silicone, silicone), (Layer::Skin, preset::chamois().material)] {
-            let left_open = given(Moduli::LongTerm, None, None, layer);
+        for (layer, material) in [("silicone", silicone), ("skin", preset::chamois().material)] {
+            let layer = Layer::parse(layer).unwrap();
+            let left_open = given(Moduli::LongTerm, None, None, layer.clone(), false);
             assert_eq!((left_open.density, left_open.poissons_ratio), (material.density, material.poissons_ratio));
-            assert_eq!(given(Moduli::LongTerm, None, Some(0.4), layer).poissons_ratio, 0.4);
+            assert_eq!(given(Moduli::LongTerm, None, Some(0.4), layer, false).poissons_ratio, 0.4);
         }
     }
 }

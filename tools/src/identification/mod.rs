@@ -10,9 +10,10 @@ pub mod table;
 pub mod trial;
 pub mod volume;
 
-use softanvil_identify::law::fit::{Fit, Settings};
+use softanvil_identify::law::fit::{Fit, Settings, predict};
+use softanvil_identify::law::parts::{Misfit, Part};
 use softanvil_identify::law::volume::Volume;
-use softanvil_identify::law::{DataSet, LAWS, Law, Mode, ranking, stability, stress};
+use softanvil_identify::law::{DataSet, FOAMS, LAWS, Law, Mode, ranking, stability, stress};
 use softanvil_identify::relaxation::choice::Choice;
 use softanvil_identify::relaxation::read::{self as relaxation, Test};
 
@@ -33,7 +34,7 @@ pub struct Identification {
     pub curves: Vec<Curves>,
     /// How the specimens' volume behaves.
     pub volume: Volume,
-    /// What the laws were fitted to: the isochoric part of the curves.
+    /// What the laws were fitted to: the isochoric part of the curves; of a foam the curves.
     pub data: Vec<DataSet>,
     /// The laws in the order of the ranking; empty without curves.
     pub fits: Vec<Fit>,
@@ -52,6 +53,9 @@ pub struct Identification {
 /// Stretches over which stability is asked for, unless the data go further: those of the softest layers in a drop.
 const STABILITY_RANGE: (f64, f64) = (0.5, 2.0);
 
+/// The same of foams, which a pad presses further together and hardly stretches.
+const FOAM_RANGE: (f64, f64) = (0.2, 1.5);
+
 /// What is told if no law can be fitted.
 const HINT: &str =
     "Are the columns read as they are meant: strain or stretch (--columns), tension or compression (--direction)?";
@@ -67,6 +71,8 @@ pub struct Request {
     pub settings: Settings,
     /// Law instead of the stable one of lowest residual.
     pub law: Option<&'static Law>,
+    /// Whether the laws are those of foams.
+    pub foam: bool,
     /// Number of Prony terms instead of the chosen one.
     pub n_term: Option<usize>,
     /// Poisson's ratio, if the user states it.
@@ -83,16 +89,21 @@ impl Identification {
         relaxation: Option<(&Source, &relaxation::Options)>,
         request: &Request,
     ) -> Result<Self, Failure> {
-        let volume = volume::of(&curves, request.poissons_ratio)?;
+        let (volume, mut caveats) = match request.foam {
+            true => volume::of_foam(&curves, request.poissons_ratio)?,
+            false => (volume::of(&curves, request.poissons_ratio)?, Vec::new()),
+        };
         let isochoric = |set: &DataSet| DataSet {
             mode: set.mode,
             points: set.points.iter().map(|point| volume.isochoric(set.mode, *point)).collect(),
         };
         let data: Vec<DataSet> = curves.iter().map(|curves| isochoric(&curves.data)).collect();
         let mut settings = request.settings;
-        settings.stability_range = request.stability_range.unwrap_or_else(|| stability_range(&data));
+        settings.stability_range = request.stability_range.unwrap_or_else(|| stability_range(&data, request.foam));
+        settings.poissons_ratio = volume.poissons_ratio().filter(|_| request.foam);
+        let laws = if request.foam { FOAMS.iter() } else { LAWS.iter() };
         let (mut fits, mut failed, mut worse) = (Vec::new(), Vec::new(), 0);
-        for law in LAWS.iter().filter(|_| !data.is_empty()) {
+        for law in laws.filter(|_| !data.is_empty()) {
             match Fit::new(law, &data, &settings) {
                 // Worse than a constant: it says nothing about these data.
                 Some(fit) if fit.statistics.r_squared < 0.0 => {
@@ -119,13 +130,24 @@ impl Identification {
             Some(law) => position(&fits, law, &failed)?,
             None => ranking::choose(&fits),
         };
-        let mut caveats = volume::caveats(&curves, volume);
+        caveats.extend(volume::caveats(&curves, volume));
         caveats.extend(fits.get(chosen).into_iter().flat_map(|fit| ranking::caveats(fit, &fits, &data, &settings)));
         let relaxed = match relaxation {
             Some((source, options)) => Some(Relaxed::new(source, options, fits.get(chosen), volume, request.n_term)?),
             None => None,
         };
         Ok(Self { curves, volume, data, fits, failed, chosen, settings, caveats, relaxed })
+    }
+
+    /// Every test, and how far `fit` is from it.
+    pub fn misfits(&self, fit: &Fit) -> Vec<(Part, Misfit)> {
+        let measured: Vec<f64> = self.data.iter().flat_map(|set| set.points.iter().map(|point| point.1)).collect();
+        let stresses = predict(fit.law, &fit.values, &self.data);
+        let misfit = |part: Part| {
+            let misfit = part.misfit(&stresses, &measured);
+            (part, misfit)
+        };
+        Part::list(&self.data).into_iter().map(misfit).collect()
     }
 
     /// The chosen law, if there are curves.
@@ -156,9 +178,10 @@ impl Relaxed {
 }
 
 /// The stretches of the data and of a drop.
-fn stability_range(data: &[DataSet]) -> (f64, f64) {
-    let stretches = data.iter().flat_map(|set| set.points.iter().map(|point| point.0));
-    let (low, high) = stretches.fold(STABILITY_RANGE, |(low, high), stretch| (low.min(stretch), high.max(stretch)));
+fn stability_range(data: &[DataSet], foam: bool) -> (f64, f64) {
+    let ranges = data.iter().map(DataSet::stretches);
+    let least = if foam { FOAM_RANGE } else { STABILITY_RANGE };
+    let (low, high) = ranges.fold(least, |(low, high), (l, h)| (low.min(l), high.max(h)));
     (low.max(stability::SCAN.0), high.min(stability::SCAN.1))
 }
 
@@ -176,6 +199,9 @@ fn reason(law: &Law, data: &[DataSet], settings: &Settings) -> String {
 fn position(fits: &[Fit], law: &Law, failed: &[String]) -> Result<usize, Failure> {
     fits.iter().position(|fit| fit.law == law).ok_or_else(|| match failed.iter().find(|f| f.starts_with(law.label)) {
         Some(reason) => Failure::Failed(reason.clone()),
-        None => Failure::Input(format!("--law {} needs a curve: --uniaxial, --planar or --equibiaxial", law.name)),
+        None => Failure::Input(format!(
+            "--law {} needs a curve: --uniaxial, --planar, --equibiaxial or --simple-shear",
+            law.name
+        )),
     })
 }

@@ -25,6 +25,8 @@ pub fn of_identification(identification: &Identification) -> String {
         text += &ranking(identification);
         text += "\n";
         text += &coefficients(fit);
+        text += "\n";
+        text += &misfits(identification, fit);
         identification.caveats.iter().for_each(|caveat| push(&mut text, "! ", caveat));
     }
     if let Some(relaxed) = &identification.relaxed {
@@ -71,6 +73,7 @@ fn ranking(identification: &Identification) -> String {
     let weighting = match identification.settings.weighting {
         Weighting::Absolute => "absolute residuals",
         Weighting::Relative => "relative residuals",
+        Weighting::Tests => "residuals in parts of the largest stress of their test, every test alike",
     };
     let mut text = format!("{}\n", text_of(&mut table));
     let _ = writeln!(
@@ -101,6 +104,26 @@ fn coefficients(fit: &Fit) -> String {
     }
     align_right(&mut table, 1..4);
     format!("{}\n", text_of(&mut table))
+}
+
+/// How far the chosen law is from each test, and what that means.
+fn misfits(identification: &Identification, fit: &Fit) -> String {
+    let mut table = new_plain_table(&["test", "points", "residual rms", "of the largest stress"]);
+    for (part, misfit) in identification.misfits(fit) {
+        let points = part.places.len().to_string();
+        let relative = format!("{:.1}{FIXED_BLANK}%", 100.0 * misfit.relative());
+        let rms = format!("{}{FIXED_BLANK}kPa", digits(misfit.rms * 1e-3));
+        table.add_row([part.name.replace(' ', &FIXED_BLANK.to_string()), points, rms, relative]);
+    }
+    align_right(&mut table, 1..4);
+    let mut text = format!("{}\n", text_of(&mut table));
+    if fit.law.is_compressible() {
+        let meaning = "Every modulus is positive, which is more than Drucker's condition needs: the law is stable at all stretches. \
+                       The residual is what no law of these terms has: cells that buckle in compression and straighten in tension \
+                       stiffen differently, and it is no scatter of the test.";
+        push(&mut text, "", meaning);
+    }
+    text
 }
 
 fn relaxation(relaxed: &Relaxed) -> String {

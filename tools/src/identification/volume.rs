@@ -10,6 +10,32 @@ use crate::failure::Failure;
 /// Difference of Poisson's ratios that are not the same.
 const DIFFERENT: f64 = 0.05;
 
+/// Of a foam, whose law says what its volume does: Poisson's ratio of every term, where it is stated or measured, or where the
+/// data tell nothing of it, as one kind of test does not; and what a reader should know of that.
+///
+/// # Errors
+/// A ratio that the kernel does not take.
+pub fn of_foam(curves: &[Curves], stated: Option<f64>) -> Result<(Volume, Vec<String>), Failure> {
+    let measured = measured(curves).and_then(Volume::poissons_ratio);
+    let alike = curves.iter().all(|curves| curves.data.mode == Mode::Uniaxial);
+    let (ratio, caveats) = match (stated, measured) {
+        (Some(ratio), _) => (Some(ratio), Vec::new()),
+        (None, Some(ratio)) => (Some(ratio), Vec::new()),
+        (None, None) if alike => {
+            let text = "uniaxial tests alone do not tell Poisson's ratio: it is taken as 0, as of a foam whose cells buckle; \
+                        --simple-shear, a column of lateral strains or --poissons-ratio says more";
+            (Some(0.0), vec![text.to_string()])
+        }
+        (None, None) => (None, Vec::new()),
+    };
+    let parameter = Parameter::find("layers[0].foam_nu_1");
+    if let Some((ratio, parameter)) = ratio.zip(parameter) {
+        let source = if stated.is_some() { "--poissons-ratio" } else { "the lateral strains" };
+        parameter.check(ratio).map_err(|error| Failure::Input(format!("{source}: {error}")))?;
+    }
+    Ok((Volume::OfLaw(ratio), caveats))
+}
+
 /// What the user states, or else what the files say of their uniaxial tests.
 ///
 /// # Errors
@@ -48,6 +74,11 @@ pub fn text(volume: Volume) -> String {
                             constant, as that of a solid rubber"
                 .into()
         }
+        Volume::OfLaw(None) => "volume: the law's, with the free sides of every state without stress".into(),
+        Volume::OfLaw(Some(ratio)) => format!(
+            "volume: the law's, with the free sides of every state without stress and Poisson's ratio {ratio:.3} of every term, as \
+             stated, measured or taken"
+        ),
         Volume::Stated(ratio) => format!("volume: Poisson's ratio {ratio} as stated; {fitted}"),
         Volume::Measured { poissons_ratio, range } => format!(
             "volume: Poisson's ratio {poissons_ratio:.3} from the files ({:.3} to {:.3} over their states, of logarithmic \
@@ -73,7 +104,7 @@ pub fn caveats(curves: &[Curves], volume: Volume) -> Vec<String> {
             range.0, range.1
         ));
     }
-    if volume.compressible().is_none() {
+    if volume.compressible().is_none() && !matches!(volume, Volume::OfLaw(_)) {
         caveats.extend(curves.iter().filter_map(foam));
     }
     caveats
@@ -82,7 +113,7 @@ pub fn caveats(curves: &[Curves], volume: Volume) -> Vec<String> {
 /// That a specimen of these curves can hardly have kept its volume.
 fn foam(curves: &Curves) -> Option<String> {
     const DECIDES: &str = "no incompressible law is for it: a column of lateral strain or volume change, or --poissons-ratio, \
-                           tells how it changes its volume";
+                           tells how it changes its volume, and --foam fits a law that does so itself";
     if let Some(word) = porous(&curves.words) {
         return Some(format!(
             "\"{word}\" stands in {}: a porous solid is compressible, and {DECIDES}",

@@ -1,11 +1,12 @@
 //! Results for other programs: SI units, the names of the kernel's outputs.
 
 use serde_json::{Map, Value, json};
-use softanvil_kernel::OUTPUTS;
 use softanvil_kernel::preset::Fitted;
+use softanvil_kernel::{OUTPUTS, Output};
 
 use crate::measurement::quantity::{COUNT, QUANTITIES};
 use crate::output::subject::{self, Subject};
+use crate::output::table::IMPACT_RESULTS;
 use crate::paper;
 use crate::paper::validation::{TableComparison, Validation};
 use crate::run::{Ending, Run};
@@ -39,6 +40,24 @@ pub fn of_run(run: &Run, subject: &Subject) -> Value {
     object.insert("warnings".into(), subject::warnings(&run.constants).into());
     object.insert("trace_hash".into(), run.trace_hash().into());
     Value::Object(object)
+}
+
+/// The results of the last of several impacts on the same anvil, and of each in the list `impacts` what
+/// [`IMPACT_RESULTS`] names; of a single one its results alone.
+pub fn of_impacts(earlier: &[Run], last: &Run, subject: &Subject) -> Value {
+    let mut value = of_run(last, subject);
+    if !earlier.is_empty() {
+        let one = |run: &Run| {
+            let results = IMPACT_RESULTS.iter().filter_map(|name| Output::find(name));
+            let mut object = of_ending(run);
+            let named = results
+                .filter_map(|output| Some((output.name.strip_prefix(RESULT)?.into(), run.result(output).into())));
+            object.extend(named);
+            Value::Object(object)
+        };
+        value["impacts"] = earlier.iter().chain([last]).map(one).collect();
+    }
+    value
 }
 
 /// How a run ended, and the keys of the results that are those so far.

@@ -32,12 +32,12 @@ fn describe(name: &str, material: &Material) -> String {
         format!(
             "  Poisson's ratio  {:.4} in the end, {:.4} at once (bulk modulus {})",
             material.poissons_ratio_of(end),
-            material.poissons_ratio_of(at_once),
+            material.poissons_ratio_0(),
             pascal(bulk)
         ),
         format!(
             "  waves at once    {} m/s in compression, {} m/s in shear",
-            speed(bulk + 4.0 / 3.0 * at_once),
+            speed(material.bulk_modulus_0() + 4.0 / 3.0 * at_once),
             speed(at_once)
         ),
     ];
@@ -59,6 +59,11 @@ fn mechanisms(material: &Material) -> Vec<(String, String)> {
     if material.slider_stiffness > 0.0 {
         let (adds, slips) = (pascal(material.slider_stiffness), pascal(material.slider_yield_stress));
         found.push(("slider".into(), format!("adds {adds} up to a von Mises stress of {slips}")));
+    }
+    if material.softening_r > 0.0 {
+        let [r, beta] = [material.softening_r, material.softening_beta].map(four_digits);
+        let m = four_digits(material.softening_m);
+        found.push(("softening".into(), format!("after the first load, with r = {r}, m = {m} J/m3 and beta = {beta}")));
     }
     if material.tear_stretch > 0.0 {
         let [from, to] = [material.tear_stretch, material.tear_stretch + material.tear_width].map(four_digits);
@@ -92,7 +97,7 @@ pub fn json(scenario: &Scenario) -> Value {
             "shear_modulus_at_once": at_once,
             "shear_modulus_in_the_end": end,
             "bulk_modulus": material.effective_bulk_modulus(),
-            "poissons_ratio_at_once": material.poissons_ratio_of(at_once),
+            "poissons_ratio_at_once": material.poissons_ratio_0(),
             "poissons_ratio_in_the_end": material.poissons_ratio_of(end),
         })
     };

@@ -118,6 +118,32 @@ pub fn of_run(run: &Run) -> String {
     text(&mut table) + "\n"
 }
 
+/// A row for each impact on the same anvil.
+pub fn of_impacts(earlier: &[Run], last: &Run, rest: f64) -> String {
+    let mut header = vec!["impact".to_string()];
+    let shown = || IMPACT_RESULTS.iter().filter_map(|name| Output::find(name));
+    header.extend(shown().map(|output| {
+        let (unit, _) = display_unit(output);
+        let name = output.name.rsplit('.').next().unwrap_or_default().replace('_', " ");
+        if unit == "1" { name } else { format!("{name} {unit}") }
+    }));
+    let mut table = new_table(&header.iter().map(String::as_str).collect::<Vec<_>>());
+    for (number, run) in earlier.iter().chain([last]).enumerate() {
+        let ending = run.ending();
+        let values = shown().map(|output| {
+            let (_, scale) = display_unit(output);
+            ending.marked(output.name, four_digits(run.result(output) * scale))
+        });
+        table.add_row([(number + 1).to_string()].into_iter().chain(values));
+    }
+    align_right(&mut table, 0..1 + IMPACT_RESULTS.len());
+    format!("{} impacts with a rest of {} s between them:\n{}\n", earlier.len() + 1, rest, text(&mut table))
+}
+
+/// What is told of each of several impacts.
+pub const IMPACT_RESULTS: [&str; 4] =
+    ["result.peak_force", "result.max_deformation", "result.impact_duration", "result.restitution"];
+
 /// What a run was made with, in a sentence.
 pub fn settings(run: &Run) -> String {
     let grid = &run.constants.grid;

@@ -46,7 +46,8 @@ pub fn is_its_model(scenario: &Scenario) -> bool {
     let study = study();
     let (ours, its) = (&scenario.impactor, &study.impactor);
     scenario.geometry == study.geometry
-        && ours.motion == its.motion
+        && [ours.motion as usize, ours.shape as usize] == [its.motion as usize, its.shape as usize]
+        && [ours.rail_friction, ours.rail_damping] == [its.rail_friction, its.rail_damping]
         && [ours.mass, ours.face_diameter, ours.offset] == [its.mass, its.face_diameter, its.offset]
 }
 

@@ -29,10 +29,12 @@ const fn term(output: &'static str, label: &'static str, colour: [u8; 3]) -> Ter
 }
 
 /// The terms whose sum is the energy brought in, from the bottom up: lost, stored, moving.
-pub static TERMS: [Term; 9] = [
+pub static TERMS: [Term; 11] = [
+    term("energy.guide", "rails", [96, 96, 160]),
     term("energy.friction", "friction", [0, 0, 0]),
     term("energy.contact", "catching nodes", [148, 103, 60]),
     term("energy.tear", "tearing", [128, 128, 128]),
+    term("energy.softening", "softening", [170, 170, 120]),
     term("energy.slider_dissipation", "damping sliders", [204, 121, 167]),
     term("energy.viscous", "viscous", [213, 94, 0]),
     term("energy.slider_stored", "damping springs", [240, 228, 66]),

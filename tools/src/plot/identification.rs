@@ -3,7 +3,7 @@
 use plotters::coord::ranged1d::Ranged;
 use plotters::element::{Circle, DashedPathElement, PathElement, Text};
 use plotters::style::{Color, RGBColor, ShapeStyle};
-use softanvil_identify::law::stress;
+use softanvil_identify::law::{Mode, stress};
 use softanvil_identify::relaxation::read::Load;
 use softanvil_kernel::material::ElasticLaw;
 
@@ -62,11 +62,13 @@ pub fn pictures(identification: &Identification) -> Result<Vec<(&'static str, St
 
 fn of_curves(identification: &Identification, curves: &Curves) -> Picture {
     let points = &curves.data.points;
+    let mode = curves.data.mode;
+    let rest = if mode == Mode::SimpleShear { 0.0 } else { 1.0 };
     let (low, high) =
-        points.iter().fold((1.0_f64, 1.0_f64), |(low, high), point| (low.min(point.0), high.max(point.0)));
+        points.iter().fold((rest, rest), |(low, high): (f64, f64), point| (low.min(point.0), high.max(point.0)));
     let largest = points.iter().fold(0.0, |largest, point| f64::max(largest, point.1.abs()));
     let (scale, unit) = if largest > 1e3 * KILO_LIMIT { (1e-6, "MPa") } else { (1e-3, "kPa") };
-    let shown = |(stretch, stress): (f64, f64)| (100.0 * (stretch - 1.0), scale * stress);
+    let shown = |(stretch, stress): (f64, f64)| (100.0 * (stretch - rest), scale * stress);
     let stretches: Vec<f64> = (0..=CURVE_POINTS).map(|k| low + (high - low) * k as f64 / CURVE_POINTS as f64).collect();
     let mut families: Vec<ElasticLaw> = Vec::new();
     let mut fitted = Vec::new();
@@ -75,7 +77,7 @@ fn of_curves(identification: &Identification, curves: &Curves) -> Picture {
         families.push(fit.law.family);
         let chosen = index == identification.chosen;
         let suffix = if chosen { ", chosen" } else { "" };
-        let (mode, volume) = (curves.data.mode, identification.volume);
+        let volume = identification.volume;
         let isochoric: Vec<f64> = stretches.iter().map(|l| volume.isochoric(mode, (*l, 0.0)).0).collect();
         let stresses = stress::nominal(&fit.elastic(), mode, &isochoric);
         let real = |state: (f64, f64)| volume.real(mode, state);
@@ -89,11 +91,12 @@ fn of_curves(identification: &Identification, curves: &Curves) -> Picture {
     }
     let measured: Vec<_> = points.iter().copied().map(shown).collect();
     let (bottom, top) = measured.iter().fold((0.0_f64, 0.0_f64), |(b, t), point| (b.min(point.1), t.max(point.1)));
-    let (x, y) = (Axis::linear(100.0 * (low - 1.0), 100.0 * (high - 1.0)), Axis::linear(bottom, top));
-    let mode = curves.data.mode.name();
+    let (x, y) = (Axis::linear(100.0 * (low - rest), 100.0 * (high - rest)), Axis::linear(bottom, top));
+    let name = mode.name().replace('-', " ");
+    let strain = if mode == Mode::SimpleShear { "amount of shear (%)" } else { "engineering strain (%)" };
     Picture {
-        title: format!("{}{}: test and fitted laws", mode[..1].to_uppercase(), &mode[1..]),
-        x: (x, "engineering strain (%)".into()),
+        title: format!("{}{}: test and fitted laws", name[..1].to_uppercase(), &name[1..]),
+        x: (x, strain.into()),
         y: (y, format!("nominal stress ({unit})")),
         measured,
         fitted,

@@ -167,14 +167,43 @@ impl Drop {
     /// The first step that fails, or what `watch` refuses.
     pub fn run_watched<E: From<RunError>>(
         mut self,
-        mut watch: impl FnMut(u64, &mut Simulation) -> Result<(), E>,
+        watch: impl FnMut(u64, &mut Simulation) -> Result<(), E>,
     ) -> Result<Run, E> {
+        let samples = self.impact(watch)?;
+        Ok(self.completed(samples))
+    }
+
+    /// Runs several impacts on the same anvil to the end of each, with `rest` s between one and the next; `watch` sees them all.
+    /// Returns the runs of those before the last, and that of the last.
+    ///
+    /// # Errors
+    /// The first step that fails, a rest that is refused, or what `watch` refuses.
+    pub fn run_impacts<E: From<RunError>>(
+        mut self,
+        impacts: u32,
+        rest: f64,
+        mut watch: impl FnMut(u64, &mut Simulation) -> Result<(), E>,
+    ) -> Result<(Vec<Run>, Run), E> {
+        let mut runs = Vec::new();
+        for _ in 1..impacts {
+            let samples = self.impact(&mut watch)?;
+            runs.push(Run { constants: self.simulation.constants().clone(), until: self.until, samples });
+            self.simulation.next_impact(rest).map_err(RunError::from)?;
+        }
+        Ok((runs, self.run_watched(watch)?))
+    }
+
+    /// One impact: the state at its start and after every sample.
+    fn impact<E: From<RunError>>(
+        &mut self,
+        mut watch: impl FnMut(u64, &mut Simulation) -> Result<(), E>,
+    ) -> Result<Vec<Scalars>, E> {
         let mut samples = vec![*self.simulation.scalars()];
         watch(0, &mut self.simulation)?;
         while self.sample(&mut samples)? {
             watch(self.stride(), &mut self.simulation)?;
         }
-        Ok(self.completed(samples))
+        Ok(samples)
     }
 
     /// The same as long as `progress` says that it is still wanted; nothing if it ends by that.

@@ -113,7 +113,7 @@ fn broken_toml_tells_its_line() {
 
 #[test]
 fn parameters_that_do_not_fit_together_are_refused() {
-    assert!(refused("[impactor]\nface_diameter = 0.05").starts_with("impactor.face_diameter = 0.05 m is refused"));
+    assert!(refused("[impactor]\nface_diameter = 0.005").starts_with("impactor.face_diameter = 0.005 m is refused"));
 }
 
 #[test]

@@ -72,7 +72,10 @@ impl Animation {
 
     /// Nodal values of `shade` at a frame, Pa.
     pub fn shaded(&self, frame: &Frame, shade: &Shade) -> Vec<f64> {
-        self.mesh.as_ref().map(|mesh| nodal_means(mesh, frame.values(shade.field))).unwrap_or_default()
+        self.mesh
+            .as_ref()
+            .map(|mesh| nodal_means(mesh, &mesh.of_triangles(frame.values(shade.field), 1)))
+            .unwrap_or_default()
     }
 
     /// Smallest and largest nodal value of `shade`, Pa.

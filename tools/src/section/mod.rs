@@ -13,4 +13,4 @@ pub use animation::{Animation, Instant, SHADES, Shade};
 pub use contour::nodal_means;
 pub use frame::Frame;
 pub use levels::Levels;
-pub use mesh::Mesh;
+pub use mesh::{Mesh, SLAB};

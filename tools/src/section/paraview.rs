@@ -10,7 +10,7 @@ use softanvil_kernel::{FIELDS, Field, ModelError, Simulation, result};
 use tempfile::TempDir;
 
 use super::vtu::{Array, Cell, Grid};
-use super::{Frame, Mesh};
+use super::{Frame, Mesh, SLAB};
 use crate::failure::Failure;
 use crate::files::own_folder::{Kind, Listed, OwnFolder};
 use crate::files::staging;
@@ -157,9 +157,11 @@ fn section(mesh: &Mesh, frame: &Frame) -> Grid {
     let (mut point_data, mut cell_data) = (Vec::new(), Vec::new());
     for field in fields() {
         let (mut values, components) = in_space(field, frame.values(field.name));
-        if field.location == result::Location::Surface {
-            // Inside the layer there is no contact.
-            values.splice(..0, vec![0.0; mesh.first_of_surface() * components]);
+        match field.location {
+            // Inside the layers there is no contact.
+            result::Location::Surface => values = on_surface(mesh, &values, components),
+            result::Location::Element => values = mesh.of_triangles(&values, components),
+            result::Location::Node => {}
         }
         let data = if field.location == result::Location::Element { &mut cell_data } else { &mut point_data };
         data.push(Array { name: short(field), components, values });
@@ -173,24 +175,38 @@ fn section(mesh: &Mesh, frame: &Frame) -> Grid {
     }
 }
 
-/// The face as a line, with its force.
+/// Values of the surface, and zeros everywhere else.
+fn on_surface(mesh: &Mesh, values: &[f64], components: usize) -> Vec<f64> {
+    let mut all = vec![0.0; mesh.reference.len() * components];
+    for (column, value) in values.chunks_exact(components).enumerate() {
+        let start = mesh.surface(column) * components;
+        all[start..start + components].copy_from_slice(value);
+    }
+    all
+}
+
+/// The face as a line of pieces, each with the force on all of it.
 fn impactor(mesh: &Mesh, frame: &Frame) -> Grid {
-    let impactor = &mesh.constants.scenario.impactor;
-    let (left, right) =
-        (impactor.offset - 0.5 * impactor.face_diameter, impactor.offset + 0.5 * impactor.face_diameter);
-    let left = if mesh.is_half() { 0.0 } else { left };
-    let height = mesh.constants.top_height + frame.face();
+    let (offset, height) = (mesh.constants.scenario.impactor.offset, mesh.constants.top_height + frame.face());
+    let mut face = mesh.impactor();
+    // Without its upper side, and of a half what is to the right.
+    face.retain(|[_, y]| *y < SLAB || mesh.constants.outline.radius >= SLAB);
+    if mesh.is_half() {
+        face.retain(|[x, _]| *x > 0.0);
+        face.insert(0, [0.0, 0.0]);
+    }
+    let pieces = face.len().saturating_sub(1);
     let motion = [
         ("contact_force", frame.scalars.sampler.last.contact_force),
         ("velocity", frame.scalars.impactor.velocity),
         ("position", frame.face()),
     ];
     Grid {
-        points: vec![left, height, 0.0, right, height, 0.0],
+        points: face.iter().flat_map(|[x, y]| [offset + x, height + y, 0.0]).collect(),
         kind: Cell::Line,
-        cells: vec![vec![0, 1]],
+        cells: (0..pieces).map(|piece| vec![piece, piece + 1]).collect(),
         point_data: Vec::new(),
-        cell_data: motion.map(|(name, value)| Array { name, components: 1, values: vec![value] }).into(),
+        cell_data: motion.map(|(name, value)| Array { name, components: 1, values: vec![value; pieces] }).into(),
     }
 }
 

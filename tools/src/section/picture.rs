@@ -8,7 +8,6 @@ use svg::node::element::{Group, Rectangle, Text};
 
 use super::animation::{Animation, SHADES, Shade};
 use super::{Frame, Instant, Levels};
-pub use canvas::SLAB;
 use canvas::{BACKGROUND, FONT, INK};
 use panel::{PANEL, Panel};
 

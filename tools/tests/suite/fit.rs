@@ -211,3 +211,69 @@ fn columns_may_begin_with_one_that_is_passed_over() {
     let text = succeed(folder.path(), &["fit", "--uniaxial", "abc.csv", "--columns", "-, stretch, stress [kPa]"]);
     assert!(text.contains("stress [kPa] over stretch"), "{text}");
 }
+
+/// A foam of one term with a Poisson's ratio of 0: P = 2 mu / alpha (l^(alpha - 1) - 1 / l).
+fn foam(strains: impl Iterator<Item = f64>) -> String {
+    let stress = |l: f64| 2.0 * 80.0 / 8.0 * (l.powi(7) - 1.0 / l);
+    strains.map(|e| format!("{:.4};{:.6}\n", 100.0 * e, -stress(1.0 - e))).collect()
+}
+
+/// Positive strains in percent and positive stresses, whose title says compression; nothing tells density and Poisson's ratio.
+#[test]
+fn a_foam_is_fitted_by_compression_alone() {
+    let folder = folder();
+    let rows = foam((1..18).map(|k| 0.04 * f64::from(k)));
+    let text = format!("compressive strain [%];compressive stress [kPa]\n{rows}");
+    std::fs::write(folder.path().join("foam.csv"), text).unwrap();
+    let fit = ["fit", "--foam", "--uniaxial", "foam.csv", "--out", "out"];
+    let text = succeed(folder.path(), &fit).replace("\n  ", " ");
+    for part in [
+        "> Ogden-Hill foam 1",
+        "Poisson's ratio: it is taken as 0",
+        "written: out/material-lsdyna.k",
+        "uniaxial compression",
+    ] {
+        assert!(text.contains(part), "{part}: {text}");
+    }
+    let material = std::fs::read_to_string(folder.path().join("out/material.toml")).unwrap();
+    let value = |key: &str| {
+        let line = material.lines().find(|line| line.starts_with(&format!("{key} = "))).unwrap();
+        line.split([' ', '#']).nth(2).unwrap().parse::<f64>().unwrap()
+    };
+    assert!(material.contains("\n[pad]\n") && material.contains("\n# poissons_ratio = "), "{material}");
+    assert!((value("foam_mu_1") / 80e3 - 1.0).abs() < 1e-3 && (value("foam_alpha_1") / 8.0 - 1.0).abs() < 1e-3);
+    assert_eq!((value("foam_nu_1"), value("density")), (0.0, 50.0));
+    // The file lays the foam into the set-up of a standard.
+    let protect = ["protect", "--preset", "rugby-soft-anvil", "--material", "out/material.toml", "--json"];
+    assert_eq!(json(folder.path(), &protect)["pads"][0]["complete"], true);
+}
+
+/// What a rubber's laws say of a shear is what they say of the same deformation in a planar test.
+#[test]
+fn a_simple_shear_of_a_rubber_is_fitted() {
+    let folder = folder();
+    let row = |k: i32| 0.1 * f64::from(k);
+    let rows: String = (-10..=10).map(row).map(|g| format!("{g:.1},{:.4}\n", 200.0 * g)).collect();
+    std::fs::write(folder.path().join("shear.csv"), format!("shear strain [-],shear stress [kPa]\n{rows}")).unwrap();
+    let fit = json(folder.path(), &["fit", "--simple-shear", "shear.csv", "--law", "neo_hookean", "--json"]);
+    assert_eq!(fit["data"][0]["amount_of_shear"].as_array().unwrap().len(), 21);
+    let law = fit["laws"].as_array().unwrap().iter().find(|law| law["law"] == "neo_hookean").unwrap();
+    assert!((law["parameters"]["c10"].as_f64().unwrap() / 100e3 - 1.0).abs() < 1e-9, "{law}");
+    assert_eq!(law["tests"][0]["test"], "simple shear");
+}
+
+#[test]
+fn a_layer_is_said_by_name_or_place() {
+    let folder = folder();
+    for (layer, section, place) in [("pad=0", "[pad]", 0), ("skin", "[skin]", 1), ("2", "[pad]", 2)] {
+        let fit = ["fit", "--uniaxial", "curve.csv", "--law", "neo_hookean", "--layer", layer, "--out", "out"];
+        succeed(folder.path(), &fit);
+        let read = |name: &str| std::fs::read_to_string(folder.path().join("out").join(name)).unwrap();
+        assert!(read("material.toml").contains(&format!("\n{section}\n")), "{layer}");
+        assert!(read("material.ssv").contains(&format!("layers[{place}].c10")), "{layer}");
+        assert!(read("material.h").contains(&format!("SOFTANVIL_PARAMETER_OF_LAYER({place}, ")), "{layer}");
+    }
+    assert!(fail(folder.path(), &["fit", "--uniaxial", "curve.csv", "--layer", "4"], 2).contains("0 to 3"));
+    let refused = fail(folder.path(), &["fit", "--foam", "--uniaxial", "curve.csv", "--law", "yeoh_2"], 2);
+    assert!(refused.contains("expected foam_1, foam_2, foam_3"), "{refused}");
+}

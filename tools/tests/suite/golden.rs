@@ -88,7 +88,7 @@ fn scenes_reach_what_they_are_there_for() {
         let energy = &run.state.scalars.energy;
         assert!(energy.friction > 0.0, "{}: friction", scene.name);
         let material = &run.model.constants.scenario.layers[0].material;
-        let viscous = run.model.constants.n_term() > 0;
+        let viscous = run.model.constants.n_history_entry() > 0;
         assert_eq!(energy.viscous > 0.0, viscous, "{}: viscous", scene.name);
         assert_eq!(energy.slider_dissipation > 0.0, material.slider_stiffness > 0.0, "{}: slider", scene.name);
         assert_eq!(energy.tear > 0.0, scene.name == "two-layers", "{}: tear", scene.name);

@@ -7,6 +7,7 @@ mod golden;
 mod measure;
 mod measured_data;
 mod pictures;
+mod protect;
 mod quasi_static;
 mod recovery;
 mod report;

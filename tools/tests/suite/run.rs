@@ -217,7 +217,7 @@ fn a_parameter_is_set_over_the_files() {
         ("skin.c10=1e5", "skin.c10 is refused: no layer is called skin: expected layers[1].c10 or, in a file, a table"),
         ("layers[1].c10=1e5", "layers[1].c10 = 100000 Pa has no effect: layers.count is 1"),
         ("impactor.mass=0", "impactor.mass = 0 kg is refused: expected 0.001 to 10000 kg"),
-        ("impactor.face_diameter=0.05", "impactor.face_diameter = 0.05 m is refused"),
+        ("impactor.face_diameter=0.005", "impactor.face_diameter = 0.005 m is refused: expected at least 0.006 m"),
     ] {
         let line = fail(folder.path(), &["run", "--set", text], 2);
         assert!(line.contains(message), "{line}");

@@ -239,7 +239,7 @@ fn refused_values_say_what_is_legal_and_nothing_is_written() {
         (&["silicone.thickness=-1"], "layers[0].thickness = -1 m is refused"),
         (&["silicone.poissons_ratio=0.5"], "layers[0].poissons_ratio = 0.5"),
         (&["face.friction_coefficient=-0.1"], "face.friction_coefficient = -0.1"),
-        (&["geometry.core_radius=0.06"], "impactor.face_diameter"),
+        (&["impactor.face_diameter=0.005"], "impactor.face_diameter"),
         (&["--convergence=0"], "--convergence: 0 is refused: expected factors from 0.01 to 100"),
         (&["silicone.law=hooke"], "silicone.law = hooke is refused: expected \"neo_hookean\""),
         (&["silicone.c10="], "silicone.c10 =  is refused: expected a number"),

@@ -142,7 +142,7 @@ fn scenarios_are_told_with_the_parameter_to_blame() {
             "layers[0].c10 gives a shear modulus of -2 Pa",
         ),
         (
-            of(ScenarioError::FaceTooSmall { diameter: 1.0, minimum: 2.0 }),
+            of(ScenarioError::FaceTooSmall { name: "impactor.face_diameter", width: 1.0, minimum: 2.0 }),
             Status::FaceTooSmall,
             [1.0, 2.0, NAN],
             Some("impactor.face_diameter"),
@@ -170,11 +170,18 @@ fn scenarios_are_told_with_the_parameter_to_blame() {
             "layers[3].tear_stretch = 0.5 is refused",
         ),
         (
-            of(ScenarioError::Interfaces { layers: 3, interfaces: 1 }),
-            Status::IllegalValue,
+            of(ScenarioError::LayerWidth { layer: 1, width: 0.5, maximum: 0.25 }),
+            Status::LayerWidth,
+            [0.5, 0.0, 0.25],
+            Some("layers[1].width"),
+            "layers[1].width = 0.5 m is refused: expected at most 0.25 m",
+        ),
+        (
+            of(ScenarioError::WithoutPads { name: Name::of_layer(1, "law") }),
+            Status::WithoutPads,
             [NAN; 3],
-            None,
-            "1 interfaces are refused: expected 2 between 3 layers",
+            Some("layers[1].law"),
+            "layers[1].law is refused: expected a kernel that was built with its feature pads",
         ),
     ]);
     // A scenario that the model refuses is told as a scenario.

@@ -3,9 +3,10 @@
 //! Where one of several parameters that state the same thing is given, it decides; where two are, that is an error. A law that
 //! is given anew starts from coefficients of zero, so that nothing of another material stays in it unseen.
 
+use super::Parameter;
 use super::effect::conditions;
 use super::number::NUMBERS;
-use super::{Parameter, Values};
+use super::values::Values;
 use crate::error::{Name, NoEffect, ParameterError, ScenarioError};
 use crate::number::real::Real;
 use crate::scenario::Scenario;
@@ -73,12 +74,23 @@ impl Changes {
     /// # Errors
     /// Values that contradict each other, the first that has no effect, or what [`Scenario::validate`] refuses.
     pub fn apply(&self) -> Result<Scenario, ScenarioError> {
-        let scenario = self.resolve()?;
-        if let Some(no_effect) = self.without_effect(&scenario).next() {
+        self.clone().take_scenario()
+    }
+
+    /// The same, of changes that nobody needs any more: it works on them, and takes less of the stack.
+    ///
+    /// # Errors
+    /// As [`Changes::apply`].
+    pub fn take_scenario(&mut self) -> Result<Scenario, ScenarioError> {
+        self.settle()?;
+        let Values { whole, layers } = &self.values;
+        let idle = |given: Parameter| given.refused(self.values.get(given), whole, *layers);
+        if let Some(no_effect) = self.given().find_map(idle) {
             return Err(ScenarioError::NoEffect(no_effect));
         }
-        scenario.validate()?;
-        Ok(scenario)
+        self.values.whole.set_layer_count(self.values.layers);
+        self.values.whole.validate()?;
+        Ok(self.values.whole.clone())
     }
 
     /// The scenario that the values make, in which some may have no effect.
@@ -86,21 +98,29 @@ impl Changes {
     /// # Errors
     /// Values that contradict each other.
     pub fn resolve(&self) -> Result<Scenario, ScenarioError> {
-        let mut values = self.values.clone();
-        self.choose(&mut values)?;
-        self.start_laws(&mut values);
-        Ok(values.into_scenario())
+        let mut settled = self.clone();
+        settled.settle()?;
+        Ok(settled.values.into_scenario())
     }
 
     /// The given values that have no effect in `scenario`, which they make.
     pub fn without_effect(&self, scenario: &Scenario) -> impl Iterator<Item = NoEffect> {
-        self.given().filter_map(move |parameter| parameter.refused(self.values.get(parameter), scenario))
+        let layers = scenario.layers.len();
+        self.given().filter_map(move |parameter| parameter.refused(self.values.get(parameter), scenario, layers))
+    }
+
+    /// Makes of the values what follows from those that are given, which stay.
+    fn settle(&mut self) -> Result<(), ScenarioError> {
+        self.choose()?;
+        self.start_laws();
+        Ok(())
     }
 
     /// Makes the choices that are made by giving a value, where nothing else makes them.
-    fn choose(&self, values: &mut Values) -> Result<(), ScenarioError> {
+    fn choose(&mut self) -> Result<(), ScenarioError> {
+        let Self { values, given } = self;
         let made =
-            || conditions().filter(|made| made.is_choice() && self.is_given(made.of()) && !self.is_given(made.by()));
+            || conditions().filter(|made| made.is_choice() && given.has_name(made.of()) && !given.has_name(made.by()));
         for condition in made() {
             if let Some(other) = made().find(|other| other.by() == condition.by() && other.of() != condition.of()) {
                 return Err(ScenarioError::Contradiction { names: [condition.of(), other.of()] });
@@ -113,10 +133,11 @@ impl Changes {
     }
 
     /// Sets the coefficients of the laws that are given anew to zero, but for those that are given.
-    fn start_laws(&self, values: &mut Values) {
-        for law in self.given().filter(|parameter| parameter.name().field() == "law") {
+    fn start_laws(&mut self) {
+        let Self { values, given } = self;
+        for law in given.all().filter(|parameter| parameter.name().field() == "law") {
             for parameter in law.layer().into_iter().flat_map(Parameter::of_layer) {
-                if !self.given.has(parameter) && parameter.is_off_at_zero() {
+                if !given.has(parameter) && parameter.is_off_at_zero() {
                     // Zero is legal for every coefficient.
                     let _ = values.set(parameter, 0.0);
                 }
@@ -124,12 +145,8 @@ impl Changes {
         }
     }
 
-    fn is_given(&self, name: Name) -> bool {
-        self.given().any(|parameter| parameter.name() == name)
-    }
-
     fn given(&self) -> impl Iterator<Item = Parameter> {
-        Parameter::all().filter(|parameter| self.given.has(*parameter))
+        self.given.all()
     }
 }
 
@@ -151,6 +168,14 @@ impl Given {
     fn has(&self, parameter: Parameter) -> bool {
         let number = parameter.number() as usize;
         self.0.get(number / WORD).is_some_and(|word| word & 1 << (number % WORD) != 0)
+    }
+
+    fn all(&self) -> impl Iterator<Item = Parameter> {
+        Parameter::all().filter(|parameter| self.has(*parameter))
+    }
+
+    fn has_name(&self, name: Name) -> bool {
+        self.all().any(|parameter| parameter.name() == name)
     }
 }
 

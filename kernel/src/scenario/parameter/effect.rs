@@ -22,10 +22,14 @@ enum Acts {
     Under(&'static [&'static str]),
     /// Under the elastic laws that have the coefficient of this place; a modulus of 0 is nothing under the others, too.
     InLaw(usize),
+    /// Under the isochoric laws: a compressible one says the mean stress itself.
+    BesideIsochoric,
     /// Under this choice, which is made by giving the parameter.
     Chosen(&'static str),
     /// Where the other parameter is not 0.
     Beside,
+    /// Of a layer that lies on another one: what the lowest one lies on another parameter says, which is no layer's.
+    OnLayer,
 }
 
 /// A condition of the parameters of a layer, or of those of none.
@@ -54,7 +58,10 @@ impl Placed {
 
     /// The parameter that decides.
     pub(super) fn by(&self) -> Name {
-        self.name(self.condition.by)
+        match self.condition.acts {
+            Acts::OnLayer => self.condition.by.into(),
+            _ => self.name(self.condition.by),
+        }
     }
 
     fn name(&self, text: &'static str) -> Name {
@@ -91,8 +98,10 @@ impl Placed {
                 let law = ElasticLaw::from_repr(number as usize);
                 law.is_some_and(|law| law.places().contains(&place)) || value == 0.0 && is_modulus(place)
             }
+            Acts::BesideIsochoric => ElasticLaw::from_repr(number as usize).is_some_and(|law| !law.is_compressible()),
             Acts::Chosen(label) => label == says,
             Acts::Beside => number != 0.0,
+            Acts::OnLayer => self.layer != Some(0),
         };
         if acts { None } else { Some(label.map_or(Says::Number(number), Says::Label)) }
     }
@@ -101,13 +110,14 @@ impl Placed {
 impl Parameter {
     /// Why the value of this parameter has no effect in `scenario`; none if it acts.
     pub fn without_effect(&self, scenario: &Scenario) -> Option<NoEffect> {
-        self.refused(self.get(scenario), scenario)
+        self.refused(self.get(scenario), scenario, scenario.layers.len())
     }
 
-    /// Why `value` of this parameter has no effect in `scenario`; none if it acts.
-    pub(super) fn refused(&self, value: Real, scenario: &Scenario) -> Option<NoEffect> {
-        if self.layer().is_some_and(|layer| layer >= scenario.layers.len()) {
-            return Some(self.of_absent_layer(value, scenario));
+    /// Why `value` of this parameter has no effect in `scenario`, of whose layers only the first `layers` count; none if it
+    /// acts.
+    pub(super) fn refused(&self, value: Real, scenario: &Scenario, layers: usize) -> Option<NoEffect> {
+        if self.layer().is_some_and(|layer| layer >= layers) {
+            return Some(self.of_absent_layer(value, layers));
         }
         conditions_of(self.layer()).filter(|condition| condition.of() == self.name()).find_map(|condition| {
             let says = condition.obstacle(value, scenario)?;
@@ -120,7 +130,7 @@ impl Parameter {
         conditions_of(self.layer()).any(|placed| match placed.condition.acts {
             Acts::InLaw(place) => placed.of() == self.name() && is_modulus(place),
             Acts::Beside => placed.by() == self.name(),
-            Acts::Under(_) | Acts::Chosen(_) => false,
+            Acts::Under(_) | Acts::BesideIsochoric | Acts::Chosen(_) | Acts::OnLayer => false,
         })
     }
 }
@@ -148,6 +158,14 @@ const fn chosen(of: &'static str, by: &'static str, choice: &'static str) -> Con
     Condition { of, by, acts: Acts::Chosen(choice) }
 }
 
+const fn beside_isochoric(of: &'static str) -> Condition {
+    Condition { of, by: "law", acts: Acts::BesideIsochoric }
+}
+
+const fn on_layer(of: &'static str, by: &'static str) -> Condition {
+    Condition { of, by, acts: Acts::OnLayer }
+}
+
 const fn only_with(of: &'static str, by: &'static str) -> Condition {
     Condition { of, by, acts: Acts::Beside }
 }
@@ -158,7 +176,12 @@ static TEST: &[Condition] = &[
     under("geometry.block_width", "geometry.shape", &["block"]),
     under("geometry.length", "geometry.formulation", &["plane_strain"]),
     under("impactor.mass", "impactor.motion", &["drop"]),
+    under("impactor.face_diameter", "impactor.shape", &["round", "sphere", "bar"]),
+    under("impactor.face_width", "impactor.shape", &["rectangular"]),
+    under("impactor.face_length", "impactor.shape", &["rectangular", "bar"]),
     under("impactor.gravity", "impactor.motion", &["drop"]),
+    under("impactor.rail_friction", "impactor.motion", &["drop"]),
+    under("impactor.rail_damping", "impactor.motion", &["drop"]),
     under("impactor.drop_by", "impactor.motion", &["drop"]),
     under("impactor.drop_height", "impactor.motion", &["drop"]),
     under("impactor.drop_energy", "impactor.motion", &["drop"]),
@@ -178,6 +201,10 @@ static TEST: &[Condition] = &[
 
 /// What belongs to a layer, but for the coefficients of the elastic laws.
 static LAYER: &[Condition] = &[
+    beside_isochoric("volumetric_law"),
+    beside_isochoric("volumetric_by"),
+    beside_isochoric("bulk_modulus"),
+    beside_isochoric("poissons_ratio"),
     chosen("bulk_modulus", "volumetric_by", "bulk_modulus"),
     chosen("poissons_ratio", "volumetric_by", "poissons_ratio"),
     only_with("prony_tau_1", "prony_g_1"),
@@ -191,8 +218,15 @@ static LAYER: &[Condition] = &[
     only_with("maxwell_beta_4", "maxwell_g_4"),
     only_with("maxwell_beta_5", "maxwell_g_5"),
     only_with("slider_yield_stress", "slider_stiffness"),
+    on_layer("interface", "core.interface"),
+    on_layer("friction_coefficient", "core.interface"),
+    under("friction_coefficient", "interface", &["frictional"]),
+    on_layer("gap", "core.interface"),
+    under("gap", "interface", &["frictional", "separating"]),
     only_with("tear_width", "tear_stretch"),
     only_with("tear_residual", "tear_stretch"),
+    only_with("softening_m", "softening_r"),
+    only_with("softening_beta", "softening_r"),
 ];
 
 /// A coefficient acts in the laws that have it; one that shapes the term of a modulus, where that is not 0 as well.

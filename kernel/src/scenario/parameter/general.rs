@@ -1,6 +1,8 @@
 //! The rows of what is not a layer's.
 
 use super::row::{Access, Row, choice, real};
+#[cfg(feature = "pads")]
+use crate::scenario::FaceShape;
 use crate::scenario::{DropBy, Formulation, Interface, MAX_LAYERS, Motion, Scenario, Section, Shape, StepBy};
 
 /// Geometry and impactor.
@@ -22,12 +24,29 @@ pub(super) static TEST: &[Row<Scenario>] = &[
         "a falling mass, a position given from outside with every call, or down at a speed to a depth and hold"
     ),
     real!(7, impactor.mass, "kg", (1e-3, 1e4), "mass of the impactor"),
+    #[cfg(feature = "pads")]
+    choice!(
+        31, impactor.shape: FaceShape,
+        "a flat disc, a flat rectangle, a ball (axisymmetric) or a round bar along the anvil (plane strain)"
+    ),
     real!(
         8,
         impactor.face_diameter,
         "m",
         (1e-3, 10.0),
-        "diameter of the flat face; its chord is the thickness of a round section in plane strain"
+        "diameter of a round face, a sphere or a bar; the chord of a round face that covers a round section is its \
+         thickness in plane strain, and a narrower one counts as a rectangle of its area and width"
+    ),
+    #[cfg(feature = "pads")]
+    real!(32, impactor.face_width, "m", (1e-3, 10.0), "width of a rectangular face across the section"),
+    #[cfg(feature = "pads")]
+    real!(
+        33,
+        impactor.face_length,
+        "m",
+        (1e-3, 10.0),
+        "length of a rectangular face or of a bar along the anvil: the thickness of the section in plane strain, up to \
+         geometry.length; over a dome a rectangular face counts as a disc of its area"
     ),
     real!(
         9,
@@ -38,6 +57,16 @@ pub(super) static TEST: &[Row<Scenario>] = &[
     ),
     real!(10, impactor.gap, "m", (0.0, 1.0), "height of the face above the anvil at the start"),
     real!(11, impactor.gravity, "m/s2", (0.0, 100.0), "acceleration of gravity"),
+    #[cfg(feature = "pads")]
+    real!(
+        34,
+        impactor.rail_friction,
+        "N",
+        (0.0, 1e5),
+        "friction of the rails that guide the falling mass: against its motion, and what holds it at rest"
+    ),
+    #[cfg(feature = "pads")]
+    real!(35, impactor.rail_damping, "N.s/m", (0.0, 1e6), "force of the rails against the motion, over the speed"),
     choice!(12, impactor.drop_by: DropBy, "which of the next three states the drop"),
     real!(13, impactor.drop_height, "m", (0.0, 100.0), "free fall before the start"),
     real!(14, impactor.drop_energy, "J", (0.0, 1e5), "kinetic energy at the start"),

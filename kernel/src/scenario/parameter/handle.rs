@@ -118,9 +118,10 @@ impl Parameter {
         (0..layer::COUNT).filter_map(move |place| Self::in_layer(layer, place))
     }
 
-    /// Those of the material of a layer: all of the layer's but thickness and rows.
+    /// Those of the material of a layer: all of the layer's but those that say how it is cut, meshed and laid.
     pub fn of_material(layer: usize) -> impl Iterator<Item = Self> {
-        Self::of_layer(layer).filter(|parameter| !["thickness", "rows"].contains(&parameter.name().field()))
+        const OTHERS: [&str; 6] = ["thickness", "rows", "width", "interface", "friction_coefficient", "gap"];
+        Self::of_layer(layer).filter(|parameter| !OTHERS.contains(&parameter.name().field()))
     }
 
     /// The parameter called `name`, such as `impactor.mass` or `layers[1].c10`.
@@ -237,15 +238,15 @@ impl Parameter {
             Place::LayerCount(_) => scenario.set_layer_count(value as usize),
             Place::Layer(layer, row) => match scenario.layers.get_mut(layer) {
                 Some(layer) => row.set(layer, value),
-                None => return Err(ScenarioError::NoEffect(self.of_absent_layer(value, scenario))),
+                None => return Err(ScenarioError::NoEffect(self.of_absent_layer(value, scenario.layers.len()))),
             },
         }
         Ok(())
     }
 
-    /// Why `value` has no effect in `scenario`, which has no such layer.
-    pub(super) fn of_absent_layer(&self, value: Real, scenario: &Scenario) -> NoEffect {
-        let (by, says) = (LAYER_COUNT.name.into(), Says::Number(scenario.layers.len() as Real));
+    /// Why `value` has no effect among so many `layers`, which do not have this one.
+    pub(super) fn of_absent_layer(&self, value: Real, layers: usize) -> NoEffect {
+        let (by, says) = (LAYER_COUNT.name.into(), Says::Number(layers as Real));
         NoEffect { name: self.name(), value, unit: self.unit(), by, says }
     }
 

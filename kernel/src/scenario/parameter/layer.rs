@@ -4,6 +4,8 @@ use super::row::{Access, Row, choice, real};
 use crate::material::{COEFFICIENTS, Coefficient, ElasticLaw, Moduli, N_COEFFICIENT, VolumetricBy, VolumetricLaw};
 use crate::number::real::Real;
 use crate::scenario::Layer;
+#[cfg(feature = "pads")]
+use crate::scenario::LayerInterface;
 
 /// Most rows of cells that a layer may ask for.
 const MAX_ROWS: u32 = 10_000;
@@ -33,10 +35,26 @@ static BEFORE: &[Row<Layer>] = &[
         },
         description: "rows of cells through the thickness; 0 takes as many as come nearest to mesh.element_size",
     },
+    #[cfg(feature = "pads")]
+    real!(
+        34, of layer width,
+        "m",
+        (0.0, 10.0),
+        "width along its lower side, full or, of a dome, the diameter; 0 is as wide as what is below it"
+    ),
+    #[cfg(feature = "pads")]
+    choice!(
+        35, of layer interface: LayerInterface,
+        "how it sits on the layer below: glued, or free to lift and slide, with friction or without"
+    ),
+    #[cfg(feature = "pads")]
+    real!(36, of layer friction_coefficient, "1", (0.0, 10.0), "Coulomb coefficient of a frictional interface below it"),
+    #[cfg(feature = "pads")]
+    real!(37, of layer gap, "m", (0.0, 0.1), "distance to the layer below at rest, where they are not bonded"),
     real!(2, of layer material.density, "kg/m3", (10.0, 2e4), "density"),
     choice!(
         3, of layer material.law: ElasticLaw,
-        "isochoric hyperelastic law (mooney_rivlin has 2, 3 or 5 parameters, by coefficients of zero)"
+        "hyperelastic law, isochoric but for hyperfoam (mooney_rivlin has 2, 3 or 5 parameters, by coefficients of zero)"
     ),
     choice!(4, of layer material.moduli: Moduli, "what the elastic coefficients are: after full relaxation, or before any"),
 ];
@@ -113,6 +131,22 @@ static AFTER: &[Row<Layer>] = &[
     ),
     real!(32, of layer material.tear_width, "1", (1e-3, 10.0), "stretch over which the deviatoric stress falls"),
     real!(33, of layer material.tear_residual, "1", (0.0, 1.0), "part of the deviatoric stress that remains after the tear"),
+    #[cfg(feature = "pads")]
+    real!(
+        40, of layer material.softening_r,
+        "1",
+        (0.0, 100.0),
+        "r of the softening after the first load (Ogden and Roxburgh 1999), at least 1; 0 switches it off"
+    ),
+    #[cfg(feature = "pads")]
+    real!(41, of layer material.softening_m, "Pa", (1.0, 1e9), "m of the softening, the energy that its scale starts from"),
+    #[cfg(feature = "pads")]
+    real!(
+        42, of layer material.softening_beta,
+        "1",
+        (0.0, 10.0),
+        "beta of the softening, the part of the largest energy so far in its scale"
+    ),
 ];
 
 const PRONY_G: &str = "Prony coefficient, normalised on the instantaneous modulus; 0 switches the term off";

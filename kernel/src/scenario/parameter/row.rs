@@ -120,6 +120,9 @@ pub(super) use real;
 
 /// The row of a choice, likewise, with the type of the field.
 macro_rules! choice {
+    ($id:literal, of layer $field:ident: $choice:ty, $text:expr $(,)?) => {
+        choice!([$field] $id, stringify!($field), $choice, $text)
+    };
     ($id:literal, of layer $group:ident.$field:ident: $choice:ty, $text:expr $(,)?) => {
         choice!([$group.$field] $id, stringify!($field), $choice, $text)
     };

@@ -23,9 +23,9 @@ use crate::scenario::{MAX_LAYERS, Scenario};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Values {
     /// With as many layers as there can be.
-    whole: Scenario,
+    pub(super) whole: Scenario,
     /// How many of them there are.
-    layers: usize,
+    pub(super) layers: usize,
 }
 
 impl Values {

@@ -1,6 +1,6 @@
 //! What is said to have no effect has none, and what is not said so has one: the table of the kernel against the kernel.
 
-use softanvil_kernel::material::ElasticLaw;
+use softanvil_kernel::material::{ElasticLaw, Material};
 use softanvil_kernel::parameter::Kind;
 use softanvil_kernel::{Parameter, Scenario, ScenarioError, Simulation, StepInput, preset};
 
@@ -40,6 +40,7 @@ fn scenarios() -> Vec<(&'static str, Scenario)> {
         ("core.interface", 0.0),
         ("impactor.drop_by", 0.0),
     ];
+    let softening = [("silicone.softening_r", 1.5), ("silicone.softening_m", 1e4), ("silicone.softening_beta", 0.3)];
     let two = [
         ("layers.count", 2.0),
         ("layers[1].thickness", 1e-3),
@@ -49,9 +50,29 @@ fn scenarios() -> Vec<(&'static str, Scenario)> {
     ];
     let block = [("geometry.shape", 1.0), ("silicone.law", 0.0), ("silicone.volumetric_by", 0.0)];
     let axisymmetric = [("geometry.formulation", 1.0), ("time.step_by", 1.0), ("time.step", 2.5e-6)];
+    let rectangular = [
+        ("impactor.shape", 1.0),
+        ("impactor.face_width", 0.05),
+        ("impactor.face_length", 0.08),
+        ("impactor.rail_friction", 10.0),
+        ("impactor.rail_damping", 5.0),
+    ];
+    let bar = [("impactor.shape", 3.0), ("impactor.face_diameter", 0.05), ("impactor.face_length", 0.08)];
+    let pad = [
+        ("layers.count", 2.0),
+        ("layers[1].thickness", 5e-3),
+        ("layers[1].width", 0.06),
+        ("layers[1].interface", 1.0),
+        ("layers[1].friction_coefficient", 0.2),
+        ("layers[1].gap", 1e-4),
+        ("silicone.width", 0.1),
+    ];
     let of_law = |law: &ElasticLaw| {
         let (description, mut scenario) = (law.description(), with(&[]));
-        scenario.layers[0].material = scenario.layers[0].material.with_values(*law, description.example);
+        let material = scenario.layers[0].material.with_values(*law, description.example);
+        // A foam that bears the drop.
+        let stiffer = if description.compressible { 20.0 } else { 1.0 };
+        scenario.layers[0].material = Material { coefficients: material.coefficients.scaled(stiffer), ..material };
         (description.label, scenario)
     };
     let laws = ElasticLaw::ALL.iter().map(of_law);
@@ -59,9 +80,13 @@ fn scenarios() -> Vec<(&'static str, Scenario)> {
         ("study", with(&[("impactor.drop_height", 0.2), ("impactor.drop_speed", 1.5), ("silicone.bulk_modulus", 2e7)])),
         ("all terms", with(&terms)),
         ("ogden", with(&ogden)),
+        ("softening", with(&softening)),
         ("two layers", with(&two)),
         ("block", with(&block)),
         ("axisymmetric", with(&axisymmetric)),
+        ("rectangular face on rails", with(&rectangular)),
+        ("bar", with(&bar)),
+        ("pad", with(&pad)),
         ("driven", with(&[("impactor.motion", 1.0)])),
         (
             "prescribed",
@@ -125,8 +150,16 @@ fn what_has_no_effect_changes_nothing_and_the_rest_does() {
                 acted = &run(&changed) != unchanged;
             }
         }
-        // The parameters of the layers above are those of the first, and a duration is how long is looked.
-        let seen_elsewhere = parameter.layer().is_some_and(|layer| layer > 0) || parameter.name() == "time.duration";
+        // The parameters of the layers above are those of the first, but for how a layer sits on another one, and a duration is
+        // how long is looked.
+        let name = parameter.name().to_string();
+        let lies_on = ["interface", "].friction_coefficient", "gap"].iter().any(|of| name.ends_with(of));
+        let seen_elsewhere = match parameter.layer() {
+            Some(0) => lies_on,
+            Some(1) => !lies_on,
+            Some(_) => true,
+            None => name == "time.duration",
+        };
         assert!(acted || seen_elsewhere, "{} acts nowhere", parameter.name());
     }
 }

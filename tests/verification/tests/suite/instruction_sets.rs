@@ -15,7 +15,7 @@ fn digest(scenario: &Scenario, set: InstructionSet) -> u64 {
             for _ in 0..steps {
                 step_with(set, model, state, &StepInput::default()).expect("a stable run");
             }
-            state_digest(state)
+            state_digest(model, state)
         })
         .expect("memory of the right size")
 }

@@ -249,7 +249,19 @@ fn refusals_name_the_layer() {
         "layers[1].thickness = 0 m is refused: expected at least 0.00001 m"
     );
     assert_eq!(refusal(|s| s.layers.clear()), "layers.count = 0 is refused: expected 1 to 4");
-    assert_eq!(refusal(|s| s.interfaces.clear()), "0 interfaces are refused: expected 1 between 2 layers");
+    assert_eq!(
+        refusal(|s| s.layers[1].width = 0.2),
+        "layers[1].width = 0.2 m is refused: expected at most 0.16179202166 m, the width of what is below it"
+    );
+    assert_eq!(
+        refusal(|s| {
+            s.set_layer_count(3);
+            (s.layers[2].thickness, s.layers[1].width, s.layers[2].width) = (1e-3, 0.04, 0.05);
+        })
+        .split(" m is")
+        .next(),
+        Some("layers[2].width = 0.05")
+    );
     assert_eq!(refusal(|s| s.layers.swap(0, 1)), "");
 }
 

@@ -1,15 +1,18 @@
 //! Plausible drops go through with the step that is chosen for them. `plausible-drops` tries as many as one likes.
 
-use softanvil_kernel::scenario::{Motion, StepBy};
+use softanvil_kernel::scenario::{FaceShape, Layer, LayerInterface, Motion, StepBy};
 use softanvil_kernel::step::critical_time_step;
 use softanvil_kernel::{Simulation, StepInput, preset};
 use softanvil_verification::deformation::Samples;
-use softanvil_verification::plausible::{outcome, scenario, summary};
+use softanvil_verification::plausible::{outcome, scenario, stack, summary};
 use softanvil_verification::scenes::neo_hookean;
-use softanvil_verification::tolerance::{PLAUSIBLE_RESIDUAL, STEPS_OVER_HINDSIGHT};
+use softanvil_verification::tolerance::{LAYER_PENETRATION, PLAUSIBLE_RESIDUAL, STEPS_OVER_HINDSIGHT};
 
 /// Drops that are tried.
 const COUNT: usize = 40;
+
+/// Drops on stacks.
+const STACKS: usize = 16;
 
 #[test]
 fn random_drops_go_through_with_few_steps_too_many() {
@@ -23,6 +26,33 @@ fn random_drops_go_through_with_few_steps_too_many() {
     }
     ratios.sort_by(f64::total_cmp);
     assert!(ratios[COUNT / 2] <= STEPS_OVER_HINDSIGHT, "{ratios:?}");
+}
+
+/// Stacks with layers that are not bonded, or narrower, under faces of every kind.
+#[test]
+fn random_stacks_go_through_and_nothing_gets_into_anything() {
+    let mut samples = Samples::new(31_415);
+    for _ in 0..STACKS {
+        let scenario = stack(&mut samples);
+        let outcome = outcome(&scenario).unwrap_or_else(|error| panic!("{error}: {}", summary(&scenario)));
+        assert!(outcome.residual < PLAUSIBLE_RESIDUAL, "{}: {}", outcome.residual, summary(&scenario));
+        assert!(outcome.penetration < LAYER_PENETRATION, "{}: {}", outcome.penetration, summary(&scenario));
+    }
+}
+
+/// A pad that bulges past the edge of a narrow face comes against its side, and not into it.
+#[test]
+fn a_pad_bulges_beside_a_narrow_face() {
+    let mut scenario = preset::study();
+    scenario.impactor = scenario.impactor.with_energy(5.0);
+    scenario.impactor.shape = FaceShape::Rectangular;
+    (scenario.impactor.face_width, scenario.impactor.face_length) = (40e-3, 30e-3);
+    let (interface, spare) = (LayerInterface::Frictional, preset::spare_layer);
+    scenario.add_layer(Layer { thickness: 10e-3, width: 90e-3, gap: 2e-3, interface, ..spare() }).unwrap();
+    scenario.add_layer(Layer { thickness: 3e-3, width: 60e-3, ..spare() }).unwrap();
+    scenario.time.duration = 25e-3;
+    let outcome = outcome(&scenario).unwrap();
+    assert!(outcome.residual < PLAUSIBLE_RESIDUAL && outcome.penetration < LAYER_PENETRATION, "{outcome:?}");
 }
 
 /// A layer of c10 = 100 kPa at the study's energy, presets far beyond it, and a fine press.

@@ -7,7 +7,7 @@ use softanvil_records::sheet::{self, Layout};
 
 use super::point::{Point, Repeat};
 use super::specimen::{Specimen, at_rest, displacement_at_rest};
-use super::volume;
+use super::{shear, volume};
 
 /// Which way the specimen was loaded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,6 +47,8 @@ pub struct Options {
     pub stress_measure: Option<Measure>,
     /// Which way the specimen was loaded.
     pub direction: Option<Direction>,
+    /// Whether the test is one of simple shear: stretches are then 1 more than the amounts of shear.
+    pub shear: bool,
 }
 
 /// What a file holds.
@@ -103,6 +105,10 @@ pub fn read(name: &str, bytes: &[u8], options: &Options) -> Result<Curve, ReadEr
         if unloaded(value) {
             return Err(ReadError::file(format!("every {what} is zero: expected points of a specimen under load")));
         }
+    }
+    if let Some(pair) = pairs.first().filter(|_| options.shear) {
+        shear::orient(&pair.deformation, &mut repeats, &mut notes);
+        return Ok(Curve { repeats, volumes: Vec::new(), words: table.words, notes });
     }
     let stretched = pairs.iter().any(|pair| pair.deformation.kind == Kind::Stretch);
     let words = if stretched { None } else { Some(format!("{name}\n{}", table.words)) };
@@ -211,7 +217,7 @@ fn points(
             points.push(Point { line: row.line, cycle, stretch, stress: load * stress_factor });
         }
     }
-    if pair.deformation.kind == Kind::Strain && strain_factor == 1.0 {
+    if pair.deformation.kind == Kind::Strain && strain_factor == 1.0 && !options.shear {
         refuse_stretches(&pair.deformation, &points)?;
     }
     Ok(points)

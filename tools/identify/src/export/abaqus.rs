@@ -1,5 +1,6 @@
 //! Abaqus keywords, in kg, m, s, Pa.
 //!
+//! The law of foams is *HYPERFOAM, of which all of the stress relaxes, the mean stress too.
 //! Abaqus writes Ogden's law with 2 mu / alpha^2 in front, so its mu is mu alpha / 2 of here; its D1 is 2 / K.
 
 use std::fmt::Write;
@@ -9,12 +10,13 @@ use softanvil_kernel::material::{
 };
 
 use super::card::Card;
-use super::{ReadBackError, coefficient, ogden_terms, prony_terms};
+use super::{ReadBackError, coefficient, foam_terms, ogden_terms, prony_terms};
 use crate::law::blank;
+use crate::law::foam::stress::PER_TERM;
 
 /// The keywords, where Abaqus has the law; `comment` says where the numbers come from.
 pub fn text(name: &str, comment: &str, material: &Material) -> Option<String> {
-    let (form, values) = law(material)?;
+    let (keyword, values) = law(material)?;
     let mut text = String::new();
     for line in comment.lines().chain(["Units: kg, m, s, Pa."]) {
         let _ = writeln!(text, "** {line}");
@@ -24,7 +26,7 @@ pub fn text(name: &str, comment: &str, material: &Material) -> Option<String> {
         Moduli::LongTerm => "LONG TERM",
         Moduli::Instantaneous => "INSTANTANEOUS",
     };
-    let _ = writeln!(text, "*HYPERELASTIC, {form}, MODULI={moduli}");
+    let _ = writeln!(text, "{keyword}, MODULI={moduli}");
     // Eight values a line.
     for line in values.chunks(8) {
         let _ = writeln!(text, "{}", line.iter().map(|value| number(*value)).collect::<Vec<_>>().join(", "));
@@ -34,14 +36,27 @@ pub fn text(name: &str, comment: &str, material: &Material) -> Option<String> {
         text += "*VISCOELASTIC, TIME=PRONY\n";
     }
     for (g, tau) in terms {
-        // g, k, tau: the bulk modulus does not relax.
-        let _ = writeln!(text, "{}, 0.0, {}", number(g), number(tau));
+        // g, k, tau: the bulk modulus relaxes where it is the law's own.
+        let k = if material.law.description().compressible { g } else { 0.0 };
+        let _ = writeln!(text, "{}, {}, {}", number(g), number(k), number(tau));
     }
     Some(text)
 }
 
-/// Options and values of *HYPERELASTIC; none of a law that Abaqus does not have.
+/// Keyword with the form of the law, and its values; none of a law that Abaqus does not have.
 fn law(material: &Material) -> Option<(String, Vec<f64>)> {
+    if material.law == ElasticLaw::Hyperfoam {
+        let terms = foam_terms(material);
+        let pairs = terms.iter().flat_map(|term| [term.mu, term.alpha]);
+        let values = pairs.chain(terms.iter().map(|term| term.nu)).collect();
+        return Some((format!("*HYPERFOAM, N={}", terms.len()), values));
+    }
+    let (form, values) = isochoric(material)?;
+    Some((format!("*HYPERELASTIC, {form}"), values))
+}
+
+/// Form of the law and values of *HYPERELASTIC.
+fn isochoric(material: &Material) -> Option<(String, Vec<f64>)> {
     // No bulk term relaxes, so that D1 is the same for both kinds of moduli.
     let d1 = 2.0 / material.effective_bulk_modulus();
     let [c10, c01, c11, c20, c02, c30] =
@@ -73,11 +88,19 @@ fn law(material: &Material) -> Option<(String, Vec<f64>)> {
 pub fn read(text: &str) -> Result<Card, ReadBackError> {
     let mut material = blank();
     material.density = *values(text, "*DENSITY")?.1.first().ok_or_else(|| ReadBackError::new("*DENSITY"))?;
-    let (options, values_of_law) = values(text, "*HYPERELASTIC")?;
+    let foam = text.contains("*HYPERFOAM");
+    let (options, values_of_law) = values(text, if foam { "*HYPERFOAM" } else { "*HYPERELASTIC" })?;
     let value = |index: usize| {
         values_of_law.get(index).copied().ok_or_else(|| ReadBackError::new(format!("value {} of the law", index + 1)))
     };
-    let d1 = if options.contains("NEO HOOKE") {
+    let d1 = if foam {
+        let n = values_of_law.len() / PER_TERM;
+        let term = |k: usize| Ok([value(2 * k)?, value(2 * k + 1)?, value(2 * n + k)?]);
+        let terms = (0..n).map(term).collect::<Result<Vec<_>, ReadBackError>>()?;
+        material = material.with_values(ElasticLaw::Hyperfoam, &terms.concat());
+        // Its own, whatever else is said.
+        2.0 / material.effective_bulk_modulus()
+    } else if options.contains("NEO HOOKE") {
         material = material.with(NeoHookean { c10: value(0)? });
         value(1)?
     } else if options.contains("MOONEY-RIVLIN") {
@@ -141,6 +164,17 @@ mod tests {
         assert_eq!(values(&text, "*HYPERELASTIC").unwrap().1[..5], [1e5, 2e4, 4e2, 3e3, 5e1]);
         assert_eq!(values(&text, "*VISCOELASTIC").unwrap().1, [0.25, 0.0, 8.0]);
         assert!(text.contains("POLYNOMIAL, N=2, MODULI=LONG TERM"));
+    }
+
+    /// Source: Abaqus Keywords Reference, *HYPERFOAM: pairs of mu and alpha, then every nu.
+    #[test]
+    fn values_of_a_foam_stand_in_the_order_of_the_keyword() {
+        let mut material = Law::find("foam_2").unwrap().material(&[1e5, 8.0, 0.1, 2e4, -2.0, 0.3]);
+        (material.prony_g[0], material.prony_tau[0]) = (0.25, 8.0);
+        let text = text("foam", "", &material).unwrap();
+        assert_eq!(values(&text, "*HYPERFOAM").unwrap().1, [1e5, 8.0, 2e4, -2.0, 0.1, 0.3]);
+        assert_eq!(values(&text, "*VISCOELASTIC").unwrap().1, [0.25, 0.25, 8.0]);
+        assert!(text.contains("*HYPERFOAM, N=2, MODULI=LONG TERM"));
     }
 
     /// The initial shear modulus of Abaqus's Ogden form is the sum of its mu.

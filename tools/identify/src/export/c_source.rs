@@ -9,24 +9,24 @@ use super::card::Card;
 use super::{Layer, ReadBackError, label, read_rows, rows};
 
 /// The header; `comment` says where the numbers come from.
-pub fn text(comment: &str, material: &Material, layer: Layer) -> String {
+pub fn text(comment: &str, material: &Material, layer: &Layer) -> String {
     let mut text = String::from("/*\n");
     for line in comment.lines() {
         // A comment cannot hold its own end.
         let _ = writeln!(text, " * {}", line.replace("*/", "* /"));
     }
-    let guard = format!("SOFTANVIL_MATERIAL_{}_H", layer.name().to_uppercase());
+    let guard = format!("SOFTANVIL_MATERIAL_{}_H", layer.name.to_uppercase());
     let _ =
         write!(text, " */\n#ifndef {guard}\n#define {guard}\n\n#include <stddef.h>\n\n#include \"softanvil.h\"\n\n");
     let _ = writeln!(
         text,
         "/** Sets the material of the {0} in `scenario`; the first refusal ends it, details in `error` if it is not NULL. */",
-        layer.name()
+        layer.name
     );
     let _ = writeln!(
         text,
         "static inline SoftanvilStatus softanvil_material_{}(SoftanvilScenario *scenario, SoftanvilError *error)\n{{",
-        layer.name()
+        layer.name
     );
     text += "    static const struct {\n        uint32_t parameter;\n        double value;\n    } rows[] = {\n";
     for (parameter, value) in rows(material, layer) {
@@ -35,7 +35,7 @@ pub fn text(comment: &str, material: &Material, layer: Layer) -> String {
             Some(label) => format!("{id}_{}", label.to_uppercase()),
             None => format!("{value:e}"),
         };
-        let _ = writeln!(text, "        {{ SOFTANVIL_PARAMETER_OF_LAYER({}, {id}), {value} }},", layer.place());
+        let _ = writeln!(text, "        {{ SOFTANVIL_PARAMETER_OF_LAYER({}, {id}), {value} }},", layer.place);
     }
     text += "    };\n    size_t i;\n    for (i = 0; i < sizeof rows / sizeof rows[0]; i++) {\n";
     text +=
@@ -53,10 +53,10 @@ fn id(parameter: &Parameter) -> String {
 ///
 /// # Errors
 /// A value that a scenario refuses.
-pub fn read(text: &str, layer: Layer) -> Result<Card, ReadBackError> {
+pub fn read(text: &str, layer: &Layer) -> Result<Card, ReadBackError> {
     let value = |parameter: &Parameter| {
         let id = id(parameter);
-        let row = format!("{{ SOFTANVIL_PARAMETER_OF_LAYER({}, {id}), ", layer.place());
+        let row = format!("{{ SOFTANVIL_PARAMETER_OF_LAYER({}, {id}), ", layer.place);
         let value = text.lines().find_map(|line| line.trim().strip_prefix(&row)?.strip_suffix(" },"))?;
         Some(value.strip_prefix(&format!("{id}_")).unwrap_or(value).to_string())
     };

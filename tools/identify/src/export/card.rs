@@ -100,7 +100,7 @@ impl Card {
 mod tests {
     use super::super::{Layer, abaqus, c_source, ls_dyna, ssv};
     use super::*;
-    use crate::law::{LAWS, MODES};
+    use crate::law::{FOAMS, LAWS, MODES};
     use softanvil_kernel::material::Coefficient;
 
     fn states() -> Vec<States> {
@@ -109,7 +109,7 @@ mod tests {
 
     /// Every way in which a card is written and read.
     fn read_all(material: &Material) -> Vec<(&'static str, Card)> {
-        let (layer, comment) = (Layer::Silicone, "from\na test");
+        let (layer, comment) = (&Layer::parse("silicone").unwrap(), "from\na test");
         let ls_dyna = ls_dyna::text("rubber", comment, material).map(|text| ("LS-DYNA", ls_dyna::read(&text).unwrap()));
         let abaqus = abaqus::text("rubber", comment, material).map(|text| ("Abaqus", abaqus::read(&text).unwrap()));
         let own = [
@@ -121,7 +121,7 @@ mod tests {
 
     #[test]
     fn every_law_comes_back_from_every_file() {
-        for law in LAWS.iter() {
+        for law in LAWS.iter().chain(FOAMS.iter()) {
             // Moduli with more digits than fit; shapes as they are, of which one is the root of a whole number.
             let modulus = |(parameter, value): (&Coefficient, &f64)| {
                 if parameter.is_modulus() { 1.234_567_89 * value } else { *value }

@@ -1,9 +1,12 @@
-//! LS-DYNA keyword cards: *MAT_077_H (hyperelastic rubber), *MAT_077_O (Ogden rubber) or *MAT_127 (Arruda-Boyce rubber), in
-//! kg, m, s, Pa.
+//! LS-DYNA keyword cards: *MAT_077_H (hyperelastic rubber), *MAT_077_O (Ogden rubber), *MAT_127 (Arruda-Boyce rubber) or *MAT_177
+//! (Hill foam), in kg, m, s, Pa.
 //!
 //! Their viscous terms are absolute shear moduli G_i with decay constants beta_i on top of the long-term law:
 //! G_i = G_inf g_i / g_inf, beta_i = 1 / tau_i. LS-DYNA drives them by the strain, the kernel by the isochoric stress:
 //! the same at small strains only.
+//!
+//! *MAT_177 writes the terms of a foam as C = 2 mu / alpha and b = alpha with one n = nu / (1 - 2 nu) for all of them, and has no
+//! viscous ones.
 
 use std::fmt::Write;
 
@@ -12,7 +15,7 @@ use softanvil_kernel::material::{
 };
 
 use super::card::Card;
-use super::{ReadBackError, coefficient, ogden_terms, viscous};
+use super::{ReadBackError, coefficient, foam_terms, ogden_terms, viscous};
 use crate::law::blank;
 
 /// The cards, where LS-DYNA has the law; `comment` says where the numbers come from.
@@ -64,8 +67,38 @@ fn law(material: &Material) -> Option<(&'static str, String)> {
             let second = format!("$     LCID     TRAMP        NT\n{:>10}{}{}\n", 0, field(0.0), field(6.0));
             Some((ARRUDA_BOYCE, first + &second))
         }
+        ElasticLaw::Hyperfoam => Some((HILL_FOAM, hill_foam(material)?)),
         _ => None,
     }
+}
+
+/// The cards of *MAT_177; none of a foam whose terms have ratios of their own, or viscous ones.
+fn hill_foam(material: &Material) -> Option<String> {
+    let (scale, terms) = (material.long_term_scale(), foam_terms(material));
+    let nu = terms.first()?.nu;
+    if terms.iter().any(|term| (term.nu - nu).abs() > 1e-9) || viscous(material).next().is_some() {
+        return None;
+    }
+    let n = nu / (1.0 - 2.0 * nu);
+    let numbers = [material.density, material.effective_bulk_modulus(), n, 0.0].map(field).concat();
+    let eight = |values: &mut dyn Iterator<Item = f64>| {
+        let fields: Vec<String> = values.chain(std::iter::repeat(0.0)).take(8).map(field).collect();
+        fields.concat()
+    };
+    let c = eight(&mut terms.iter().map(|term| scale * 2.0 * term.mu / term.alpha));
+    let b = eight(&mut terms.iter().map(|term| term.alpha));
+    Some(format!(
+        "$      MID        RO         K         N        MU      LCID   FITTYPE      LCSR\n{:>10}{numbers}{:>10}{:>10}{:>10}\n\
+         $       C1        C2        C3        C4        C5        C6        C7        C8\n{c}\n\
+         $       B1        B2        B3        B4        B5        B6        B7        B8\n{b}\n\
+         $        R         M\n{}{}\n",
+        1,
+        0,
+        0,
+        0,
+        field(0.0),
+        field(0.0)
+    ))
 }
 
 /// The first card of *MAT_077.
@@ -92,6 +125,9 @@ const POLYNOMIAL: &str = "*MAT_077_H_TITLE";
 /// The keyword of Arruda and Boyce's law, with the same series.
 const ARRUDA_BOYCE: &str = "*MAT_127_TITLE";
 
+/// The keyword of Hill's foam.
+const HILL_FOAM: &str = "*MAT_177_TITLE";
+
 /// What the cards in `text` mean to LS-DYNA: fields of ten columns, lines of comment begin with $.
 ///
 /// # Errors
@@ -111,6 +147,13 @@ pub fn read(text: &str) -> Result<Card, ReadBackError> {
             let (volumetric_by, law) = (VolumetricBy::BulkModulus, ArrudaBoyce::new(first[3], first[4].sqrt()));
             (Material { density: first[1], volumetric_by, bulk_modulus: first[2], ..blank().with(law) }, 2)
         }
+        HILL_FOAM => {
+            let (first, c, b) = (card(&cards, 0, 4)?, card(&cards, 1, 8)?, card(&cards, 2, 8)?);
+            let nu = first[3] / (1.0 + 2.0 * first[3]);
+            let terms = c.iter().zip(b).filter(|(c, _)| **c != 0.0).flat_map(|(c, b)| [0.5 * c * b, *b, nu]);
+            let material = blank().with_values(ElasticLaw::Hyperfoam, &terms.collect::<Vec<_>>());
+            (Material { density: first[1], ..material }, cards.len())
+        }
         _ => {
             // C30 makes a law of Yeoh's of it; no other has it beside the mixed ones.
             let (c, first) = (card(&cards, 1, 6)?, read_first(&cards)?);
@@ -124,8 +167,8 @@ pub fn read(text: &str) -> Result<Card, ReadBackError> {
     };
     let terms = (coefficients..cards.len()).map(|k| card(&cards, k, 2).map(|term| (term[0], 1.0 / term[1])));
     let (viscous, card) = (terms.collect::<Result<_, _>>()?, Card::of(&material));
-    // *MAT_127 has no damping spring.
-    let slider = card.slider.filter(|_| keyword != ARRUDA_BOYCE);
+    // *MAT_127 and *MAT_177 have no damping spring.
+    let slider = card.slider.filter(|_| ![ARRUDA_BOYCE, HILL_FOAM].contains(&keyword));
     Ok(Card { viscous, slider, ..card })
 }
 
@@ -212,6 +255,12 @@ mod tests {
         let chains = Law::find("arruda_boyce").unwrap().material(&[2e5, 5.0]);
         let chains = text("rubber", "", &chains).unwrap();
         assert!(chains.contains("*MAT_127_TITLE\nrubber\n") && chains.contains(" 2.00000e5        25\n"), "{chains}");
+        let law = Law::find("foam_2").unwrap();
+        let foam = text("foam", "", &law.material(&[1e5, 8.0, 0.25, 2e4, -2.0, 0.25])).unwrap();
+        let row = |after: &str| foam.lines().skip_while(|line| !line.starts_with(after)).nth(1).unwrap().to_string();
+        assert!(foam.contains("*MAT_177_TITLE\nfoam\n") && row("$      MID")[30..40].trim() == "0.5000000", "{foam}");
+        assert!(row("$       C1").starts_with(" 2.50000e4 -2.0000e4"), "{foam}");
+        assert!(text("foam", "", &law.material(&[1e5, 8.0, 0.1, 2e4, -2.0, 0.3])).is_none());
         assert!(text("rubber", "", &Law::find("gent").unwrap().material(&[2e5, 80.0])).is_none());
         assert!(ogden.contains("*MAT_077_O_TITLE") && !ogden.contains("GI"), "{ogden}");
     }

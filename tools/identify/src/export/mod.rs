@@ -9,67 +9,82 @@ pub mod ssv;
 
 use softanvil_kernel::material::Material;
 use softanvil_kernel::parameter::Kind;
+use softanvil_kernel::scenario::{MAX_LAYER_NAME, MAX_LAYERS};
 use softanvil_kernel::{Parameter, Scenario, preset};
 
-/// Which layer of the anvil the material is for.
+use crate::law::foam::stress::Term;
+
+/// Which layer of the stack the material is for.
 ///
 /// ```
 /// use softanvil_identify::export::{Layer, ssv};
 /// use softanvil_identify::law::Law;
 ///
 /// let material = Law::find("neo_hookean").unwrap().material(&[1e5]);
-/// let values = ssv::text("skin", &material, Layer::Skin)?;
+/// let values = ssv::text("skin", &material, &Layer::parse("skin")?)?;
 /// assert!(values.contains("layers[1].c10") && !values.contains("layers[0]"));
-/// # Ok::<(), std::io::Error>(())
+/// assert_eq!(Layer::parse("pad=0")?, Layer { place: 0, name: "pad".into() });
+/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Layer {
-    /// The first from the core.
-    #[default]
-    Silicone,
-    /// The second, on top of it.
-    Skin,
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Layer {
+    /// Its place from the core.
+    pub place: usize,
+    /// Its name.
+    pub name: String,
 }
 
 impl Layer {
-    /// Its place from the core.
-    pub fn place(self) -> usize {
-        match self {
-            Self::Silicone => 0,
-            Self::Skin => 1,
-        }
-    }
+    /// The first from the core, and what lies on it.
+    const NAMES: [&'static str; 2] = ["silicone", "pad"];
 
-    /// Its name.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Silicone => "silicone",
-            Self::Skin => "skin",
-        }
+    /// The layer that `text` says: its name, its place, or both as in "pad=0". The silicone is the first from the core and every
+    /// other name one of the second; a place without a name is that of the silicone, or of a pad.
+    ///
+    /// # Errors
+    /// What is legal.
+    pub fn parse(text: &str) -> Result<Self, String> {
+        let is_name = |name: &str| {
+            name.starts_with(|c: char| c.is_ascii_alphabetic())
+                && name.len() <= MAX_LAYER_NAME
+                && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
+        };
+        let (name, place) = match text.split_once('=') {
+            Some((name, place)) => (name, place.parse().ok()),
+            None => match text.parse() {
+                Ok(place) => (Self::NAMES[usize::from(place > 0)], Some(place)),
+                Err(_) => (text, Some(usize::from(text != Self::NAMES[0]))),
+            },
+        };
+        let place = place.filter(|place| *place < MAX_LAYERS && is_name(name));
+        place.map(|place| Self { place, name: name.into() }).ok_or_else(|| {
+            let last = MAX_LAYERS - 1;
+            format!("expected the name of a layer, its place from the core, 0 to {last}, or both, as in pad=1")
+        })
     }
 }
 
 /// The study's anvil, whose `layer` is of `material`.
-fn scenario(material: &Material, layer: Layer) -> Scenario {
+fn scenario(material: &Material, layer: &Layer) -> Scenario {
     let mut scenario = preset::study();
-    scenario.set_layer_count(layer.place() + 1);
-    scenario.layers[layer.place()].material = *material;
+    scenario.set_layer_count(layer.place + 1);
+    scenario.layers[layer.place].material = *material;
     scenario
 }
 
 /// Every parameter of the material of `layer` that has an effect, and every coefficient of 0, with its value; a choice as its
 /// index.
-fn rows(material: &Material, layer: Layer) -> Vec<(Parameter, f64)> {
+fn rows(material: &Material, layer: &Layer) -> Vec<(Parameter, f64)> {
     let scenario = scenario(material, layer);
     let acts = |parameter: &Parameter| parameter.without_effect(&scenario).is_none();
-    Parameter::of_material(layer.place()).filter(acts).map(|parameter| (parameter, parameter.get(&scenario))).collect()
+    Parameter::of_material(layer.place).filter(acts).map(|parameter| (parameter, parameter.get(&scenario))).collect()
 }
 
 /// The material of `layer` that the values `of` parameters make: numbers or labels of choices, as text. Those that are not there
 /// keep the values of [`crate::law::blank`].
-fn read_rows(of: impl Fn(&Parameter) -> Option<String>, layer: Layer) -> Result<Material, ReadBackError> {
+fn read_rows(of: impl Fn(&Parameter) -> Option<String>, layer: &Layer) -> Result<Material, ReadBackError> {
     let mut scenario = scenario(&crate::law::blank(), layer);
-    for parameter in Parameter::of_material(layer.place()) {
+    for parameter in Parameter::of_material(layer.place) {
         let Some(text) = of(&parameter) else { continue };
         let number = match parameter.kind() {
             Kind::Quantity | Kind::Count => text.parse().ok(),
@@ -80,7 +95,7 @@ fn read_rows(of: impl Fn(&Parameter) -> Option<String>, layer: Layer) -> Result<
         let number = number.ok_or_else(|| ReadBackError(format!("{} = {text}", parameter.name())))?;
         parameter.set(&mut scenario, number).map_err(|error| ReadBackError(error.to_string()))?;
     }
-    Ok(scenario.layers[layer.place()].material)
+    Ok(scenario.layers[layer.place].material)
 }
 
 /// The coefficient called `name` of a law that has it; 0 of others.
@@ -94,6 +109,13 @@ fn ogden_terms(material: &Material) -> Vec<(f64, f64)> {
     let coefficients = material.law.description().coefficients;
     let values: Vec<f64> = coefficients.iter().map(|c| coefficient(material, c.name)).collect();
     values.chunks_exact(2).map(|term| (term[0], term[1])).filter(|(mu, _)| *mu != 0.0).collect()
+}
+
+/// The terms of a foam that are on.
+fn foam_terms(material: &Material) -> Vec<Term> {
+    let values: Vec<f64> =
+        material.law.description().coefficients.iter().map(|c| coefficient(material, c.name)).collect();
+    Term::list(&values).into_iter().filter(|term| term.mu != 0.0).collect()
 }
 
 /// What a reader of a file stumbles upon.

@@ -15,7 +15,7 @@ use super::{Layer, ReadBackError, label, read_rows, rows};
 ///
 /// # Errors
 /// Never, as it is written to memory.
-pub fn text(name: &str, material: &Material, layer: Layer) -> io::Result<String> {
+pub fn text(name: &str, material: &Material, layer: &Layer) -> io::Result<String> {
     let mut xml = Writer::new_with_indent(Vec::new(), b' ', 2);
     xml.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))?;
     let attributes = [
@@ -57,7 +57,7 @@ pub fn text(name: &str, material: &Material, layer: Layer) -> io::Result<String>
 ///
 /// # Errors
 /// What is no XML, or a value that a scenario refuses.
-pub fn read(text: &str, layer: Layer) -> Result<Card, ReadBackError> {
+pub fn read(text: &str, layer: &Layer) -> Result<Card, ReadBackError> {
     let refuse = |error: &dyn std::fmt::Display| ReadBackError::new(error.to_string());
     let mut reader = Reader::from_str(text);
     let (mut name, mut values) = (String::new(), BTreeMap::new());
@@ -91,7 +91,7 @@ mod tests {
     #[test]
     fn every_parameter_of_the_layer_is_there_once_with_its_value() {
         let material = Law::find("yeoh_3").unwrap().material(&[1.0 / 3.0, 2e-7, 3e8]);
-        let text = text("rubber", &material, Layer::Skin).unwrap();
+        let text = text("rubber", &material, &Layer::parse("skin").unwrap()).unwrap();
         let document = roxmltree::Document::parse(&text).unwrap();
         let value = |name: &str| {
             let found: Vec<_> = document.descendants().filter(|node| node.attribute("name") == Some(name)).collect();

@@ -4,9 +4,12 @@ use nalgebra::{DMatrix, DVector};
 use softanvil_kernel::material::{Elastic, ElasticLaw};
 
 use super::degeneracy::Degeneracy;
+use super::foam::search::{Bounds, Demand};
+use super::foam::stress::{PER_TERM, Term};
+use super::parts::Part;
 use super::stability::Stability;
 use super::statistics::Statistics;
-use super::{DataSet, LAWS, Law, linear, ogden, separable};
+use super::{DataSet, LAWS, Law, foam, linear, ogden, separable};
 
 pub use super::stress::predict;
 
@@ -18,6 +21,8 @@ pub enum Weighting {
     Absolute,
     /// Divided by the stress: all stretches count alike.
     Relative,
+    /// Divided by the largest stress of the test, and by the root of its number of points: all tests count alike.
+    Tests,
 }
 
 /// A relative residual is never taken of less than this part of the largest stress of its test, because a stress near
@@ -33,19 +38,28 @@ pub struct Settings {
     pub stability_range: (f64, f64),
     /// Only stable laws.
     pub demand_stability: bool,
+    /// Poisson's ratio of every term of a foam, where it is known.
+    pub poissons_ratio: Option<f64>,
+}
+
+impl Settings {
+    /// Residuals in Pa, stability asked for over the stretches `stability_range` and not demanded.
+    pub fn plain(stability_range: (f64, f64)) -> Self {
+        Self { weighting: Weighting::Absolute, stability_range, demand_stability: false, poissons_ratio: None }
+    }
 }
 
 /// A fitted law.
 ///
 /// ```
-/// use softanvil_identify::law::fit::{Fit, Settings, Weighting};
+/// use softanvil_identify::law::fit::{Fit, Settings};
 /// use softanvil_identify::law::{DataSet, Law, Mode};
 ///
 /// // Tension of a neo-Hookean material with a shear modulus of 0.1 MPa: P = G (l - l^-2).
 /// let stretches = (1..=10).map(|i| 1.0 + 0.1 * f64::from(i));
 /// let points = stretches.map(|l| (l, 1e5 * (l - l.powi(-2)))).collect();
 /// let data = [DataSet { mode: Mode::Uniaxial, points }];
-/// let settings = Settings { weighting: Weighting::Absolute, stability_range: (0.5, 2.0), demand_stability: true };
+/// let settings = Settings { demand_stability: true, ..Settings::plain((0.5, 2.0)) };
 /// let fit = Fit::new(Law::find("neo_hookean").unwrap(), &data, &settings).unwrap();
 /// assert!((fit.shear_modulus() / 1e5 - 1.0).abs() < 1e-9);
 /// assert!(fit.is_stable && fit.statistics.rms < 1e-3);
@@ -79,8 +93,10 @@ impl Fit {
         let fitted = predict(law, &values, data);
         let residuals: Vec<f64> = fitted.iter().zip(&stresses).map(|(a, b)| a - b).collect();
         let jacobian = jacobian(law, &values, data);
-        let statistics = Statistics::new(&stresses, &residuals, &weights, &jacobian);
-        let stability = Stability::new(&law.elastic(&values));
+        let free = free(law, settings);
+        let statistics = Statistics::new(&stresses, &residuals, &weights, &jacobian.select_columns(&free));
+        let statistics = statistics.among(values.len(), &free);
+        let stability = stability(law, &values);
         let is_stable = stability.covers(settings.stability_range);
         if !statistics.residual_sum.is_finite() || settings.demand_stability && !is_stable {
             return None;
@@ -105,11 +121,31 @@ impl Fit {
     }
 }
 
+/// Indices of the parameters that were not known before.
+fn free(law: &Law, settings: &Settings) -> Vec<usize> {
+    let known = law.is_compressible() && settings.poissons_ratio.is_some();
+    (0..law.parameters.len()).filter(|k| !(known && k % PER_TERM == PER_TERM - 1)).collect()
+}
+
+/// What is asked of the coefficients of a foam.
+pub(super) fn demand(law: &Law, settings: &Settings) -> Demand {
+    let range = |place: usize| law.parameters.get(place).map_or((0.0, 0.0), |parameter| (parameter.min, parameter.max));
+    Demand { bounds: Bounds { alpha: range(1), nu: range(2) }, nu: settings.poissons_ratio }
+}
+
+fn stability(law: &Law, values: &[f64]) -> Stability {
+    match law.is_compressible() {
+        true => foam::stability::of(&Term::list(values)),
+        false => Stability::new(&law.elastic(values)),
+    }
+}
+
 /// Derivative of the nominal stress by each parameter at each point, n_point x n_parameter.
 fn jacobian(law: &Law, values: &[f64], data: &[DataSet]) -> DMatrix<f64> {
     match law.family {
         _ if law.is_linear() => linear::design(&linear::unit_laws(law, &[]), data),
         ElasticLaw::Ogden => ogden::jacobian(values, data),
+        ElasticLaw::Hyperfoam => foam::search::jacobian(values, data),
         _ => separable::jacobian(law, values, data),
     }
 }
@@ -118,6 +154,9 @@ fn values(law: &Law, data: &[DataSet], stresses: &[f64], weights: &[f64], settin
     match law.family {
         _ if law.is_linear() => linear_values(law, data, stresses, weights, settings),
         ElasticLaw::Ogden => Some(ogden::fit(law.parameters.len() / 2, data, weights, settings.demand_stability)),
+        ElasticLaw::Hyperfoam => {
+            Some(foam::search::fit(law.parameters.len() / PER_TERM, data, weights, &demand(law, settings)))
+        }
         _ => {
             let stable = settings.demand_stability.then_some(settings.stability_range);
             separable::fit(law, data, weights, stable)
@@ -161,14 +200,33 @@ fn stable_values(law: &Law, a: &DMatrix<f64>, b: &DVector<f64>, settings: &Setti
 
 /// Weight of each residual, 1/Pa or 1.
 pub(super) fn weights(data: &[DataSet], weighting: Weighting) -> Vec<f64> {
+    if weighting == Weighting::Tests {
+        return test_weights(data);
+    }
     let of_set = |set: &DataSet| {
         let largest = set.points.iter().fold(0.0, |largest, point| f64::max(largest, point.1.abs()));
         let floor = SMALLEST_RELATIVE * largest;
         let weight = move |point: &(f64, f64)| match weighting {
-            Weighting::Absolute => 1.0,
+            Weighting::Absolute | Weighting::Tests => 1.0,
             Weighting::Relative => 1.0 / point.1.abs().max(floor),
         };
         set.points.iter().map(weight).collect::<Vec<_>>()
     };
     data.iter().flat_map(of_set).collect()
+}
+
+/// Weights with which every test counts alike, by its largest stress; their squares times those of the largest stresses are 1 in
+/// the mean.
+fn test_weights(data: &[DataSet]) -> Vec<f64> {
+    let measured: Vec<f64> = data.iter().flat_map(|set| set.points.iter().map(|point| point.1)).collect();
+    let parts = Part::list(data);
+    let mut weights = vec![0.0; measured.len()];
+    let share = measured.len() as f64 / parts.len().max(1) as f64;
+    for part in &parts {
+        let weight = (share / part.places.len() as f64).sqrt() / part.largest(&measured);
+        // A test without any stress says nothing that a weight could scale.
+        let weight = if weight.is_finite() { weight } else { 0.0 };
+        part.places.iter().for_each(|place| weights[*place] = weight);
+    }
+    weights
 }

@@ -1,16 +1,19 @@
 //! The hyperelastic laws, and what they answer in the three tests.
 //!
 //! The stress of a law is the kernel's ([`stress`]), and so is what it says of its coefficients: a law stands once. [`linear`]
-//! fits those that are linear in all of them, [`separable`] those that are not, but for [`ogden`], whose exponents have many minima;
+//! fits those that are linear in all of them, [`separable`] those that are not, but for [`ogden`], whose exponents have many minima,
+//! and [`foam`], which changes its volume; [`parts`] tells the tests apart that residuals are told for,
 //! [`statistics`] says how well, [`profile`] whether its errors can be believed, [`degeneracy`] whether the coefficients mean
 //! anything, [`stability`] over which stretches they are stable; [`fit`] does all of it for every law, and [`ranking`]
 //! compares. [`volume`] is what a specimen does that the laws are fitted without.
 
 pub mod degeneracy;
 pub mod fit;
+pub mod foam;
 pub mod interval;
 pub mod linear;
 pub mod ogden;
+pub mod parts;
 pub mod profile;
 pub mod ranking;
 pub mod separable;
@@ -26,7 +29,7 @@ use softanvil_kernel::preset;
 
 use interval::Interval;
 
-/// A homogeneous test of an incompressible specimen; l is the stretch of the loaded direction.
+/// A homogeneous test, with the stretches of an incompressible specimen; l is that of the loaded direction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Mode {
     /// One direction loaded, two free: l, l^(-1/2), l^(-1/2).
@@ -35,9 +38,12 @@ pub enum Mode {
     Planar,
     /// Two loaded, one free: l, l, l^-2.
     Equibiaxial,
+    /// Two faces displaced along themselves by the amount of shear g times their distance: l, 1/l, 1 with g = l - 1/l.
+    SimpleShear,
 }
 
-/// The three tests.
+/// The tests whose deformations are looked at for stability; simple shear deforms as the planar test of an incompressible
+/// specimen, but for a rotation.
 pub const MODES: [Mode; 3] = [Mode::Uniaxial, Mode::Planar, Mode::Equibiaxial];
 
 impl Mode {
@@ -47,6 +53,15 @@ impl Mode {
             Self::Uniaxial => "uniaxial",
             Self::Planar => "planar",
             Self::Equibiaxial => "equibiaxial",
+            Self::SimpleShear => "simple-shear",
+        }
+    }
+
+    /// What its points are measured in, beside the stress.
+    pub fn measured(self) -> &'static str {
+        match self {
+            Self::SimpleShear => "amount_of_shear",
+            _ => "stretch",
         }
     }
 }
@@ -66,8 +81,22 @@ impl Mode {
 pub struct DataSet {
     /// The test.
     pub mode: Mode,
-    /// (stretch of the loaded direction, nominal stress in Pa).
+    /// (stretch of the loaded direction, or amount of shear; nominal stress in Pa).
     pub points: Vec<(f64, f64)>,
+}
+
+impl DataSet {
+    /// The smallest and the largest principal stretch of the states, where the free directions do not count.
+    pub fn stretches(&self) -> (f64, f64) {
+        let principal = self.points.iter().flat_map(|(x, _)| match self.mode {
+            Mode::SimpleShear => {
+                let [long, short, _] = stress::stretches(self.mode, *x);
+                [long, short]
+            }
+            _ => [*x; 2],
+        });
+        principal.fold((f64::MAX, f64::MIN), |(low, high), l| (low.min(l), high.max(l)))
+    }
 }
 
 /// A law of the kernel with a number of its coefficients; those of one law of the kernel are a family, of which one has the
@@ -93,8 +122,13 @@ pub struct Law {
     pub parameters: &'static [Coefficient],
 }
 
-/// Every law, by its family and number of parameters, as the kernel describes them.
-pub static LAWS: LazyLock<Vec<Law>> = LazyLock::new(|| {
+/// Every law of a constant volume, by its family and number of parameters, as the kernel describes them.
+pub static LAWS: LazyLock<Vec<Law>> = LazyLock::new(|| listed(false));
+
+/// Every law that says how the volume changes, likewise.
+pub static FOAMS: LazyLock<Vec<Law>> = LazyLock::new(|| listed(true));
+
+fn listed(compressible: bool) -> Vec<Law> {
     let of_law = |family: &'static ElasticLaw| {
         let description = family.description();
         description.variants.iter().map(|variant| Law {
@@ -104,13 +138,18 @@ pub static LAWS: LazyLock<Vec<Law>> = LazyLock::new(|| {
             parameters: &description.coefficients[..variant.n_coefficient],
         })
     };
-    ElasticLaw::ALL.iter().flat_map(of_law).collect()
-});
+    ElasticLaw::ALL.iter().filter(|law| law.description().compressible == compressible).flat_map(of_law).collect()
+}
 
 impl Law {
     /// The law called `name`.
     pub fn find(name: &str) -> Option<&'static Self> {
-        LAWS.iter().find(|law| law.name == name)
+        LAWS.iter().chain(FOAMS.iter()).find(|law| law.name == name)
+    }
+
+    /// Whether it says how the volume changes.
+    pub fn is_compressible(&self) -> bool {
+        self.family.description().compressible
     }
 
     /// Whether the stress is linear in every parameter.

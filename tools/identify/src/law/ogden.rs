@@ -10,7 +10,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::stress::stretches;
+use super::stress::{divisor, stretches};
 use super::{DataSet, Mode, linear};
 use crate::least_squares::{self, Bounded, Effort, Held, Model};
 
@@ -33,8 +33,8 @@ const START_POINTS: usize = 150;
 /// A point with its weight.
 #[derive(Clone, Copy)]
 struct Target {
-    /// Stretch of the loaded direction.
-    stretch: f64,
+    /// What the difference of Kirchhoff stresses is divided by.
+    divisor: f64,
     /// Logarithms of the stretches of the loaded and of the free direction.
     loaded: f64,
     free: f64,
@@ -45,14 +45,14 @@ struct Target {
 impl Target {
     fn new(mode: Mode, stretch: f64, stress: f64, weight: f64) -> Self {
         let [loaded, free, _] = stretches(mode, stretch);
-        Self { stretch, loaded: loaded.ln(), free: free.ln(), stress, weight }
+        Self { divisor: divisor(mode, stretch), loaded: loaded.ln(), free: free.ln(), stress, weight }
     }
 }
 
 /// Nominal stress of a term of exponent alpha per mu, and its derivative by alpha.
 fn basis(alpha: f64, target: &Target) -> (f64, f64) {
     let (loaded, free) = ((alpha * target.loaded).exp(), (alpha * target.free).exp());
-    ((loaded - free) / target.stretch, (loaded * target.loaded - free * target.free) / target.stretch)
+    ((loaded - free) / target.divisor, (loaded * target.loaded - free * target.free) / target.divisor)
 }
 
 /// Parameters mu_1, alpha_1, mu_2, ... of the law with `n_term` terms nearest to `data`, exponents in falling order.

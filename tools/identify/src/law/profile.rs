@@ -7,8 +7,8 @@
 
 use softanvil_kernel::material::ElasticLaw;
 
-use super::fit::{Fit, Weighting, weights};
-use super::{DataSet, ogden, separable};
+use super::fit::{Fit, Settings, demand, weights};
+use super::{DataSet, foam, ogden, separable};
 
 /// The rise of the residual sum at an end of an interval, over that of a linear law.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,14 +36,14 @@ impl End {
 
 /// Both ends of the interval of each parameter of a law with shapes; none of a linear one, and where nothing is
 /// left to estimate the errors from.
-pub fn ends(fit: &Fit, data: &[DataSet], weighting: Weighting) -> Vec<End> {
+pub fn ends(fit: &Fit, data: &[DataSet], settings: &Settings) -> Vec<End> {
     let statistics = &fit.statistics;
     let (n, k) = (statistics.n_point, statistics.n_parameter);
     let known = n > k && statistics.residual_sum > 0.0 && statistics.standard_errors.iter().all(|e| e.is_finite());
     if fit.law.is_linear() || !known {
         return Vec::new();
     }
-    let weights = weights(data, weighting);
+    let weights = weights(data, settings.weighting);
     let factor = statistics.interval();
     let expected = factor * factor * statistics.residual_sum / (n - k) as f64;
     let end = |parameter: usize, side: f64| {
@@ -52,18 +52,24 @@ pub fn ends(fit: &Fit, data: &[DataSet], weighting: Weighting) -> Vec<End> {
         let start: Vec<f64> = fit.values.iter().enumerate().map(|(i, value)| value + moved(i)).collect();
         let least = match fit.law.family {
             ElasticLaw::Ogden => ogden::minimum_at(parameter, &start, &fit.values, data, &weights),
+            ElasticLaw::Hyperfoam => {
+                let demand = demand(fit.law, settings);
+                foam::search::minimum_at(parameter, &start, &fit.values, data, &weights, &demand)
+            }
             _ => separable::minimum_at(fit.law, parameter, &start, &fit.values, data, &weights),
         };
         let rise = least - statistics.residual_sum;
         End { parameter, ratio: rise / expected }
     };
-    (0..k).flat_map(|parameter| [end(parameter, -1.0), end(parameter, 1.0)]).collect()
+    // What was known has no interval.
+    let free = (0..fit.values.len()).filter(|parameter| statistics.standard_errors[*parameter] > 0.0);
+    free.flat_map(|parameter| [end(parameter, -1.0), end(parameter, 1.0)]).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::law::fit::{Settings, predict};
+    use crate::law::fit::predict;
     use crate::law::{Law, MODES, Mode};
 
     fn ends_of(modes: &[Mode], stretches: (f64, f64)) -> Vec<End> {
@@ -75,9 +81,8 @@ mod tests {
         for (k, (point, stress)) in data.iter_mut().flat_map(|set| &mut set.points).zip(stresses).enumerate() {
             point.1 = stress + 2e3 * ((k * 7919 % 101) as f64 / 50.0 - 1.0);
         }
-        let settings =
-            Settings { weighting: Weighting::Absolute, stability_range: (0.5, 2.0), demand_stability: false };
-        ends(&Fit::new(law, &data, &settings).unwrap(), &data, Weighting::Absolute)
+        let settings = Settings::plain((0.5, 2.0));
+        ends(&Fit::new(law, &data, &settings).unwrap(), &data, &settings)
     }
 
     #[test]

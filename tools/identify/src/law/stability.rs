@@ -26,9 +26,15 @@ const DIFFERENCE: f64 = 1e-4;
 pub struct Stability(pub [(f64, f64); 3]);
 
 impl Stability {
-    /// Of a law.
+    /// Of an isochoric law.
     pub fn new(elastic: &Elastic) -> Self {
-        Self(MODES.map(|mode| (reach(elastic, mode, SCAN.0), reach(elastic, mode, SCAN.1))))
+        Self::of(|mode, stretch| is_positive(&tangent(elastic, stretches(mode, stretch))))
+    }
+
+    /// Of a law that is stable in a test at a stretch where `is_stable` says so.
+    pub fn of(is_stable: impl Fn(Mode, f64) -> bool) -> Self {
+        let reach = |mode, end| reach(|stretch| is_stable(mode, stretch), end);
+        Self(MODES.map(|mode| (reach(mode, SCAN.0), reach(mode, SCAN.1))))
     }
 
     /// Whether the law is stable in all three modes over the stretches `range`.
@@ -38,12 +44,12 @@ impl Stability {
 }
 
 /// The farthest stretch towards `end` up to which the law is stable.
-fn reach(elastic: &Elastic, mode: Mode, end: f64) -> f64 {
+fn reach(is_stable: impl Fn(f64) -> bool, end: f64) -> f64 {
     let steps = ((end - 1.0).abs() / STEP).round() as usize;
     let mut stable = 1.0;
     for index in 0..=steps {
         let stretch = 1.0 + (end - 1.0) * index as f64 / steps as f64;
-        if !is_positive(&tangent(elastic, stretches(mode, stretch))) {
+        if !is_stable(stretch) {
             return stable;
         }
         stable = stretch;

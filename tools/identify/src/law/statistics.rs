@@ -56,6 +56,17 @@ impl Statistics {
         }
     }
 
+    /// The same among `n` parameters, of which these are the ones at `places`, in their order, and the others known: an error of 0.
+    pub fn among(self, n: usize, places: &[usize]) -> Self {
+        let mut standard_errors = vec![0.0; n];
+        let mut correlation = DMatrix::identity(n, n);
+        for (i, place) in places.iter().enumerate() {
+            standard_errors[*place] = self.standard_errors[i];
+            places.iter().enumerate().for_each(|(j, other)| correlation[(*place, *other)] = self.correlation[(i, j)]);
+        }
+        Self { standard_errors, correlation, ..self }
+    }
+
     /// Half-width of the 95 % confidence interval of a parameter in standard errors: Student's t with n - k degrees of
     /// freedom.
     pub fn interval(&self) -> f64 {

@@ -1,6 +1,6 @@
-//! Nominal stress of the kernel's laws in the three tests.
+//! Nominal stress of the kernel's laws in the tests.
 //!
-//! The free direction carries no stress, so the loaded one carries P = (tau_loaded - tau_free) / l, in which the
+//! Of a law of constant volume the free direction carries no stress, so the loaded one carries P = (tau_loaded - tau_free) / l, in which the
 //! pressure of the incompressible specimen drops out.
 
 use softanvil_kernel::material::Elastic;
@@ -9,12 +9,28 @@ use softanvil_kernel::tensor::kinematics::Kinematics;
 
 use super::{DataSet, Law, Mode};
 
-/// Stretches (x, y, z) of a test at the stretch `l`, the loaded direction first.
+/// Stretches (x, y, z) of a test at the stretch `l`, or amount of shear, the loaded direction first.
 pub fn stretches(mode: Mode, l: f64) -> [f64; 3] {
     match mode {
         Mode::Uniaxial => [l, l.powf(-0.5), l.powf(-0.5)],
         Mode::Planar => [l, 1.0 / l, 1.0],
         Mode::Equibiaxial => [l, 1.0 / (l * l), l],
+        Mode::SimpleShear => {
+            let long = 0.5 * l + (1.0 + 0.25 * l * l).sqrt();
+            [long, 1.0 / long, 1.0]
+        }
+    }
+}
+
+/// What the difference of the first two principal Kirchhoff stresses is divided by to make the nominal stress at `l`.
+pub fn divisor(mode: Mode, l: f64) -> f64 {
+    match mode {
+        Mode::Uniaxial | Mode::Planar | Mode::Equibiaxial => l,
+        // The shear stress is dW/dg, of dW = (tau_1 - tau_2) d ln l and g = l - 1/l.
+        Mode::SimpleShear => {
+            let [long, short, _] = stretches(mode, l);
+            long + short
+        }
     }
 }
 
@@ -26,14 +42,54 @@ pub fn kirchhoff(elastic: &Elastic, [x, y, z]: [f64; 3]) -> [f64; 3] {
     [x, y, -(x + y)]
 }
 
-/// Nominal stress, Pa, at each of `points` (stretches of the loaded direction).
+/// Nominal stress, Pa, at each of `points` (stretches of the loaded direction, or amounts of shear).
 pub fn nominal(elastic: &Elastic, mode: Mode, points: &[f64]) -> Vec<f64> {
-    // The free direction is the second in all three tests.
+    if elastic.is_compressible() {
+        return points.iter().map(|l| whole(elastic, mode, *l)).collect();
+    }
+    // The free direction, or the short one of a shear, is the second in all tests.
     let at = |&l: &f64| {
         let tau = kirchhoff(elastic, stretches(mode, l));
-        (tau[0] - tau[1]) / l
+        (tau[0] - tau[1]) / divisor(mode, l)
     };
     points.iter().map(at).collect()
+}
+
+/// Nominal stress, Pa, of a law that says how the volume changes; NaN where no free stretch is found.
+fn whole(elastic: &Elastic, mode: Mode, l: f64) -> f64 {
+    let Some(stretches) = free_stretches(elastic, mode, l) else { return f64::NAN };
+    let tau = elastic.principal_stress(stretches);
+    (tau[0] - tau[1]) / divisor(mode, l)
+}
+
+/// Halvings of the strains between which a free one is looked for: to the last digit.
+const HALVINGS: usize = 64;
+/// By how much these strains reach further than those of any isotropic solid.
+const BEYOND: f64 = 0.01;
+
+/// The principal stretches of the test at `l`, the free ones such that they carry no stress.
+///
+/// A free strain is between that of a constant volume and, with a negative Poisson's ratio, that of an alike direction.
+fn free_stretches(elastic: &Elastic, mode: Mode, l: f64) -> Option<[f64; 3]> {
+    let incompressible = stretches(mode, l);
+    if mode == Mode::SimpleShear {
+        return Some(incompressible);
+    }
+    let at = |strain: f64| {
+        let free = strain.exp();
+        [l, free, if mode == Mode::Uniaxial { free } else { incompressible[2] }]
+    };
+    let stress = |strain: f64| elastic.principal_stress(at(strain))[1];
+    let ends = [incompressible[1].ln(), l.ln()];
+    let [mut low, mut high] = [ends[0].min(ends[1]) - BEYOND, ends[0].max(ends[1]) + BEYOND];
+    if !(stress(low) < 0.0 && stress(high) > 0.0) {
+        return None;
+    }
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (low + high);
+        if stress(middle) < 0.0 { low = middle } else { high = middle }
+    }
+    Some(at(0.5 * (low + high)))
 }
 
 /// Nominal stress of the law at every point of `data`, Pa.
@@ -57,7 +113,7 @@ mod tests {
     fn the_closed_forms_of_the_three_tests() {
         let (c10, c01, c11, c20, c02) = (0.11e6, 0.07e6, 0.02e6, 0.003e6, 0.005e6);
         let elastic = Elastic::new(&Law::find("mooney_rivlin_5").unwrap().material(&[c10, c01, c11, c20, c02]));
-        for mode in MODES {
+        for mode in [Mode::Uniaxial, Mode::Planar, Mode::Equibiaxial, Mode::SimpleShear] {
             for l in [0.3_f64, 0.7, 0.999, 1.001, 1.5, 3.0] {
                 let s = stretches(mode, l);
                 let (i1, i2) =
@@ -67,6 +123,8 @@ mod tests {
                     Mode::Uniaxial => 2.0 * (l - l.powi(-2)) * (w1 + w2 / l),
                     Mode::Planar => 2.0 * (l - l.powi(-3)) * (w1 + w2),
                     Mode::Equibiaxial => 2.0 * (l - l.powi(-5)) * (w1 + l * l * w2),
+                    // l is the amount of shear.
+                    Mode::SimpleShear => 2.0 * l * (w1 + w2),
                 };
                 let found = nominal(&elastic, mode, &[l])[0];
                 assert!((found - expected).abs() < 1e-11 * c10.max(expected.abs()), "{mode:?} {l}: {found} {expected}");

@@ -14,6 +14,8 @@ pub enum Volume {
     Assumed,
     /// Lateral logarithmic strain over the loaded one, with the sign changed, as the user states it.
     Stated(f64),
+    /// The law of a foam says it, with this Poisson's ratio of every term where it is known.
+    OfLaw(Option<f64>),
     /// The same, as the files have it: lateral strains or the change of volume.
     Measured {
         /// By least squares over all states.
@@ -47,13 +49,14 @@ impl Volume {
     pub fn poissons_ratio(self) -> Option<f64> {
         match self {
             Self::Assumed => None,
+            Self::OfLaw(poissons_ratio) => poissons_ratio,
             Self::Stated(poissons_ratio) | Self::Measured { poissons_ratio, .. } => Some(poissons_ratio),
         }
     }
 
-    /// Poisson's ratio of a volume that the laws are fitted with; none of one that counts as constant.
+    /// Poisson's ratio of a volume that the laws are fitted with beside their own; none of one that counts as constant.
     pub fn compressible(self) -> Option<f64> {
-        self.poissons_ratio().filter(|ratio| *ratio < NEARLY_INCOMPRESSIBLE)
+        self.poissons_ratio().filter(|_| !matches!(self, Self::OfLaw(_))).filter(|ratio| *ratio < NEARLY_INCOMPRESSIBLE)
     }
 
     /// The state of a specimen of constant volume that has the isochoric part of the state `point` (stretch, nominal stress).
@@ -78,6 +81,7 @@ impl Volume {
     fn exponent(self, mode: Mode) -> f64 {
         let Some(ratio) = self.compressible() else { return 0.0 };
         match mode {
+            Mode::SimpleShear => 0.0,
             Mode::Uniaxial => 1.0 - 2.0 * ratio,
             Mode::Planar => (1.0 - 2.0 * ratio) / (1.0 - ratio),
             Mode::Equibiaxial => 2.0 * (1.0 - 2.0 * ratio) / (1.0 - ratio),

@@ -3,6 +3,7 @@
 mod closed_loop;
 mod documentation;
 mod drucker;
+mod leap;
 mod published;
 mod recovery;
 mod tolerance;

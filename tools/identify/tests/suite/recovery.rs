@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use softanvil_identify::law::fit::{Fit, Settings, Weighting, predict};
+use softanvil_identify::law::fit::{Fit, Settings, predict};
 use softanvil_identify::law::statistics::confidence_factor;
 use softanvil_identify::law::{DataSet, Law, MODES, Mode, profile};
 use softanvil_identify::relaxation::history::History;
@@ -59,7 +59,7 @@ fn coverage_of(
     };
     let mut data: Vec<DataSet> = modes.iter().map(set).collect();
     let exact = predict(law, truth, &data);
-    let settings = Settings { weighting: Weighting::Absolute, stability_range: (0.5, 2.0), demand_stability: false };
+    let settings = Settings::plain((0.5, 2.0));
     let (mut covered, mut doubted) = (vec![0; truth.len()], 0);
     for seed in 0..seeds {
         let mut source = Noise(seed);
@@ -67,7 +67,7 @@ fn coverage_of(
             point.1 = stress + noise * source.normal();
         }
         let found = Fit::new(law, &data, &settings).unwrap();
-        doubted += usize::from(profile::ends(&found, &data, settings.weighting).iter().any(|end| !end.is_believed()));
+        doubted += usize::from(profile::ends(&found, &data, &settings).iter().any(|end| !end.is_believed()));
         let factor = found.statistics.interval();
         for (index, count) in covered.iter_mut().enumerate() {
             let error = (found.values[index] - truth[index]).abs();

@@ -17,3 +17,6 @@ pub const CLOSED_LOOP: f64 = 0.01;
 
 /// Relative difference of coefficients of one law fitted to two readings of Treloar's drawings.
 pub const DIGITISED: f64 = 0.02;
+
+/// Relative difference of two stresses at a free stretch that both find to some last digits, of powers up to the 60th.
+pub const FREE_STRETCH: f64 = 1e-9;

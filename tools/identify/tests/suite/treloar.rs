@@ -18,7 +18,7 @@ pub fn data(modes: &[Mode]) -> Vec<DataSet> {
 }
 
 pub fn settings(demand_stability: bool) -> Settings {
-    Settings { weighting: Weighting::Absolute, stability_range: (0.3, 7.6), demand_stability }
+    Settings { demand_stability, ..Settings::plain((0.3, 7.6)) }
 }
 
 fn fit(name: &str, data: &[DataSet]) -> Fit {

@@ -12,8 +12,8 @@ use crate::plot::curve::{self, Curve, Measured};
 use crate::plot::{self, Term, style};
 use crate::report::{Content, Reported, shown};
 use crate::run;
+use crate::section::SLAB;
 use crate::section::animation::DISPLACEMENT;
-use crate::section::picture::SLAB;
 use crate::section::{Animation, Frame, Levels, Mesh, SHADES};
 
 /// Milliseconds in a second, millimetres in a metre.
@@ -40,8 +40,8 @@ pub fn of(content: &Content) -> Value {
     json!({
         "mesh": mesh_data(mesh),
         "impactor": {
-            "left": MILLI * (impactor.offset - 0.5 * impactor.face_diameter),
-            "right": MILLI * (impactor.offset + 0.5 * impactor.face_diameter),
+            "outline": mesh.impactor().into_iter().map(|[x, y]| [round(MILLI * (impactor.offset + x), 4), round(MILLI * y, 4)])
+                .collect::<Vec<_>>(),
             "gap": MILLI * impactor.gap,
             "slab": MILLI * SLAB,
         },
@@ -86,7 +86,7 @@ fn mesh_data(mesh: &Mesh) -> Value {
         "x": mesh.reference.iter().map(|point| in_mm(point[0])).collect::<Vec<_>>(),
         "y": mesh.reference.iter().map(|point| in_mm(point[1])).collect::<Vec<_>>(),
         "triangles": mesh.triangles,
-        "outline": mesh.outline(),
+        "outlines": mesh.outlines(),
         "core": mesh.core().into_iter().map(|point| point.map(in_mm)).collect::<Vec<_>>(),
     })
 }

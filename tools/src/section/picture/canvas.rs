@@ -4,9 +4,6 @@ use svg::node::element::{Group, Path, Rectangle, Text};
 
 use crate::section::Levels;
 
-/// Thickness of what is drawn of the impactor, m.
-pub const SLAB: f64 = 8e-3;
-
 /// Behind everything.
 pub const BACKGROUND: &str = "#ffffff";
 /// Text and outlines.

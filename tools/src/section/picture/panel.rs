@@ -2,10 +2,10 @@
 
 use svg::node::element::{Group, Text};
 
-use super::canvas::{INK, SLAB, STEEL, closed, open};
+use super::canvas::{INK, STEEL, closed, open};
 use crate::section::animation::DISPLACEMENT;
 use crate::section::contour::region;
-use crate::section::{Frame, Levels, Mesh};
+use crate::section::{Frame, Levels, Mesh, SLAB};
 
 /// Width and height of a panel, px.
 pub const PANEL: [f64; 2] = [520.0, 268.0];
@@ -66,10 +66,9 @@ impl View<'_> {
 
     fn impactor(&self) -> Group {
         let impactor = &self.mesh.constants.scenario.impactor;
-        let (half, face) = (0.5 * impactor.face_diameter, self.mesh.constants.top_height + self.frame.face());
-        let (left, right) = (impactor.offset - half, impactor.offset + half);
-        let top = face + SLAB;
-        let corners = [[left, face], [right, face], [right, top], [left, top]].map(|corner| self.pixel(corner));
+        let face = self.mesh.constants.top_height + self.frame.face();
+        let corners: Vec<_> =
+            self.mesh.impactor().into_iter().map(|[x, y]| self.pixel([impactor.offset + x, face + y])).collect();
         Group::new().add(closed([corners.as_slice()].into_iter()).set("fill", STEEL).set("stroke", INK))
     }
 
@@ -94,7 +93,8 @@ impl View<'_> {
     }
 
     fn edge(&self, at: impl Fn(usize) -> [f64; 2]) -> Group {
-        let lines = self.whole(vec![self.mesh.outline().into_iter().map(at).collect()]);
+        let lines =
+            self.whole(self.mesh.outlines().iter().map(|nodes| nodes.iter().map(|node| at(*node)).collect()).collect());
         lines.iter().fold(Group::new(), |group, line| group.add(open(line).set("stroke", INK).set("stroke-width", 1)))
     }
 }
@@ -141,7 +141,7 @@ mod tests {
                 let layer = Layer { thickness: pad, ..preset::spare_layer() };
                 scenario.add_layer(layer).unwrap();
             }
-            // As small as the section lets it be, which makes the scale across large.
+            // Small, which makes the scale across large.
             scenario.impactor.face_diameter = 2.05 * (scenario.geometry.core_radius + scenario.thickness());
             let mesh = Mesh::of(&mut Simulation::new(&scenario).unwrap()).unwrap();
             let top = PANEL[1] - GROUND - scale(&mesh) * (mesh.constants.top_height + SLAB);

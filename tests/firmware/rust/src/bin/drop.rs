@@ -76,7 +76,7 @@ fn run(model_memory: ModelMemory<'static>, mut state_memory: StateMemory<'static
                 step: state.scalars.step_index,
                 force: state.scalars.force.contact,
                 position: state.scalars.impactor.position,
-                state: state_digest(&state),
+                state: state_digest(&model, &state),
             };
             golden.skip_to(record.step);
             if let Err(difference) = golden.check(&record) {
@@ -92,7 +92,7 @@ fn run(model_memory: ModelMemory<'static>, mut state_memory: StateMemory<'static
         metrics.peak_force,
         1e3 * metrics.max_deformation
     );
-    println!("state {:016x}, trace {:016x}", state_digest(&state), state.scalars.sampler.trace_hash);
+    println!("state {:016x}, trace {:016x}", state_digest(&model, &state), state.scalars.sampler.trace_hash);
     println!("flash {} bytes, static RAM {} bytes", flash(), static_ram());
     println!("model {} bytes, state {} bytes", model_bytes(&size), state_bytes(&size));
     let grid = &model.constants.grid;

@@ -8,6 +8,8 @@ mod cook;
 mod coulomb_block;
 mod cylinder;
 mod hertz;
+mod indentation;
+mod interface;
 mod lame;
 mod patch_distorted;
 mod swinging_plate;

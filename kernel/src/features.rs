@@ -1,0 +1,4 @@
+//! What the kernel was built with.
+
+/// Whether it was built with the feature `pads`. What depends on it is left out by the compiler where it is false.
+pub(crate) const PADS: bool = cfg!(feature = "pads");

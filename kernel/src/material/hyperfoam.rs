@@ -1,0 +1,305 @@
+//! Ogden and Hill's law of highly compressible foams with up to three terms (Ogden 1972; Hill 1978; Storakers 1986), in the
+//! convention of Abaqus' hyperfoam:
+//!
+//! W = sum_k 2 mu_k / alpha_k^2 (l1^alpha_k + l2^alpha_k + l3^alpha_k - 3 + (J^(-alpha_k beta_k) - 1) / beta_k),
+//!
+//! with the principal values l_i of U, J = l1 l2 l3 and beta_k = nu_k / (1 - 2 nu_k); where nu_k = 0 the last part is
+//! -alpha_k ln J. LS-DYNA's MAT_177 writes C_k = 2 mu_k / alpha_k, b_k = alpha_k and n = beta. At rest the shear modulus is
+//! sum mu_k and the bulk modulus sum 2 mu_k (1/3 + beta_k). A term with mu = 0 or alpha = 0 is off.
+//!
+//! The principal Kirchhoff stresses are tau_i = sum 2 mu_k / alpha_k (l_i^alpha_k - J^(-alpha_k beta_k)). As in
+//! [`crate::material::ogden`], l1 = g e^x and l2 = g e^-x in the section, and all is written with powers less 1, which
+//! [`crate::number::power`] gives accurately however small their exponents are, a beta next to 0 among them.
+
+use crate::material::coefficient::Coefficient;
+use crate::material::law::{CompressibleLaw, HyperelasticLaw, PrincipalTangent, Variant, WholeStress};
+use crate::number::math::THIRD;
+use crate::number::real::consts::LN_2;
+use crate::number::real::{LARGEST_EXPONENT, Real, TINY_SQUARE};
+use crate::number::vector::{Simd, Vector};
+use crate::number::{math, power};
+use crate::tensor::deviator::{Deviator, SQRT_THIRD};
+use crate::tensor::kinematics::Kinematics;
+
+/// Most terms of the law.
+pub const MAX_FOAM_TERMS: usize = 3;
+
+/// Coefficients.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hyperfoam {
+    terms: [Term; MAX_FOAM_TERMS],
+    /// Binary logarithms of stretches and of J are taken to be these at most, so that no power leaves the domain of
+    /// [`power::exp2_of_both_signs`]. The stress there is beyond all that a step can follow.
+    largest_log: [Real; 2],
+}
+
+/// One term.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Term {
+    mu: Real,
+    alpha: Real,
+    nu: Real,
+    beta: Real,
+    /// 2 mu / alpha, Pa; 0 where the term is off.
+    factor: Real,
+}
+
+impl Term {
+    fn new([mu, alpha, nu]: [Real; 3]) -> Self {
+        let on = mu != 0.0 && alpha != 0.0;
+        Self { mu, alpha, nu, beta: nu / (1.0 - 2.0 * nu), factor: if on { 2.0 * mu / alpha } else { 0.0 } }
+    }
+}
+
+/// What is below this counts as a beta of 0: the difference is below the last digit of any stress.
+const NO_BETA: Real = 1e-20;
+
+/// Logarithms of the stretches of a triangle, to the base of 2.
+struct Logs<V> {
+    /// l1 / l2 in the section.
+    ratio: V,
+    /// l1 l2.
+    section: V,
+    /// l3; none where that is 1.
+    out: Option<V>,
+    /// J.
+    volume: V,
+}
+
+/// Powers of one term less 1.
+struct Powers<V> {
+    /// Mean of l1^alpha and l2^alpha.
+    section: V,
+    /// Half of the difference of l1^alpha and l2^alpha.
+    difference: V,
+    /// l3^alpha; none where that is 1.
+    out: Option<V>,
+    /// J^(-alpha beta).
+    volume: V,
+}
+
+impl Hyperfoam {
+    /// The law of these moduli, Pa, exponents and Poisson's ratios; a term with mu = 0 is off.
+    pub fn new(mu: [Real; MAX_FOAM_TERMS], alpha: [Real; MAX_FOAM_TERMS], nu: [Real; MAX_FOAM_TERMS]) -> Self {
+        let terms = core::array::from_fn(|k| Term::new([mu, alpha, nu].map(|of| of.get(k).copied().unwrap_or(0.0))));
+        let steepest = |exponent: fn(&Term) -> Real| {
+            terms.iter().fold(1.0, |steepest, term| math::max(steepest, math::abs(exponent(term))))
+        };
+        // Powers in the section are multiplied with each other.
+        let largest_log = [
+            0.5 * LARGEST_EXPONENT / steepest(|term| term.alpha),
+            LARGEST_EXPONENT / steepest(|term| term.alpha * term.beta),
+        ];
+        Self { terms, largest_log }
+    }
+
+    /// The terms that are on.
+    fn active(&self) -> impl Iterator<Item = &Term> {
+        self.terms.iter().filter(|term| term.factor != 0.0)
+    }
+
+    /// Logarithms of the principal stretches, of which those in the section are `radius` from their mean.
+    #[inline(always)]
+    fn logs<S: Simd>(
+        &self,
+        simd: S,
+        kinematics: &Kinematics<S::Vector>,
+        radius: S::Vector,
+        axisymmetric: bool,
+    ) -> Logs<S::Vector> {
+        let mean = kinematics.mean;
+        let [stretch, jacobian] = self.largest_log;
+        let ratio = power::log2_of_quotient(simd, mean + radius, mean - radius, radius + radius);
+        let whole = power::log2(simd, kinematics.jacobian);
+        let (mut section, mut out) = (whole, None);
+        if axisymmetric {
+            let log = power::log2(simd, kinematics.hoop);
+            (section, out) = (whole - log, Some(limited(simd, log, stretch)));
+        }
+        Logs {
+            ratio: limited(simd, ratio, stretch),
+            section: limited(simd, section, stretch),
+            out,
+            volume: limited(simd, whole, jacobian),
+        }
+    }
+}
+
+impl Term {
+    /// Powers of the stretches; `square` is that of half the difference of those in the section.
+    #[inline(always)]
+    fn powers<S: Simd>(&self, simd: S, logs: &Logs<S::Vector>, square: S::Vector) -> Powers<S::Vector> {
+        let zero = simd.splat(0.0);
+        let [section, _] = power::exp2_of_both_signs(logs.section.mul_scalar(0.5 * self.alpha));
+        let [longer, shorter] = power::exp2_of_both_signs(logs.ratio.mul_scalar(0.5 * self.alpha));
+        let (longer, shorter) = (longer.exp2_m1, shorter.exp2_m1);
+        // No closure: those need not be inlined.
+        let mut out = None;
+        if let Some(log) = logs.out {
+            out = Some(power::exp2_of_both_signs(log.mul_scalar(self.alpha))[0].exp2_m1);
+        }
+        // -2 e^y (cosh(alpha x) - 1) and 2 e^y sinh(alpha x).
+        let spread = simd.splat(TINY_SQUARE).select_greater(square, zero, section.whole * (longer * shorter));
+        Powers {
+            section: section.exp2_m1 - spread.mul_scalar(0.5),
+            difference: (section.whole * (longer - shorter)).mul_scalar(0.5),
+            out,
+            volume: if self.beta > NO_BETA {
+                power::exp2_of_both_signs(logs.volume.mul_scalar(-self.alpha * self.beta))[0].exp2_m1
+            } else {
+                zero
+            },
+        }
+    }
+
+    /// (J^(-alpha beta) - 1) / beta.
+    #[inline(always)]
+    fn volume_energy<V: Vector>(&self, logs: &Logs<V>, powers: &Powers<V>) -> V {
+        if self.beta > NO_BETA {
+            powers.volume.mul_scalar(1.0 / self.beta)
+        } else {
+            logs.volume.mul_scalar(-self.alpha * LN_2)
+        }
+    }
+}
+
+/// A logarithm between minus and plus the largest one. A NaN stays one.
+#[inline(always)]
+fn limited<S: Simd>(simd: S, log: S::Vector, largest: Real) -> S::Vector {
+    let [most, least] = [simd.splat(largest), simd.splat(-largest)];
+    let log = log.select_greater(most, most, log);
+    least.select_greater(log, least, log)
+}
+
+impl HyperelasticLaw for Hyperfoam {
+    const NAME: &'static str = "hyperfoam";
+    const LABEL: &'static str = "Ogden-Hill foam";
+    const DESCRIPTION: &'static str =
+        "W = sum 2 mu/alpha^2 (l1^alpha + l2^alpha + l3^alpha - 3 + (J^(-alpha beta) - 1)/beta), beta = nu/(1 - 2 nu)";
+    const COEFFICIENTS: &'static [Coefficient] = &[
+        mu("foam_mu_1", (0.5, 1.0)),
+        alpha("foam_alpha_1", "foam_mu_1", 2.0, (2.0, 20.0)),
+        nu("foam_nu_1", "foam_mu_1"),
+        mu("foam_mu_2", (0.0, 1.0)),
+        alpha("foam_alpha_2", "foam_mu_2", -2.0, (-4.0, -0.5)),
+        nu("foam_nu_2", "foam_mu_2"),
+        mu("foam_mu_3", (0.0, 0.2)),
+        alpha("foam_alpha_3", "foam_mu_3", 4.0, (2.0, 8.0)),
+        nu("foam_nu_3", "foam_mu_3"),
+    ];
+    const VARIANTS: &'static [Variant] = &[
+        Variant { name: "foam_1", label: "Ogden-Hill foam 1", n_coefficient: 3 },
+        Variant { name: "foam_2", label: "Ogden-Hill foam 2", n_coefficient: 6 },
+        Variant { name: "foam_3", label: "Ogden-Hill foam 3", n_coefficient: 9 },
+    ];
+    const MODULUS_AT_REST: &'static str = "foam_mu_1 to _3 give";
+    const EXAMPLE: &'static [Real] = &[60e3, 8.0, 0.0, 40e3, -2.0, 0.1, 2e3, 4.0, 0.3];
+
+    type Values = [Real; 9];
+
+    fn from_values([mu_1, alpha_1, nu_1, mu_2, alpha_2, nu_2, mu_3, alpha_3, nu_3]: [Real; 9]) -> Self {
+        Self::new([mu_1, mu_2, mu_3], [alpha_1, alpha_2, alpha_3], [nu_1, nu_2, nu_3])
+    }
+
+    fn values(&self) -> [Real; 9] {
+        let [[mu_1, alpha_1, nu_1], [mu_2, alpha_2, nu_2], [mu_3, alpha_3, nu_3]] =
+            self.terms.map(|term| [term.mu, term.alpha, term.nu]);
+        [mu_1, alpha_1, nu_1, mu_2, alpha_2, nu_2, mu_3, alpha_3, nu_3]
+    }
+
+    fn shear_modulus(&self) -> Real {
+        self.active().fold(0.0, |sum, term| sum + term.mu)
+    }
+
+    /// 2 mu_k / alpha_k (l^alpha_k - J^(-alpha_k beta_k)), summed (Storakers 1986).
+    fn principal_stress(&self, stretches: [Real; 3]) -> [Real; 3] {
+        let power = |base: Real, exponent: Real| math::exp(exponent * math::ln(base));
+        let [first, second, third] = stretches;
+        let volume = first * second * third;
+        let of_term = |stretch: Real, term: &Term| {
+            term.factor * (power(stretch, term.alpha) - power(volume, -term.alpha * term.beta))
+        };
+        stretches.map(|stretch| self.active().fold(0.0, |sum, term| sum + of_term(stretch, term)))
+    }
+}
+
+impl CompressibleLaw for Hyperfoam {
+    fn bulk_modulus(&self) -> Real {
+        self.active().fold(0.0, |sum, term| sum + 2.0 * term.mu * (THIRD + term.beta))
+    }
+
+    #[inline(always)]
+    fn response<S: Simd>(
+        &self,
+        simd: S,
+        kinematics: &Kinematics<S::Vector>,
+        axisymmetric: bool,
+    ) -> WholeStress<S::Vector> {
+        let zero = simd.splat(0.0);
+        let Kinematics { difference, shear, .. } = *kinematics;
+        let square = difference * difference + shear * shear;
+        // Never zero, so that the quotient by the radius has its limit. Nothing else may see what is added.
+        let radius = square.add_scalar(TINY_SQUARE).square_root();
+        let logs = self.logs(simd, kinematics, radius, axisymmetric);
+        let (mut step, mut slope, mut mean, mut energy) = (zero, zero, zero, zero);
+        for term in &self.terms {
+            if term.factor == 0.0 {
+                continue;
+            }
+            let powers = term.powers(simd, &logs, square);
+            let (double, out) = (powers.section + powers.section, powers.out.unwrap_or(zero));
+            let sum = if axisymmetric { double + out } else { double };
+            step = step + (if axisymmetric { powers.section - out } else { powers.section }).mul_scalar(term.factor);
+            slope = slope + powers.difference.mul_scalar(term.factor);
+            mean = mean + (sum.mul_scalar(THIRD) - powers.volume).mul_scalar(term.factor);
+            energy = energy + (sum + term.volume_energy(&logs, &powers)).mul_scalar(term.factor / term.alpha);
+        }
+        let slope = slope / radius;
+        let deviator =
+            Deviator { mean: step.mul_scalar(SQRT_THIRD), difference: slope * difference, shear: slope * shear };
+        WholeStress { deviator, mean, energy }
+    }
+
+    /// The tangents are 2 mu l_i^alpha, summed, and 2 mu beta J^(-alpha beta).
+    #[inline(always)]
+    fn principal_tangent<S: Simd>(&self, simd: S, kinematics: &Kinematics<S::Vector>) -> PrincipalTangent<S::Vector> {
+        let Kinematics { mean, difference, shear, .. } = *kinematics;
+        let square = difference * difference + shear * shear;
+        let radius = square.add_scalar(TINY_SQUARE).square_root();
+        let logs = self.logs(simd, kinematics, radius, true);
+        let mut tangent = PrincipalTangent::none(simd);
+        for term in &self.terms {
+            if term.factor == 0.0 {
+                continue;
+            }
+            let powers = term.powers(simd, &logs, square);
+            let out = powers.out.unwrap_or(powers.section);
+            let lengths = [powers.section + powers.difference, powers.section - powers.difference, out];
+            for (i, length) in lengths.into_iter().enumerate() {
+                tangent.own[i] = tangent.own[i] + length.add_scalar(1.0).mul_scalar(2.0 * term.mu);
+                tangent.stress[i] = tangent.stress[i] + (length - powers.volume).mul_scalar(term.factor);
+            }
+            tangent.turning = tangent.turning + powers.difference.mul_scalar(0.5 * term.factor);
+            tangent.common = tangent.common + powers.volume.add_scalar(1.0).mul_scalar(2.0 * term.mu * term.beta);
+            let sum = powers.section + powers.section + out + term.volume_energy(&logs, &powers);
+            tangent.energy = tangent.energy + sum.mul_scalar(term.factor / term.alpha);
+        }
+        tangent.turning = tangent.turning / (radius * mean);
+        tangent
+    }
+}
+
+const fn mu(name: &'static str, plausible: (Real, Real)) -> Coefficient {
+    const MEANING: &str = "hyperfoam modulus, W = sum 2 mu/alpha^2 (l1^alpha + l2^alpha + l3^alpha - 3 + \
+                           (J^(-alpha beta) - 1)/beta); the shear modulus at rest is their sum; 0 switches the term off";
+    Coefficient::modulus(name, plausible, MEANING)
+}
+
+const fn alpha(name: &'static str, of: &'static str, start: Real, plausible: (Real, Real)) -> Coefficient {
+    Coefficient::shape(name, of, (-30.0, 30.0), start, plausible, "hyperfoam exponent; 0 switches the term off")
+}
+
+const fn nu(name: &'static str, of: &'static str) -> Coefficient {
+    const MEANING: &str = "hyperfoam Poisson's ratio of the term, beta = nu/(1 - 2 nu)";
+    Coefficient::shape(name, of, (0.0, 0.499), 0.0, (0.0, 0.3), MEANING)
+}
