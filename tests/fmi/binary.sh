@@ -14,9 +14,9 @@ trap 'rm -rf "$work"' EXIT
 
 # build ARGUMENT...: as the packager does (fmu/src/build.rs), with more arguments for the compiler.
 build() {
-    cargo rustc --quiet --lib --no-default-features --crate-type cdylib --profile fmu --target "$target" \
-        --manifest-path "$root/ffi/Cargo.toml" --target-dir "$work/target" -- -Clink-arg=-Wl,--build-id=none \
-        -Clink-arg=-lc "$@"
+    cargo rustc --quiet --lib --no-default-features --features pads --crate-type cdylib --profile fmu \
+        --target "$target" --manifest-path "$root/ffi/Cargo.toml" --target-dir "$work/target" -- \
+        -Clink-arg=-Wl,--build-id=none -Clink-arg=-lc "$@"
 }
 library=$work/target/$target/fmu/libsoftanvil.so
 build
