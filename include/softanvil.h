@@ -129,6 +129,8 @@ enum SoftanvilStatus
     SOFTANVIL_STATUS_BULK_MODULUS = 221,
     /** A layer is wider than what it lies on. */
     SOFTANVIL_STATUS_LAYER_WIDTH = 216,
+    /** The library was built without pads, which the scenario needs. */
+    SOFTANVIL_STATUS_WITHOUT_PADS = 217,
     /** An element turned inside out or is no longer finite. */
     SOFTANVIL_STATUS_INVERTED = 300,
     /** The time step is above the current stability limit of an element. */
@@ -235,7 +237,17 @@ enum SoftanvilPreset {
     /** the study's anvil of Dragon Skin 30, elastic, from tension tests of Marechal et al. (2021) */
     SOFTANVIL_PRESET_DRAGON_SKIN_30 = 6,
     /** the study's anvil of Treloar's vulcanised natural rubber, elastic, by Ogden (1972) */
-    SOFTANVIL_PRESET_NATURAL_RUBBER = 7
+    SOFTANVIL_PRESET_NATURAL_RUBBER = 7,
+    /** 10 mm of body padding of rugby union, an elastomeric foam, on the study's soft anvil */
+    SOFTANVIL_PRESET_RUGBY_SOFT_ANVIL = 8,
+    /** the same body padding on the standard's steel cylinder of 115 mm */
+    SOFTANVIL_PRESET_RUGBY_STEEL_ANVIL = 9,
+    /** 20 mm of a stiff foam as a motorcyclist's limb protector on a dome of 50 mm radius, 50 J */
+    SOFTANVIL_PRESET_EN1621_1 = 10,
+    /** 20 mm of a stiff foam as a motorcyclist's back protector under a bar, 50 J; set-up mostly assumed */
+    SOFTANVIL_PRESET_EN1621_2 = 11,
+    /** 5 mm of a stiff foam as a football player's shin guard, 1 kg with 2 J; set-up mostly assumed */
+    SOFTANVIL_PRESET_EN13061 = 12
 };
 
 /** Parameters that belong to no layer: name, unit, legal range, meaning. */

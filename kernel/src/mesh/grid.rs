@@ -130,9 +130,9 @@ impl Grid {
     /// The node of column `u` that is at the surface.
     pub fn surface_node(&self, u: usize) -> usize {
         let from_centre = u.abs_diff(self.centre);
-        let covering =
-            self.layer_columns.iter().zip(&self.layer_top).filter(|(columns, _)| from_centre <= **columns).last();
-        covering.map_or(self.n_v, |(_, top)| *top) * self.stride() + u
+        let layers = self.layer_columns.iter().zip(self.layer_top);
+        let row = layers.fold(self.n_v, |row, (columns, top)| if from_centre <= *columns { top } else { row });
+        row * self.stride() + u
     }
 
     /// Columns of cells that a layer has.
