@@ -97,7 +97,7 @@ enum SoftanvilStatus
     SOFTANVIL_STATUS_PRONY_SUM = 201,
     /** The elastic coefficients give no positive shear modulus at rest. */
     SOFTANVIL_STATUS_SHEAR_MODULUS = 202,
-    /** The impactor's face does not reach past the sides of the anvil. */
+    /** The impactor's face is narrower than two cells of the mesh. */
     SOFTANVIL_STATUS_FACE_TOO_SMALL = 203,
     /** The element size asks for more cells than a mesh may have. */
     SOFTANVIL_STATUS_TOO_MANY_CELLS = 204,
@@ -121,6 +121,16 @@ enum SoftanvilStatus
     SOFTANVIL_STATUS_NO_EFFECT = 213,
     /** Two values that state the same thing differ from the preset's. */
     SOFTANVIL_STATUS_CONTRADICTION = 214,
+    /** The formulation of the section cannot have a face of this shape. */
+    SOFTANVIL_STATUS_FACE_OF_FORMULATION = 215,
+    /** The r of a layer's softening is below 1. */
+    SOFTANVIL_STATUS_SOFTENING = 220,
+    /** The coefficients of a compressible law give no positive bulk modulus at rest. */
+    SOFTANVIL_STATUS_BULK_MODULUS = 221,
+    /** A layer is wider than what it lies on. */
+    SOFTANVIL_STATUS_LAYER_WIDTH = 216,
+    /** The library was built without pads, which the scenario needs. */
+    SOFTANVIL_STATUS_WITHOUT_PADS = 217,
     /** An element turned inside out or is no longer finite. */
     SOFTANVIL_STATUS_INVERTED = 300,
     /** The time step is above the current stability limit of an element. */
@@ -227,7 +237,17 @@ enum SoftanvilPreset {
     /** the study's anvil of Dragon Skin 30, elastic, from tension tests of Marechal et al. (2021) */
     SOFTANVIL_PRESET_DRAGON_SKIN_30 = 6,
     /** the study's anvil of Treloar's vulcanised natural rubber, elastic, by Ogden (1972) */
-    SOFTANVIL_PRESET_NATURAL_RUBBER = 7
+    SOFTANVIL_PRESET_NATURAL_RUBBER = 7,
+    /** 10 mm of body padding of rugby union, an elastomeric foam, on the study's soft anvil */
+    SOFTANVIL_PRESET_RUGBY_SOFT_ANVIL = 8,
+    /** the same body padding on the standard's steel cylinder of 115 mm */
+    SOFTANVIL_PRESET_RUGBY_STEEL_ANVIL = 9,
+    /** 20 mm of a stiff foam as a motorcyclist's limb protector on a dome of 50 mm radius, 50 J */
+    SOFTANVIL_PRESET_EN1621_1 = 10,
+    /** 20 mm of a stiff foam as a motorcyclist's back protector under a bar, 50 J; set-up mostly assumed */
+    SOFTANVIL_PRESET_EN1621_2 = 11,
+    /** 5 mm of a stiff foam as a football player's shin guard, 1 kg with 2 J; set-up mostly assumed */
+    SOFTANVIL_PRESET_EN13061 = 12
 };
 
 /** Parameters that belong to no layer: name, unit, legal range, meaning. */
@@ -248,7 +268,7 @@ enum SoftanvilParameter {
     SOFTANVIL_PARAMETER_IMPACTOR_MOTION = 6,
     /** impactor.mass, kg, from 0.001 to 10000: mass of the impactor. */
     SOFTANVIL_PARAMETER_IMPACTOR_MASS = 7,
-    /** impactor.face_diameter, m, from 0.001 to 10: diameter of the flat face; its chord is the thickness of a round section in plane strain. */
+    /** impactor.face_diameter, m, from 0.001 to 10: diameter of a round face, a sphere or a bar; the chord of a round face that covers a round section is its thickness in plane strain, and a narrower one counts as a rectangle of its area and width. */
     SOFTANVIL_PARAMETER_IMPACTOR_FACE_DIAMETER = 8,
     /** impactor.offset, m, from -1 to 1: distance of the face's centre from the centre line, to the right (full section). */
     SOFTANVIL_PARAMETER_IMPACTOR_OFFSET = 9,
@@ -293,7 +313,17 @@ enum SoftanvilParameter {
     /** measurement.force_threshold, N, from 0 to 1e5: force that begins and ends the impact duration. */
     SOFTANVIL_PARAMETER_MEASUREMENT_FORCE_THRESHOLD = 29,
     /** measurement.channel_class, Hz, from 1 to 2000: channel frequency class (SAE J211, ISO 6487) of contact.force_filtered, such as 60, 180, 600 or 1000. */
-    SOFTANVIL_PARAMETER_MEASUREMENT_CHANNEL_CLASS = 30
+    SOFTANVIL_PARAMETER_MEASUREMENT_CHANNEL_CLASS = 30,
+    /** impactor.shape, a SoftanvilImpactorShape: a flat disc, a flat rectangle, a ball (axisymmetric) or a round bar along the anvil (plane strain). */
+    SOFTANVIL_PARAMETER_IMPACTOR_SHAPE = 31,
+    /** impactor.face_width, m, from 0.001 to 10: width of a rectangular face across the section. */
+    SOFTANVIL_PARAMETER_IMPACTOR_FACE_WIDTH = 32,
+    /** impactor.face_length, m, from 0.001 to 10: length of a rectangular face or of a bar along the anvil: the thickness of the section in plane strain, up to geometry.length; over a dome a rectangular face counts as a disc of its area. */
+    SOFTANVIL_PARAMETER_IMPACTOR_FACE_LENGTH = 33,
+    /** impactor.rail_friction, N, from 0 to 1e5: friction of the rails that guide the falling mass: against its motion, and what holds it at rest. */
+    SOFTANVIL_PARAMETER_IMPACTOR_RAIL_FRICTION = 34,
+    /** impactor.rail_damping, N.s/m, from 0 to 1e6: force of the rails against the motion, over the speed. */
+    SOFTANVIL_PARAMETER_IMPACTOR_RAIL_DAMPING = 35
 };
 
 /** Parameters of a layer, to be given to SOFTANVIL_PARAMETER_OF_LAYER: name, unit, legal range, meaning. */
@@ -304,7 +334,7 @@ enum SoftanvilLayer {
     SOFTANVIL_LAYER_ROWS = 1,
     /** layer.density, kg/m3, from 10 to 20000: density. */
     SOFTANVIL_LAYER_DENSITY = 2,
-    /** layer.law, a SoftanvilLayerLaw: isochoric hyperelastic law (mooney_rivlin has 2, 3 or 5 parameters, by coefficients of zero). */
+    /** layer.law, a SoftanvilLayerLaw: hyperelastic law, isochoric but for hyperfoam (mooney_rivlin has 2, 3 or 5 parameters, by coefficients of zero). */
     SOFTANVIL_LAYER_LAW = 3,
     /** layer.moduli, a SoftanvilLayerModuli: what the elastic coefficients are: after full relaxation, or before any. */
     SOFTANVIL_LAYER_MODULI = 4,
@@ -366,6 +396,20 @@ enum SoftanvilLayer {
     SOFTANVIL_LAYER_TEAR_WIDTH = 32,
     /** layer.tear_residual, from 0 to 1: part of the deviatoric stress that remains after the tear. */
     SOFTANVIL_LAYER_TEAR_RESIDUAL = 33,
+    /** layer.width, m, from 0 to 10: width along its lower side, full or, of a dome, the diameter; 0 is as wide as what is below it. */
+    SOFTANVIL_LAYER_WIDTH = 34,
+    /** layer.interface, a SoftanvilLayerInterface: how it sits on the layer below: glued, or free to lift and slide, with friction or without. */
+    SOFTANVIL_LAYER_INTERFACE = 35,
+    /** layer.friction_coefficient, from 0 to 10: Coulomb coefficient of a frictional interface below it. */
+    SOFTANVIL_LAYER_FRICTION_COEFFICIENT = 36,
+    /** layer.gap, m, from 0 to 0.1: distance to the layer below at rest, where they are not bonded. */
+    SOFTANVIL_LAYER_GAP = 37,
+    /** layer.softening_r, from 0 to 100: r of the softening after the first load (Ogden and Roxburgh 1999), at least 1; 0 switches it off. */
+    SOFTANVIL_LAYER_SOFTENING_R = 40,
+    /** layer.softening_m, Pa, from 1 to 1e9: m of the softening, the energy that its scale starts from. */
+    SOFTANVIL_LAYER_SOFTENING_M = 41,
+    /** layer.softening_beta, from 0 to 10: beta of the softening, the part of the largest energy so far in its scale. */
+    SOFTANVIL_LAYER_SOFTENING_BETA = 42,
     /** layer.c10, Pa, from -1e9 to 1e9: coefficient of (I1 - 3) in neo_hookean, mooney_rivlin and yeoh. */
     SOFTANVIL_LAYER_C10 = 48,
     /** layer.c01, Pa, from -1e9 to 1e9: mooney_rivlin coefficient of (I2 - 3). */
@@ -397,7 +441,25 @@ enum SoftanvilLayer {
     /** layer.arruda_boyce_mu, Pa, from 0 to 1e9: arruda_boyce modulus; that of shear at rest is mu (1 + 3/5 lambda_m^-2 + ...), series of five terms. */
     SOFTANVIL_LAYER_ARRUDA_BOYCE_MU = 62,
     /** layer.arruda_boyce_lambda_m, from 1 to 100: arruda_boyce stretch at which the chains are fully extended, the root of their number of links. */
-    SOFTANVIL_LAYER_ARRUDA_BOYCE_LAMBDA_M = 63
+    SOFTANVIL_LAYER_ARRUDA_BOYCE_LAMBDA_M = 63,
+    /** layer.foam_mu_1, Pa, from -1e9 to 1e9: hyperfoam modulus, W = sum 2 mu/alpha^2 (l1^alpha + l2^alpha + l3^alpha - 3 + (J^(-alpha beta) - 1)/beta); the shear modulus at rest is their sum; 0 switches the term off. */
+    SOFTANVIL_LAYER_FOAM_MU_1 = 64,
+    /** layer.foam_alpha_1, from -30 to 30: hyperfoam exponent; 0 switches the term off. */
+    SOFTANVIL_LAYER_FOAM_ALPHA_1 = 65,
+    /** layer.foam_nu_1, from 0 to 0.499: hyperfoam Poisson's ratio of the term, beta = nu/(1 - 2 nu). */
+    SOFTANVIL_LAYER_FOAM_NU_1 = 66,
+    /** layer.foam_mu_2, Pa, from -1e9 to 1e9: hyperfoam modulus, W = sum 2 mu/alpha^2 (l1^alpha + l2^alpha + l3^alpha - 3 + (J^(-alpha beta) - 1)/beta); the shear modulus at rest is their sum; 0 switches the term off. */
+    SOFTANVIL_LAYER_FOAM_MU_2 = 67,
+    /** layer.foam_alpha_2, from -30 to 30: hyperfoam exponent; 0 switches the term off. */
+    SOFTANVIL_LAYER_FOAM_ALPHA_2 = 68,
+    /** layer.foam_nu_2, from 0 to 0.499: hyperfoam Poisson's ratio of the term, beta = nu/(1 - 2 nu). */
+    SOFTANVIL_LAYER_FOAM_NU_2 = 69,
+    /** layer.foam_mu_3, Pa, from -1e9 to 1e9: hyperfoam modulus, W = sum 2 mu/alpha^2 (l1^alpha + l2^alpha + l3^alpha - 3 + (J^(-alpha beta) - 1)/beta); the shear modulus at rest is their sum; 0 switches the term off. */
+    SOFTANVIL_LAYER_FOAM_MU_3 = 70,
+    /** layer.foam_alpha_3, from -30 to 30: hyperfoam exponent; 0 switches the term off. */
+    SOFTANVIL_LAYER_FOAM_ALPHA_3 = 71,
+    /** layer.foam_nu_3, from 0 to 0.499: hyperfoam Poisson's ratio of the term, beta = nu/(1 - 2 nu). */
+    SOFTANVIL_LAYER_FOAM_NU_3 = 72
 };
 
 /** Number of a parameter of a layer, 0 next to the core: SOFTANVIL_PARAMETER_OF_LAYER(1, SOFTANVIL_LAYER_C10). */
@@ -429,6 +491,14 @@ enum SoftanvilImpactorMotion {
     SOFTANVIL_IMPACTOR_MOTION_PRESCRIBED = 2
 };
 
+/** impactor.shape: a flat disc, a flat rectangle, a ball (axisymmetric) or a round bar along the anvil (plane strain). */
+enum SoftanvilImpactorShape {
+    SOFTANVIL_IMPACTOR_SHAPE_ROUND = 0,
+    SOFTANVIL_IMPACTOR_SHAPE_RECTANGULAR = 1,
+    SOFTANVIL_IMPACTOR_SHAPE_SPHERE = 2,
+    SOFTANVIL_IMPACTOR_SHAPE_BAR = 3
+};
+
 /** impactor.drop_by: which of the next three states the drop. */
 enum SoftanvilImpactorDropBy {
     SOFTANVIL_IMPACTOR_DROP_BY_HEIGHT = 0,
@@ -449,14 +519,22 @@ enum SoftanvilTimeStepBy {
     SOFTANVIL_TIME_STEP_BY_GIVEN = 1
 };
 
-/** layer.law: isochoric hyperelastic law (mooney_rivlin has 2, 3 or 5 parameters, by coefficients of zero). */
+/** layer.interface: how it sits on the layer below: glued, or free to lift and slide, with friction or without. */
+enum SoftanvilLayerInterface {
+    SOFTANVIL_LAYER_INTERFACE_BONDED = 0,
+    SOFTANVIL_LAYER_INTERFACE_FRICTIONAL = 1,
+    SOFTANVIL_LAYER_INTERFACE_SEPARATING = 2
+};
+
+/** layer.law: hyperelastic law, isochoric but for hyperfoam (mooney_rivlin has 2, 3 or 5 parameters, by coefficients of zero). */
 enum SoftanvilLayerLaw {
     SOFTANVIL_LAYER_LAW_NEO_HOOKEAN = 0,
     SOFTANVIL_LAYER_LAW_MOONEY_RIVLIN = 1,
     SOFTANVIL_LAYER_LAW_YEOH = 2,
     SOFTANVIL_LAYER_LAW_OGDEN = 3,
     SOFTANVIL_LAYER_LAW_GENT = 4,
-    SOFTANVIL_LAYER_LAW_ARRUDA_BOYCE = 5
+    SOFTANVIL_LAYER_LAW_ARRUDA_BOYCE = 5,
+    SOFTANVIL_LAYER_LAW_HYPERFOAM = 6
 };
 
 /** layer.moduli: what the elastic coefficients are: after full relaxation, or before any. */
@@ -538,7 +616,11 @@ enum SoftanvilOutput {
     /** model.design_stretch: smallest principal stretch in the section that the time step was chosen for; 1 where the step was given. */
     SOFTANVIL_OUTPUT_MODEL_DESIGN_STRETCH = 29,
     /** result.complete: 1 once the face has touched and is clear of the layer for a whole sampling interval; at 0 the other results are those so far. */
-    SOFTANVIL_OUTPUT_RESULT_COMPLETE = 30
+    SOFTANVIL_OUTPUT_RESULT_COMPLETE = 30,
+    /** energy.softening, J: energy dissipated by softening. */
+    SOFTANVIL_OUTPUT_ENERGY_SOFTENING = 100,
+    /** energy.guide, J: energy dissipated on the rails of the impactor. */
+    SOFTANVIL_OUTPUT_ENERGY_GUIDE = 120
 };
 
 /** Fields of a simulation: name, unit, components, meaning. */
@@ -892,6 +974,22 @@ SoftanvilStatus softanvil_close(SoftanvilSimulation *simulation);
  * @return NULL_POINTER, MISALIGNED, UNINITIALISED.
  */
 SoftanvilStatus softanvil_reset(SoftanvilSimulation *simulation);
+
+/**
+ * Lets the anvil rest and the impactor fall again on it, as it is: time, samples, numbers of the test and energies begin anew.
+ *
+ * The anvil keeps its damage (tears, and what has softened), comes back to its shape and stands still; overstresses decay
+ * by e^(-rest/tau). It may be called at any time of an impact.
+ *
+ * @param simulation The simulation.
+ * @param rest Time between the impacts, 0 to 1e9 s.
+ * @param error Details of a failure, or NULL.
+ * @return NULL_POINTER, MISALIGNED, UNINITIALISED, ILLEGAL_INPUT for a rest that is not legal, INVERTED or UNSTABLE of a
+ *         simulation that has failed.
+ */
+SoftanvilStatus softanvil_next_impact(SoftanvilSimulation *simulation,
+                                      double rest,
+                                      SoftanvilError *error);
 
 /**
  * Fills an input that leaves things as they are: no external force, and a driven impactor stays where it is, without a
