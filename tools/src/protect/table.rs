@@ -85,7 +85,8 @@ const COLUMNS: [Row; 6] = [
     ("transmitted (N)", |n| format!("{:.0}", n.transmitted)),
     ("peak (g)", |n| format!("{:.1}", n.acceleration)),
     ("duration (ms)", |n| format!("{:.2}", 1e3 * n.duration)),
-    ("absorbed (%)", |n| format!("{:.0}", 100.0 * n.absorbed / n.energy)),
+    // No minus before a zero.
+    ("absorbed (%)", |n| format!("{:.0}", (100.0 * n.absorbed / n.energy).round() + 0.0)),
     ("pad compressed (%)", |n| format!("{:.0}", 100.0 * n.pad_compression())),
 ];
 
