@@ -20,21 +20,20 @@ firmware=target/firmware
 
 rustup target add "${targets[@]}" >/dev/null 2>&1
 export CARGO_TARGET_THUMBV7EM_NONE_EABIHF_RUSTFLAGS='-C target-cpu=cortex-m7'
-# The two levels are independent, so they are built side by side: the kernel without pads for every target, with them for one.
-build() {
-    local target
-    for target in "${targets[@]}"; do library "$1" "$target" '' --no-default-features || return 1; done
-    library "$1" "${targets[0]}" -pads
+# libraries LEVEL SUFFIX ARGUMENT...: of each target that the arguments name, in the one folder of all, where what they share
+# is compiled once, and keeps copies.
+libraries() {
+    local level=$1 suffix=$2 argument; shift 2
+    CARGO_PROFILE_RELEASE_OPT_LEVEL=$level cargo build -q --release --manifest-path $here/Cargo.toml --target-dir "$out" "$@"
+    for argument in "$@"; do
+        [[ $argument != --target=* ]] || cp "$out/${argument#*=}/release/libsoftanvil_footprint.a" "$out/${argument#*=}-$level$suffix.a"
+    done
 }
-# library LEVEL TARGET SUFFIX CARGO_ARGUMENT...: a library of its own name.
-library() {
-    local level=$1 target=$2 suffix=$3; shift 3
-    CARGO_PROFILE_RELEASE_OPT_LEVEL=$level cargo build -q --release --manifest-path $here/Cargo.toml --target "$target" \
-        --target-dir "$out/$level" "$@" && cp "$out/$level/$target/release/libsoftanvil_footprint.a" "$out/$target-$level$suffix.a"
-}
-build s & small=$!
-build 3
-wait $small
+# The kernel without pads for every target, with them for one.
+for level in s 3; do
+    libraries $level '' "${targets[@]/#/--target=}" --no-default-features
+    libraries $level -pads --target="${targets[0]}"
+done
 
 # link ELF ARGUMENT...: what the linker keeps of a library for the functions asked for. What the C library gives on hosts
 # may stay open.

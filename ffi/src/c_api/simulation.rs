@@ -526,10 +526,32 @@ unsafe fn tell<T>(
 
 #[cfg(test)]
 mod tests {
+    use softanvil_kernel::{Simulation, preset};
+
     use super::*;
 
     #[test]
     fn the_longest_run_is_that_of_the_table() {
         assert_eq!(Parameter::find("time.duration").unwrap().range().1, LONGEST_RUN);
+    }
+
+    #[test]
+    fn a_time_is_legal_from_half_a_step_before_the_present_to_100_s_after_it() {
+        let simulation = Simulation::new(&preset::study()).unwrap();
+        let (constants, made) = (simulation.constants(), 400_000);
+        let dt = constants.dt;
+        let present = 400_000.0 * dt;
+        assert!(present > 1.0, "{present} s");
+        let until = |time: f64| steps_until(constants, made, time).ok();
+        let ahead = |steps: f64| until(present + steps * dt);
+        assert_eq!(
+            [ahead(0.0), ahead(-0.49), ahead(0.49), ahead(0.51), ahead(7.0)].map(Option::unwrap),
+            [0, 0, 0, 1, 7]
+        );
+        assert_eq!([ahead(-0.51), until(0.0), until(f64::NAN), until(present + 100.0 + dt)], [None; 4]);
+        assert_eq!(until(present + 100.0 - dt), Some((100.0 / dt).round() as i64 - 1));
+        let Err(Failure::Time { time, min, max }) = steps_until(constants, made, -1.0) else { panic!("legal") };
+        assert_eq!(time, -1.0);
+        assert!((min - (present - 0.5 * dt)).abs() < 1e-12 && (max - (present + 100.0)).abs() < 1e-9);
     }
 }
