@@ -56,9 +56,9 @@ pub enum SoftanvilStatus {
     /// The formulation of the section cannot have a face of this shape.
     FaceOfFormulation = 215,
     /// The r of a layer's softening is below 1.
-    Softening = 220,
+    Softening = 218,
     /// The coefficients of a compressible law give no positive bulk modulus at rest.
-    BulkModulus = 221,
+    BulkModulus = 219,
     /// A layer is wider than what it lies on.
     LayerWidth = 216,
     /// The library was built without pads, which the scenario needs.

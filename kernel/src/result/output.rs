@@ -168,10 +168,10 @@ pub static OUTPUTS: &[Output] = &[
         "energy dissipated by the sliders",
     ),
     output(27, "energy.tear", "J", |_, s| s.energy.tear, "energy dissipated by tearing"),
-    output(100, "energy.softening", "J", |_, s| s.energy.softening, "energy dissipated by softening"),
+    output(31, "energy.softening", "J", |_, s| s.energy.softening, "energy dissipated by softening"),
     output(21, "energy.friction", "J", |_, s| s.energy.friction, "energy dissipated by friction"),
     output(22, "energy.contact", "J", |_, s| s.energy.contact, "energy lost in catching nodes of finite mass"),
-    output(120, "energy.guide", "J", |_, s| s.energy.guide, "energy dissipated on the rails of the impactor"),
+    output(32, "energy.guide", "J", |_, s| s.energy.guide, "energy dissipated on the rails of the impactor"),
     output(23, "energy.external", "J", |_, s| s.energy.external, "energy at the start and work from outside"),
     output(
         24,

@@ -124,9 +124,9 @@ enum SoftanvilStatus
     /** The formulation of the section cannot have a face of this shape. */
     SOFTANVIL_STATUS_FACE_OF_FORMULATION = 215,
     /** The r of a layer's softening is below 1. */
-    SOFTANVIL_STATUS_SOFTENING = 220,
+    SOFTANVIL_STATUS_SOFTENING = 218,
     /** The coefficients of a compressible law give no positive bulk modulus at rest. */
-    SOFTANVIL_STATUS_BULK_MODULUS = 221,
+    SOFTANVIL_STATUS_BULK_MODULUS = 219,
     /** A layer is wider than what it lies on. */
     SOFTANVIL_STATUS_LAYER_WIDTH = 216,
     /** The library was built without pads, which the scenario needs. */
@@ -618,9 +618,9 @@ enum SoftanvilOutput {
     /** result.complete: 1 once the face has touched and is clear of the layer for a whole sampling interval; at 0 the other results are those so far. */
     SOFTANVIL_OUTPUT_RESULT_COMPLETE = 30,
     /** energy.softening, J: energy dissipated by softening. */
-    SOFTANVIL_OUTPUT_ENERGY_SOFTENING = 100,
+    SOFTANVIL_OUTPUT_ENERGY_SOFTENING = 31,
     /** energy.guide, J: energy dissipated on the rails of the impactor. */
-    SOFTANVIL_OUTPUT_ENERGY_GUIDE = 120
+    SOFTANVIL_OUTPUT_ENERGY_GUIDE = 32
 };
 
 /** Fields of a simulation: name, unit, components, meaning. */
