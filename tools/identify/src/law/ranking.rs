@@ -31,7 +31,7 @@ pub fn rank(mut fits: Vec<Fit>) -> Vec<Fit> {
 
 /// Index of the law to use, unless the user says otherwise: of lowest residual among those that are stable over the stretches
 /// asked for, in whatever family, or the first of all if none is. One that degenerates is not chosen. Of foams it is that
-/// of fewest terms whose AIC is as low as any but for [`AIC_ALIKE`]: a further term never fits worse.
+/// of fewest terms whose AIC is as low as any but for `AIC_ALIKE`: a further term never fits worse.
 pub fn choose(ranked: &[Fit]) -> usize {
     let stable = ranked.iter().enumerate().filter(|(_, fit)| fit.is_stable && fit.is_usable());
     let lowest = stable.clone().map(|(_, fit)| fit.statistics.aic).fold(f64::INFINITY, f64::min);

@@ -13,7 +13,7 @@ use super::stress::{PER_TERM, State, Term};
 use crate::law::{DataSet, linear};
 use crate::least_squares::{self, Bounded, Effort, Held, Model};
 
-/// Legal exponents and Poisson's ratios of the kernel, for an exponent never nearer to zero than [`SMALLEST_ALPHA`].
+/// Legal exponents and Poisson's ratios of the kernel, for an exponent never nearer to zero than `SMALLEST_ALPHA`.
 #[derive(Clone, Copy, Debug)]
 pub struct Bounds {
     /// Of the exponents.
