@@ -127,7 +127,7 @@ impl Material {
     }
 
     /// Entries of the history that its triangles have beside that of every material: a deviator for each viscous term, and
-    /// what [`crate::element::ExtraHistory`] says.
+    /// what compressible and softening laws remember besides.
     pub fn n_history_entry(&self) -> usize {
         let quasi_linear = self.prony_g.iter().filter(|g| **g > 0.0).count();
         let compressible = self.law.is_compressible();
