@@ -76,13 +76,14 @@ pub fn random_law(samples: &mut Samples, c10: f64) -> Material {
     Material { coefficients, ..material }
 }
 
-/// A flat block of `width` by `height` m on a frictionless core under a frictionless face that nothing moves.
+/// A flat block of `width` by `height` m on a frictionless core under a frictionless face that covers it and that nothing moves.
 pub fn block(width: f64, height: f64, material: Material) -> Scenario {
     let mut scenario = preset::study();
     scenario.geometry.shape = Shape::Block;
     scenario.geometry.block_width = width;
     scenario.layers[0].thickness = height;
     scenario.impactor.motion = Motion::Driven;
+    scenario.impactor.face_diameter = scenario.impactor.face_diameter.max(1.1 * width);
     scenario.core.interface = Interface::Frictional;
     scenario.core.friction_coefficient = 0.0;
     scenario.face.friction_coefficient = 0.0;

@@ -70,7 +70,7 @@ pub fn suggestion(scenario: &Scenario, name: &str) -> String {
         }
     }
     for known in known {
-        let similarity = strsim::jaro_winkler(&known, name);
+        let similarity = strsim::normalized_damerau_levenshtein(&known, name);
         if similarity >= best.0 {
             best = (similarity, Some(known));
         }
