@@ -207,28 +207,26 @@ macro_rules! laws {
     };
 }
 
-// The list. A law keeps its place, which is the number of the choice; a new one goes to the end.
-#[cfg(feature = "pads")]
-laws! {
-    NeoHookean: isochoric,
-    MooneyRivlin: isochoric,
-    Yeoh: isochoric,
-    Ogden: isochoric,
-    Gent: isochoric,
-    ArrudaBoyce: isochoric,
-    Hyperfoam: compressible,
+/// The list, with what stands behind the isochoric laws. A law keeps its place, which is the number of the choice; a new one goes
+/// to the end.
+macro_rules! list {
+    ($($further:tt)*) => {
+        laws! {
+            NeoHookean: isochoric,
+            MooneyRivlin: isochoric,
+            Yeoh: isochoric,
+            Ogden: isochoric,
+            Gent: isochoric,
+            ArrudaBoyce: isochoric,
+            $($further)*
+        }
+    };
 }
 
-// Those of them that a kernel without pads has.
+#[cfg(feature = "pads")]
+list! { Hyperfoam: compressible }
 #[cfg(not(feature = "pads"))]
-laws! {
-    NeoHookean: isochoric,
-    MooneyRivlin: isochoric,
-    Yeoh: isochoric,
-    Ogden: isochoric,
-    Gent: isochoric,
-    ArrudaBoyce: isochoric,
-}
+list! {}
 
 /// A law of the list.
 pub trait ListedLaw: HyperelasticLaw {
