@@ -12,16 +12,16 @@ pub trait Model {
 }
 
 /// A model of which one parameter is held.
-pub struct Held<'a, M> {
+pub struct Held<'a> {
     /// The model.
-    pub model: &'a M,
+    pub model: &'a dyn Model,
     /// Index of the parameter.
     pub parameter: usize,
     /// Its value.
     pub value: f64,
 }
 
-impl<M> Held<'_, M> {
+impl Held<'_> {
     fn all(&self, others: &[f64]) -> Vec<f64> {
         let mut all = others.to_vec();
         all.insert(self.parameter, self.value);
@@ -29,7 +29,7 @@ impl<M> Held<'_, M> {
     }
 }
 
-impl<M: Model> Model for Held<'_, M> {
+impl Model for Held<'_> {
     fn residuals(&self, others: &[f64]) -> DVector<f64> {
         self.model.residuals(&self.all(others))
     }
@@ -55,7 +55,7 @@ impl Effort {
 }
 
 /// The parameters reached from `start`, and their sum of squares (infinite where it is no number).
-pub fn minimise(model: &impl Model, start: Vec<f64>, effort: &Effort) -> (f64, Vec<f64>) {
+pub fn minimise(model: &dyn Model, start: Vec<f64>, effort: &Effort) -> (f64, Vec<f64>) {
     let problem = Problem { model, parameters: DVector::from_vec(start) };
     let search = LevenbergMarquardt::new().with_tol(effort.tolerance).with_patience(effort.patience);
     let (problem, _) = search.minimize(problem);
@@ -63,12 +63,13 @@ pub fn minimise(model: &impl Model, start: Vec<f64>, effort: &Effort) -> (f64, V
     (if cost.is_finite() { cost } else { f64::INFINITY }, problem.parameters.as_slice().to_vec())
 }
 
-struct Problem<'a, M> {
-    model: &'a M,
+// One type for all models, so that the search is compiled once.
+struct Problem<'a> {
+    model: &'a dyn Model,
     parameters: DVector<f64>,
 }
 
-impl<M: Model> LeastSquaresProblem<f64, Dyn, Dyn> for Problem<'_, M> {
+impl LeastSquaresProblem<f64, Dyn, Dyn> for Problem<'_> {
     type ResidualStorage = Owned<f64, Dyn>;
     type JacobianStorage = Owned<f64, Dyn, Dyn>;
     type ParameterStorage = Owned<f64, Dyn>;
