@@ -121,15 +121,17 @@ have_target() {
 }
 
 # foreign NAME TARGET CHECK EXTENSION COMMAND...: a row of another target, by a command that runs its programs. With a name
-# of an instruction set in $vectors the program has every set of the target, and is made to choose that one.
+# of an instruction set in $vectors the program has every set of the target, and is made to choose that one; with `any` it
+# chooses itself.
 foreign() {
     wanted "$1" && have_target "$1" "$2" && beside make_foreign "$@"
 }
 make_foreign() {
-    local name=$1 target=$2 check=$3 extension=$4 folder=$2${vectors:+-$vectors}; shift 4
+    local name=$1 target=$2 check=$3 extension=$4 folder=$2${vectors:+-$vectors} chosen=(); shift 4
     build "$folder" release "$target" "$extension" ${vectors:+--features $features} ||
         { fail "$name" "does not build"; return; }
-    row "$name" "$check" "$@" "$out/$folder/$runner$extension" ${vectors:+--instructions $vectors}
+    [ "${vectors:-any}" = any ] || chosen=(--instructions "$vectors")
+    row "$name" "$check" "$@" "$out/$folder/$runner$extension" "${chosen[@]}"
 }
 
 # board NAME TARGET FLAGS CHECK: a row of a Cortex-M7 without an operating system.
@@ -210,12 +212,15 @@ else
     else
         not_applicable "x86, 32 bit, SSE2" "the processor is no x86-64"
     fi
-    export CARGO_TARGET_AARCH64_UNKNOWN_LINUX_MUSL_RUSTFLAGS='-C linker=rust-lld -C linker-flavor=ld.lld'
-    if need qemu-aarch64 qemu-user; then
-        vectors=neon foreign "aarch64, NEON (qemu-user)" aarch64-unknown-linux-musl 'check --short' '' qemu-aarch64
-        vectors=baseline foreign "aarch64, scalar (qemu-user)" aarch64-unknown-linux-musl 'check --short' '' qemu-aarch64
+    # These and that of Windows are compiled as the libraries that tests/fmi/matrix.py builds here, which then find the kernel.
+    export CARGO_TARGET_AARCH64_UNKNOWN_LINUX_GNU_LINKER=aarch64-linux-gnu-gcc
+    if need qemu-aarch64 qemu-user && need aarch64-linux-gnu-gcc gcc-aarch64-linux-gnu libc6-dev-arm64-cross; then
+        for word in NEON:neon scalar:baseline; do
+            vectors=${word#*:} foreign "aarch64, ${word%:*} (qemu-user)" aarch64-unknown-linux-gnu 'check --short' '' \
+                qemu-aarch64 -L /usr/aarch64-linux-gnu
+        done
     else
-        skip "aarch64" "qemu-user is missing and cannot be installed"
+        skip "aarch64" "qemu-user or aarch64-linux-gnu-gcc is missing and cannot be installed"
     fi
     export CARGO_TARGET_RISCV64GC_UNKNOWN_LINUX_GNU_LINKER=riscv64-linux-gnu-gcc
     export CARGO_TARGET_RISCV64GC_UNKNOWN_LINUX_GNU_RUSTFLAGS=$static
@@ -235,7 +240,7 @@ else
         programs=$out/x86_64-pc-windows-gnu
         mkdir -p "$programs"
         x86_64-w64-mingw32-gcc -shared -o "$programs/bcryptprimitives.dll" tests/targets/bcryptprimitives.c
-        WINEDEBUG=-all WINEPREFIX=$out/wine foreign "Windows (wine)" x86_64-pc-windows-gnu check .exe wine
+        WINEDEBUG=-all WINEPREFIX=$out/wine vectors=any foreign "Windows (wine)" x86_64-pc-windows-gnu check .exe wine
     else
         skip "Windows" "mingw-w64 or wine is missing and cannot be installed"
     fi
