@@ -237,7 +237,7 @@ else
         skip "s390x, big-endian" "qemu-user or s390x-linux-gnu-gcc is missing and cannot be installed"
     fi
     if need x86_64-w64-mingw32-gcc gcc-mingw-w64-x86-64 && need wine wine wine64; then
-        programs=$out/x86_64-pc-windows-gnu
+        programs=$out/x86_64-pc-windows-gnu-any
         mkdir -p "$programs"
         x86_64-w64-mingw32-gcc -shared -o "$programs/bcryptprimitives.dll" tests/targets/bcryptprimitives.c
         WINEDEBUG=-all WINEPREFIX=$out/wine vectors=any foreign "Windows (wine)" x86_64-pc-windows-gnu check .exe wine
