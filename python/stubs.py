@@ -9,11 +9,11 @@ PACKAGE = Path(__file__).parent / "softanvil"
 
 GROUPS_HEAD = '''\
 # Written by stubs.py from the kernel's table of parameters.
-from typing import Any, Generic, Literal, TypeVar, overload
+from typing import Any, Generic, Literal, Protocol, SupportsFloat, TypeVar, overload
 
 from . import _softanvil
 
-class _Quantity:
+class _Quantity(Protocol):
     """A quantity of pint."""
 
     @property
@@ -21,7 +21,7 @@ class _Quantity:
     def to(self, other: Any, /) -> Any: ...
 
 #: What a parameter takes: a number in its unit, a text ("14.7 J", or a label), or a quantity of pint.
-Value = float | str | Any
+Value = SupportsFloat | str | _Quantity
 
 SHORT: dict[str, str]
 
@@ -40,12 +40,17 @@ class Parameter(Generic[_T]):
     def __set__(self, group: Group, value: Value) -> None: ...
     def __delete__(self, group: Group) -> None: ...
 
-class Choice(Parameter[_T]):
+class Choice(Generic[_T]):
+    """One of several labels."""
+
+    field: str
+    labels: tuple[str, ...]
     @overload
     def __get__(self, group: None, owner: type) -> Choice[_T]: ...
     @overload
     def __get__(self, group: Group, owner: type) -> _T: ...
     def __set__(self, group: Group, value: _T) -> None: ...
+    def __delete__(self, group: Group) -> None: ...
 
 class Group:
     _settings: _softanvil.Settings

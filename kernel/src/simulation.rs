@@ -119,8 +119,7 @@ impl Simulation {
     /// As [`Simulation::with`].
     pub fn read<R>(&self, work: impl for<'a> FnOnce(&Model<'a>, &StateView<'a>) -> R) -> Result<R, MemoryError> {
         let model = Model::view(&self.constants, &self.model_nodes, &self.model_cells, &self.model_hoops);
-        let content =
-            StateContent { nodes: &self.state_nodes, cells: &self.state_cells, viscous: &self.state_viscous };
+        let content = StateContent { nodes: &self.state_nodes, cells: &self.state_cells, viscous: &self.state_viscous };
         let state = StateView::new(&model, &self.scalars, content)?;
         Ok(work(&model, &state))
     }

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal
 
+import numpy as np
 import pandas as pd
 
 from . import _softanvil
@@ -142,9 +143,10 @@ def measure(
     with _of_scenario(scenario) as (drop, folder):
         csv = folder / "trace.csv"
         data = _json(_call("measure", [*drop, *_arguments(options), f"--csv={csv}", "--json"]))
-        table = pd.read_csv(csv)
-    table.columns = pd.Index([title.split(" [")[0] for title in table.columns])
-    table = table.set_index("time")
+        titles = csv.read_text(encoding="utf-8").splitlines()[0].split(",")
+        values = np.loadtxt(csv, delimiter=",", skiprows=1, ndmin=2)
+    names = [title.split(" [")[0] for title in titles]
+    table = pd.DataFrame(values[:, 1:], index=pd.Index(values[:, 0], name="time"), columns=names[1:])
     table.attrs["units"] = {"time": "s", **dict.fromkeys(table.columns, "N")}
     return Measurement(data, table)
 

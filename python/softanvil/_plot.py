@@ -11,7 +11,6 @@ from ._state import FIELDS, Array, State
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from matplotlib.collections import PolyCollection
     from matplotlib.figure import Figure
 
     from ._result import Result
@@ -60,7 +59,8 @@ class Section:
         values = self._values(state)
         top = largest if largest is not None else float(np.nanmax(np.abs(values), initial=1e-12))
         lowest = float(np.nanmin(values, initial=0.0))
-        self.cells: PolyCollection = axes.add_collection(PolyCollection([], edgecolors="face", linewidths=0.2))
+        self.cells = PolyCollection([], edgecolors="face", linewidths=0.2)
+        axes.add_collection(self.cells)
         self.cells.set_clim(-top if lowest < 0 else 0.0, top)
         self.cells.set_cmap("RdBu_r" if lowest < 0 else "viridis")
         self.impactor = axes.fill([], [], color="0.6", zorder=0)[0]
@@ -82,7 +82,7 @@ class Section:
     def show(self, state: State) -> None:
         """Draws another state."""
         corners = 1e3 * state.positions()[state.mesh()[1]]
-        self.cells.set_verts(np.concatenate([corners * [side, 1.0] for side in self.sides]))
+        self.cells.set_verts([triangle * [side, 1.0] for side in self.sides for triangle in corners])
         self.cells.set_array(np.tile(self._values(state), len(self.sides)))
         rest = state.mesh()[0][:, 1].max()
         lift = [state._view.offset, rest + state.output("impactor.position")]
@@ -91,7 +91,7 @@ class Section:
 
     def colorbar(self) -> Any:
         """The scale of colours."""
-        label = f"{self.field.split('.')[1].replace('_', ' ')} ({self.unit})"
+        label = f"{self.field.split('.')[1].replace('_', ' ').replace('von mises', 'von Mises')} ({self.unit})"
         return self.axes.figure.colorbar(self.cells, ax=self.axes, label=label, shrink=0.8)
 
 

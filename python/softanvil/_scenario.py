@@ -19,6 +19,7 @@ class Layer(LayerParameters):
     """A soft layer: its parameters as attributes, and its name."""
 
     __slots__ = ("_place",)
+    _place: int
 
     def __init__(self, settings: _softanvil.Settings, place: int) -> None:
         super().__init__(settings, f"layers[{place}].")

@@ -57,6 +57,10 @@ class Simulation:
         """The fixed time step, s."""
         return self._core.dt
 
+    def time_of(self, step_index: int) -> float:
+        """Simulated time after so many steps from the start, s."""
+        return self._core.time_of(step_index)
+
     @property
     def trace_hash(self) -> str:
         """Fingerprint of the force samples so far: equal for equal bits."""
@@ -139,7 +143,7 @@ class Simulation:
         values = self._core.step_rows(
             each, rows["external_force"], rows.get("position"), rows.get("velocity"), list(outputs)
         )
-        times = (first + each * np.arange(1, len(values) + 1)) * self.time_step
+        times = [self.time_of(first + each * (row + 1)) for row in range(len(values))]
         frame = pd.DataFrame(values, index=pd.Index(times, name="time"), columns=list(outputs))
         frame.attrs["units"] = {"time": "s", **{name: OUTPUTS[name][0] for name in outputs}}
         return frame

@@ -2,13 +2,15 @@
 
 import os
 from collections.abc import Sequence
-from typing import Any, final
+from typing import Any, TypeAlias, final
 
 import numpy as np
 import numpy.typing as npt
 
-_Array = npt.NDArray[np.float64]
-_Content = tuple[str, list[tuple[str, bool]], list[tuple[int, str]], list[tuple[str, float]]]
+__all__ = ["command", "command_options", "StateView", "read_trace", "Run", "run", "Settings", "Simulation", "run_many", "run_rows", "fields", "outputs", "parameters", "presets", "version"]
+
+_Array: TypeAlias = npt.NDArray[np.float64]
+_Content: TypeAlias = tuple[str, list[tuple[str, bool]], list[tuple[int, str]], list[tuple[str, float]]]
 
 @final
 class Settings:
@@ -78,6 +80,7 @@ class Simulation:
     @property
     def trace_hash(self) -> str: ...
     def steps_in(self, duration: float) -> int: ...
+    def time_of(self, step_index: int) -> float: ...
     def digest(self) -> str: ...
     def output(self, name: str) -> float: ...
     def view(self) -> StateView: ...

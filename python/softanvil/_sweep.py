@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import importlib.util
 import math
 import os
 import uuid
@@ -111,7 +112,8 @@ def _on_cluster(
         for piece, values in work.items()
     }
     try:
-        for future, table in as_completed(list(futures), with_results=True):
+        completed: Any = as_completed
+        for future, table in completed(list(futures), with_results=True):
             yield futures.pop(future), table
             future.release()
     finally:
@@ -120,12 +122,10 @@ def _on_cluster(
 
 @contextlib.contextmanager
 def _bar(total: int, done: int, progress: bool) -> Iterator[Any]:
-    try:
-        from tqdm.auto import tqdm
-    except ImportError:
-        progress = False
-    if not progress:
+    if not progress or importlib.util.find_spec("tqdm") is None:
         yield lambda drops: None
         return
+    from tqdm.auto import tqdm
+
     with tqdm(total=total, initial=done, unit="drop", smoothing=0.1) as bar:
         yield bar.update

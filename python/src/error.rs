@@ -44,7 +44,14 @@ pub fn parameter(py: Python<'_>, error: &ParameterError) -> PyErr {
 }
 
 /// A value of another kind than the parameter `name` takes; `value` as it was written.
-pub fn kind(py: Python<'_>, message: String, name: String, value: Py<PyAny>, unit: &'static str, range: (f64, f64)) -> PyErr {
+pub fn kind(
+    py: Python<'_>,
+    message: String,
+    name: String,
+    value: Py<PyAny>,
+    unit: &'static str,
+    range: (f64, f64),
+) -> PyErr {
     raise(py, "ParameterError", (message, name, value, unit, range.0, range.1))
 }
 

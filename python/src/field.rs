@@ -25,6 +25,9 @@ pub struct StateView {
 /// Points (n, 2), triangles (n, 3) and place of each triangle among the values of a field of triangles (n,).
 type MeshArrays<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<usize>>, Bound<'py, PyArray1<usize>>);
 
+/// What makes another one like it, and with what.
+type Reduced = (Py<PyAny>, (Settings, Vec<u8>));
+
 #[pymethods]
 impl StateView {
     /// Simulated time, s.
@@ -87,7 +90,7 @@ impl StateView {
         Simulation::of(Arc::clone(&self.state), self.settings.clone())
     }
 
-    fn __reduce__(&self, py: Python<'_>) -> PyResult<(Py<PyAny>, (Settings, Vec<u8>))> {
+    fn __reduce__(&self, py: Python<'_>) -> PyResult<Reduced> {
         let bytes = softanvil_kernel::Simulation::clone(&self.state).save().or_raise(py)?;
         Ok((py.get_type::<Self>().getattr("of_bytes")?.unbind(), (self.settings.clone(), bytes)))
     }
@@ -135,11 +138,7 @@ fn stored<'py>(owner: &Bound<'py, StateView>, field: &Field) -> PyResult<Bound<'
         let [rows, columns] = field.shape(model);
         let [first, second] = [field.strided(model, view, 0)?, field.strided(model, view, 1)?];
         let apart = (second.data.as_ptr() as usize).checked_sub(first.data.as_ptr() as usize)? / size_of::<f64>();
-        Some(Layout {
-            first: first.data.as_ptr(),
-            shape: [rows, columns, 2],
-            strides: [first.row_stride, 1, apart],
-        })
+        Some(Layout { first: first.data.as_ptr(), shape: [rows, columns, 2], strides: [first.row_stride, 1, apart] })
     });
     let Some(layout) = layout.or_raise(py)? else { return computed(owner, field) };
     // SAFETY: both components lie in one array of the state, the second behind the first, with so many rows and columns each

@@ -39,9 +39,7 @@ fn energy(unit: &str) -> Option<f64> {
         _ => {}
     }
     let (first, second) = unit.split_once([' ', '*', '.', '·', '-'])?;
-    let product = |force, length| {
-        Some(Unit::of(Dimension::Force, force)?.si * Unit::of(Dimension::Length, length)?.si)
-    };
+    let product = |force, length| Some(Unit::of(Dimension::Force, force)?.si * Unit::of(Dimension::Length, length)?.si);
     product(first, second).or_else(|| product(second, first))
 }
 

@@ -67,9 +67,10 @@ impl Settings {
     pub fn subject(&self) -> Result<Subject, ScenarioError> {
         let scenario = self.scenario()?;
         let is_duration = |(parameter, _): &(Parameter, f64)| parameter.name() == "time.duration";
-        let own = self.given.iter().any(is_duration)
-            || self.base.time.duration != (self.preset.scenario)().time.duration;
-        let set = self.given.iter().map(|(parameter, value)| format!("{} = {}", parameter.name(), shown(parameter, *value)));
+        let own =
+            self.given.iter().any(is_duration) || self.base.time.duration != (self.preset.scenario)().time.duration;
+        let set =
+            self.given.iter().map(|(parameter, value)| format!("{} = {}", parameter.name(), shown(parameter, *value)));
         Ok(Subject {
             scenario,
             until: if own { Until::Duration } else { Until::Over },
@@ -301,7 +302,10 @@ impl Settings {
         let before = self.given.len();
         self.given.retain(|(known, _)| *known != parameter);
         if self.given.len() == before {
-            return Err(error::scenario(py, format!("{name} was not given: its value is that of the preset or the text")));
+            return Err(error::scenario(
+                py,
+                format!("{name} was not given: its value is that of the preset or the text"),
+            ));
         }
         self.set_base(self.base.clone());
         Ok(())
@@ -309,8 +313,9 @@ impl Settings {
 
     /// Calls a layer `name`.
     fn name_layer(&mut self, py: Python<'_>, layer: usize, name: String) -> PyResult<()> {
-        let refuse =
-            |legal: String| error::scenario(py, format!("layers[{layer}].name = {name:?} is refused: expected {legal}"));
+        let refuse = |legal: String| {
+            error::scenario(py, format!("layers[{layer}].name = {name:?} is refused: expected {legal}"))
+        };
         names::check_layer_name(self.changes().values(), layer, &name).map_err(refuse)?;
         self.layer_names.retain(|(known, _)| *known != layer);
         self.layer_names.push((layer, name));

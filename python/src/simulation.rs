@@ -59,6 +59,11 @@ impl Simulation {
         self.state.time()
     }
 
+    /// Simulated time after so many steps, s.
+    fn time_of(&self, step_index: u64) -> f64 {
+        self.state.constants().time(step_index)
+    }
+
     /// Steps made.
     #[getter]
     fn step_index(&self) -> u64 {
@@ -132,7 +137,6 @@ impl Simulation {
     }
 
     /// Makes `n` steps for every row of the inputs, and gives the `names` outputs after each, (rows, names).
-    #[expect(clippy::too_many_arguments, reason = "they are the arrays of one call")]
     fn step_rows<'py>(
         &mut self,
         py: Python<'py>,

@@ -29,7 +29,9 @@ pub fn run_many(py: Python<'_>, scenarios: Vec<Settings>, threads: usize) -> PyR
     let runs = interruptible(py, |stop| {
         on_threads(threads, || {
             let drops = scenarios.par_iter().zip(subjects).with_max_len(1);
-            drops.map(|(settings, subject)| Ok::<_, ScenarioError>(simulate(settings, &subject?, recording, stop))).collect::<Vec<_>>()
+            drops
+                .map(|(settings, subject)| Ok::<_, ScenarioError>(simulate(settings, &subject?, recording, stop)))
+                .collect::<Vec<_>>()
         })
     })??;
     let given = |run: Result<Result<Run, Unfinished>, ScenarioError>| match run.or_raise(py) {

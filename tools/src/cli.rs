@@ -110,10 +110,7 @@ pub fn execute(arguments: impl IntoIterator<Item = OsString>) -> Outcome {
 
 /// The same in a program that has its own way to say that a search or a sweep is to end early: the flag that `interrupt` gives is
 /// set then.
-pub fn execute_with(
-    arguments: impl IntoIterator<Item = OsString>,
-    interrupt: &dyn Fn() -> Arc<AtomicBool>,
-) -> Outcome {
+pub fn execute_with(arguments: impl IntoIterator<Item = OsString>, interrupt: &dyn Fn() -> Arc<AtomicBool>) -> Outcome {
     let cli = match Cli::try_parse_from(arguments) {
         Ok(cli) => cli,
         Err(error) if error.use_stderr() => return refused(&Failure::Input(usage_error(&error))),
