@@ -1,5 +1,7 @@
 """Sweeps: what they give, that they can be continued, and that neither cores nor workers nor their end change a bit."""
 
+import importlib
+import os
 import signal
 import subprocess
 import sys
@@ -13,7 +15,9 @@ from distributed import Client
 from scipy.stats import qmc
 
 import softanvil as sa
+from conftest import ROOT
 
+EXAMPLES = ROOT / "python/examples"
 RANGES = {"impactor.energy": (3.0, 15.0), "silicone.thickness": (10e-3, 20e-3)}
 
 
@@ -39,7 +43,8 @@ def cluster(tmp_path_factory):
     def start(*arguments):
         with open(folder / f"{len(processes)}.log", "w") as log:
             process = subprocess.Popen([sys.executable, "-m", "dask", *arguments, "--scheduler-file", str(address)],
-                                       stdout=log, stderr=log, cwd=folder)
+                                       stdout=log, stderr=log, cwd=folder,
+                                       env={**os.environ, "PYTHONPATH": str(EXAMPLES)})
         processes.append(process)
         return process
 
@@ -153,6 +158,28 @@ def test_results_and_scenarios_travel(cluster):
     scenarios = [short().update({"impactor.energy": energy}) for energy in (4.9, 9.8)]
     results = client.gather(client.map(sa.run, scenarios))
     assert [result.trace_hash for result in results] == [sa.run(scenario).trace_hash for scenario in scenarios]
+
+
+@pytest.fixture
+def example(monkeypatch):
+    """A function that imports an example."""
+    monkeypatch.syspath_prepend(str(EXAMPLES))
+    return importlib.import_module
+
+
+def test_the_example_of_a_calibration(cluster, example):
+    calibration = example("calibrate_on_cluster")
+    truth = (np.log10(1.48e5), np.log10(1.32e5))
+    found = calibration.calibrate(cluster[0], calibration.numbers(truth), generations=6)
+    assert found.fun < 0.02 and found.x == pytest.approx(truth, abs=0.15)
+
+
+def test_the_example_of_an_fmu(cluster, example, tmp_path):
+    sa._softanvil.command(["fmu", "--fmi", "2", "--target", "x86_64-unknown-linux-gnu", "--out", str(tmp_path)])
+    energies = [4.9, 9.8, 14.7]
+    table = example("fmu_sweep").sweep(cluster[0], str(tmp_path / "softanvil-fmi2.fmu"), energies)
+    alone = [sa.run(sa.preset("study").update({"impactor.energy": energy, "time.duration": 15e-3})) for energy in energies]
+    assert table["result.peak_force"].tolist() == [result.peak_force for result in alone]
 
 
 def test_designs_have_to_fit():
