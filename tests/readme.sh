@@ -12,7 +12,7 @@ trap 'rm -rf "$work"' EXIT
 block() { sed -n "/^## ${2:-}/,\$p" "$root/README.md" | sed -n "/^\`\`\`$1\$/,/^\`\`\`\$/p" | sed '1d;$d'; }
 
 block c >"$work/drop.c"
-block python >"$work/drop.py"
+block python "In an FMI tool" >"$work/drop.py"
 gcc -Wall -Wextra -Werror "$work/drop.c" -I"$root/include" -L"$build" -l:libsoftanvil.a -lm -lpthread -ldl -o "$work/drop"
 # A new package, as cargo makes it, with the README's dependencies and program, beside a clone of this repository. Its
 # dependencies have the versions that are tested, and their build is kept for the next time; nothing is optimised, which takes

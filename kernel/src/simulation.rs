@@ -10,7 +10,7 @@ use crate::number::real::Real;
 use crate::result::Output;
 use crate::scenario::Scenario;
 use crate::scenario::parameter::Parameter;
-use crate::state::{Scalars, State, StateMemory, restore, save, snapshot_size};
+use crate::state::{Scalars, State, StateContent, StateMemory, StateView, restore, save, snapshot_size};
 use crate::step::steps;
 use crate::tensor::deviator::Deviator;
 
@@ -111,6 +111,17 @@ impl Simulation {
             viscous: &mut self.state_viscous,
         };
         Ok(work(&model, &mut State::view(&model, memory)?))
+    }
+
+    /// Runs `work` on model and state, which are only read, as many may do at the same time.
+    ///
+    /// # Errors
+    /// As [`Simulation::with`].
+    pub fn read<R>(&self, work: impl for<'a> FnOnce(&Model<'a>, &StateView<'a>) -> R) -> Result<R, MemoryError> {
+        let model = Model::view(&self.constants, &self.model_nodes, &self.model_cells, &self.model_hoops);
+        let content = StateContent { nodes: &self.state_nodes, cells: &self.state_cells, viscous: &self.state_viscous };
+        let state = StateView::new(&model, &self.scalars, content)?;
+        Ok(work(&model, &state))
     }
 
     /// Makes `n` steps. The external force is held; a driven face is where the input says, and moves as it says, at the end of

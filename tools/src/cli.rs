@@ -1,11 +1,14 @@
 //! The command line: arguments in, text and exit code out.
 
 use std::ffi::OsString;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
-use clap::{Args, Parser, Subcommand};
+use clap::{Args, CommandFactory, Parser, Subcommand};
 
 use crate::commands::{calibrate, fit, fmu, golden, measure, protect, report, run, scenario, sweep, validate};
 use crate::failure::Failure;
+use crate::interrupt;
 
 /// Drop-weight impact on a soft anvil, by explicit finite elements that give the same bits everywhere.
 ///
@@ -50,7 +53,7 @@ impl Cli {
     ///
     /// # Errors
     /// Wrong input, or a simulation or file that failed.
-    fn carry_out(&self) -> Result<String, Failure> {
+    fn carry_out(&self, interrupt: &dyn Fn() -> Arc<AtomicBool>) -> Result<String, Failure> {
         match &self.command {
             None => report::carry_out(&self.report),
             Some(Command::Run(options)) => run::carry_out(options),
@@ -58,8 +61,8 @@ impl Cli {
             Some(Command::Measure(options)) => measure::carry_out(options),
             Some(Command::Protect(options)) => protect::carry_out(options),
             Some(Command::Validate(options)) => validate::carry_out(options),
-            Some(Command::Calibrate(options)) => calibrate::carry_out(options),
-            Some(Command::Sweep(options)) => sweep::carry_out(options),
+            Some(Command::Calibrate(options)) => calibrate::carry_out(options, &interrupt()),
+            Some(Command::Sweep(options)) => sweep::carry_out(options, &interrupt()),
             Some(Command::Study(_)) => Err(Failure::Input(sweep::RENAMED.into())),
             Some(Command::Scenario(options)) => scenario::carry_out(options),
             Some(Command::Fit(options)) => fit::carry_out(options),
@@ -67,6 +70,17 @@ impl Cli {
             Some(Command::Golden(options)) => golden::carry_out(options),
         }
     }
+}
+
+/// The options of the subcommand called `name`: their long names, with the line that explains each; none of no command.
+pub fn options(name: &str) -> Option<Vec<(String, String)>> {
+    let mut program = Cli::command();
+    let command = program.find_subcommand_mut(name)?;
+    let row = |option: &clap::Arg| {
+        let long = option.get_long().or(option.get_value_names()?.first().map(|name| name.as_str()))?;
+        Some((long.to_string(), option.get_help().map(ToString::to_string).unwrap_or_default()))
+    };
+    Some(command.get_arguments().filter_map(row).collect())
 }
 
 /// How a command ended.
@@ -91,13 +105,19 @@ pub struct Outcome {
 
 /// Carries out a command line, whose first argument is the name of the program.
 pub fn execute(arguments: impl IntoIterator<Item = OsString>) -> Outcome {
+    execute_with(arguments, &interrupt::flag)
+}
+
+/// The same in a program that has its own way to say that a search or a sweep is to end early: the flag that `interrupt` gives is
+/// set then.
+pub fn execute_with(arguments: impl IntoIterator<Item = OsString>, interrupt: &dyn Fn() -> Arc<AtomicBool>) -> Outcome {
     let cli = match Cli::try_parse_from(arguments) {
         Ok(cli) => cli,
         Err(error) if error.use_stderr() => return refused(&Failure::Input(usage_error(&error))),
         // Help and version.
         Err(error) => return done(error.to_string()),
     };
-    match cli.carry_out() {
+    match cli.carry_out(interrupt) {
         Ok(text) => done(text),
         Err(failure) => refused(&failure),
     }

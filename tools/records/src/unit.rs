@@ -228,7 +228,7 @@ pub fn parse_quantity(text: &str, dimension: Dimension) -> Result<f64, String> {
 }
 
 /// The number that `text` begins with, and what follows it.
-pub(crate) fn number_and_rest(text: &str) -> Option<(f64, &str)> {
+pub fn number_and_rest(text: &str) -> Option<(f64, &str)> {
     let trimmed = text.trim();
     // The longest beginning that is a number; an exponent is one, the e of another word is not.
     let most = trimmed.find(|c: char| !matches!(c, '0'..='9' | '.' | '-' | '+' | 'e' | 'E')).unwrap_or(trimmed.len());

@@ -1,6 +1,7 @@
 //! `softanvil calibrate`: parameters from measured impacts.
 
 use std::path::PathBuf;
+use std::sync::atomic::AtomicBool;
 
 use clap::Args;
 
@@ -12,7 +13,7 @@ use crate::calibration::search::search;
 use crate::failure::Failure;
 use crate::files::folder::Folder;
 use crate::output::subject::{warning_lines, warnings_of};
-use crate::{interrupt, progress};
+use crate::progress;
 
 /// Search for the parameters with which simulated impacts come closest to measured ones.
 ///
@@ -40,23 +41,22 @@ pub struct Options {
     overwrite: Overwrite,
 }
 
-/// Searches; returns what was found.
+/// Searches until `stop`; returns what was found.
 ///
 /// # Errors
 /// A problem that is refused, a log of another problem, or a file that cannot be written.
-pub fn carry_out(options: &Options) -> Result<String, Failure> {
+pub fn carry_out(options: &Options, stop: &AtomicBool) -> Result<String, Failure> {
     let mut problem = Problem::read(&options.problem)?;
     problem.search.evaluations = options.evaluations.unwrap_or(problem.search.evaluations);
     problem.search.seed = options.seed.unwrap_or(problem.search.seed);
     let mut folder = Folder::new(&options.out, options.overwrite.overwrite);
     folder.check(result::FILES.into_iter().chain([log::PROBLEM]))?;
     let mut log = Log::open(&mut folder, &problem, options.overwrite.overwrite)?;
-    let stop = interrupt::flag();
     let bar = progress::evaluations(problem.search.evaluations as u64);
     let pool = rayon::ThreadPoolBuilder::new().num_threads(options.threads).build();
     let pool = pool.map_err(|error| Failure::Failed(format!("threads: {error}")))?;
     let descents = pool.install(|| {
-        search(&problem, &mut log, &stop, &|done, best| {
+        search(&problem, &mut log, stop, &|done, best| {
             bar.set_position(done as u64);
             bar.set_message(format!("score {:.3}, mean error {:.2} %", best.score, best.mean_error));
         })

@@ -86,10 +86,11 @@ impl Options {
         let drop = Drop::until(&subject.scenario, subject.until)?;
         let bar = progress::bar(u64::from(self.impacts) * drop.steps());
         bar.set_message("drop");
-        drop.run_impacts(self.impacts, self.rest, |steps, simulation| {
+        let (earlier, run, _) = drop.run_impacts(self.impacts, self.rest, |steps, simulation| {
             bar.inc(steps);
             series.iter_mut().try_for_each(|series| series.take(simulation))
-        })
+        })?;
+        Ok((earlier, run))
     }
 
     fn series(&self) -> Result<Option<Series>, Failure> {

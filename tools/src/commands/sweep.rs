@@ -12,7 +12,6 @@ use super::drop_options::{DURATION, DropOptions};
 use super::output_files::Overwrite;
 use crate::failure::Failure;
 use crate::files::folder::Folder;
-use crate::interrupt;
 use crate::output::json;
 use crate::output::subject::Subject;
 use crate::plot::picture_format::PictureFormat;
@@ -71,11 +70,11 @@ const OVERVIEW: &str = "README.md";
 pub const RENAMED: &str = "study is `sweep` now: expected `softanvil sweep PARAMETER=LIST`, or files, as those of the paper in \
                            the folder sweeps";
 
-/// Simulates and evaluates; returns the tables.
+/// Simulates until `stop`, and evaluates; returns the tables.
 ///
 /// # Errors
 /// A scenario or value that is refused, or a file that cannot be written.
-pub fn carry_out(options: &Options) -> Result<String, Failure> {
+pub fn carry_out(options: &Options, stop: &AtomicBool) -> Result<String, Failure> {
     let mut subject = options.drop.subject()?;
     // Refused here, before anything is written.
     Drop::new(&subject.scenario)?;
@@ -91,7 +90,6 @@ pub fn carry_out(options: &Options) -> Result<String, Failure> {
     if let Some(folder) = &mut folder {
         options.claim(folder, &planned)?;
     }
-    let stop = interrupt::flag();
     let pool = rayon::ThreadPoolBuilder::new().num_threads(options.threads).build();
     let pool = pool.map_err(|error| Failure::Failed(format!("threads: {error}")))?;
     let mut pages = Vec::new();
@@ -99,7 +97,7 @@ pub fn carry_out(options: &Options) -> Result<String, Failure> {
         if stop.load(Ordering::Relaxed) {
             break;
         }
-        pages.push(pool.install(|| options.page(sweep, &subject, cases, folder.as_mut(), &stop))?);
+        pages.push(pool.install(|| options.page(sweep, &subject, cases, folder.as_mut(), stop))?);
     }
     options.show(&pages, folder.as_mut())
 }

@@ -68,7 +68,7 @@ impl Measured {
 }
 
 /// What a record of this drop should show.
-fn expected(impactor: &Impactor) -> Option<Expected> {
+pub fn expected(impactor: &Impactor) -> Option<Expected> {
     let speed = impactor.start_speed();
     (impactor.motion != Motion::Prescribed && speed > 0.0).then_some(Expected { mass: impactor.mass, speed })
 }

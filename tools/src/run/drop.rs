@@ -166,15 +166,26 @@ impl Drop {
     /// # Errors
     /// The first step that fails, or what `watch` refuses.
     pub fn run_watched<E: From<RunError>>(
-        mut self,
+        self,
         watch: impl FnMut(u64, &mut Simulation) -> Result<(), E>,
     ) -> Result<Run, E> {
+        Ok(self.run_to_state(watch)?.0)
+    }
+
+    /// The same, with the simulation as it is at the end.
+    ///
+    /// # Errors
+    /// As [`Drop::run_watched`].
+    pub fn run_to_state<E: From<RunError>>(
+        mut self,
+        watch: impl FnMut(u64, &mut Simulation) -> Result<(), E>,
+    ) -> Result<(Run, Simulation), E> {
         let samples = self.impact(watch)?;
-        Ok(self.completed(samples))
+        Ok((self.record(samples), self.simulation))
     }
 
     /// Runs several impacts on the same anvil to the end of each, with `rest` s between one and the next; `watch` sees them all.
-    /// Returns the runs of those before the last, and that of the last.
+    /// Returns the runs of those before the last, that of the last, and the simulation as it is then.
     ///
     /// # Errors
     /// The first step that fails, a rest that is refused, or what `watch` refuses.
@@ -183,14 +194,15 @@ impl Drop {
         impacts: u32,
         rest: f64,
         mut watch: impl FnMut(u64, &mut Simulation) -> Result<(), E>,
-    ) -> Result<(Vec<Run>, Run), E> {
+    ) -> Result<(Vec<Run>, Run, Simulation), E> {
         let mut runs = Vec::new();
         for _ in 1..impacts {
             let samples = self.impact(&mut watch)?;
-            runs.push(Run { constants: self.simulation.constants().clone(), until: self.until, samples });
+            runs.push(self.record(samples));
             self.simulation.next_impact(rest).map_err(RunError::from)?;
         }
-        Ok((runs, self.run_watched(watch)?))
+        let (last, state) = self.run_to_state(watch)?;
+        Ok((runs, last, state))
     }
 
     /// One impact: the state at its start and after every sample.
@@ -217,7 +229,7 @@ impl Drop {
                 return Ok(None);
             }
         }
-        Ok(Some(self.completed(samples)))
+        Ok(Some(self.record(samples)))
     }
 
     fn stride(&self) -> u64 {
@@ -237,7 +249,7 @@ impl Drop {
         Ok(true)
     }
 
-    fn completed(self, samples: Vec<Scalars>) -> Run {
+    fn record(&self, samples: Vec<Scalars>) -> Run {
         Run { constants: self.simulation.constants().clone(), until: self.until, samples }
     }
 }

@@ -9,7 +9,7 @@ mod read;
 mod write;
 
 pub(crate) use read::from_toml;
-pub use read::{ScenarioFileError, parse, read, read_material};
+pub use read::{ScenarioFileError, parse, parse_material, read, read_material};
 pub use write::{material_to_toml, to_toml};
 
 #[cfg(test)]

@@ -82,7 +82,7 @@ pub fn suggestion(scenario: &Scenario, name: &str) -> String {
 ///
 /// # Errors
 /// What is legal.
-pub(super) fn check_layer_name(values: &Values, place: usize, name: &str) -> Result<(), String> {
+pub fn check_layer_name(values: &Values, place: usize, name: &str) -> Result<(), String> {
     let letters = name.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'_' || byte == b'-');
     if name.is_empty() || name.len() > MAX_LAYER_NAME || !letters {
         return Err(format!("1 to {MAX_LAYER_NAME} letters, digits, _ and -"));

@@ -84,14 +84,23 @@ pub fn read(path: &Path, base: &Scenario) -> Result<Scenario, Failure> {
 pub fn read_material(path: &Path, base: &Scenario) -> Result<Scenario, Failure> {
     let refuse = |error: &dyn std::fmt::Display| Failure::Input(format!("{}: {error}", path.display()));
     let text = std::fs::read_to_string(path).map_err(|error| refuse(&error))?;
-    let document = Document::parse(text.as_str()).map_err(|error| refuse(&syntax(&text, &error)))?;
+    parse_material(&text, base).map_err(|error| refuse(&error))
+}
+
+/// The scenario that the material in `text` makes of `base`.
+///
+/// # Errors
+/// As [`parse`], and a section that is no layer's.
+pub fn parse_material(text: &str, base: &Scenario) -> Result<Scenario, ScenarioFileError> {
+    let document = Document::parse(text).map_err(|error| syntax(text, &error))?;
     let names: Vec<_> = base.layers.iter().map(|layer| layer.name.as_str()).filter(|name| !name.is_empty()).collect();
     if let Some((group, _)) = document.iter().find(|(group, _)| !names.contains(group)) {
-        let line = line_of(&text, key_span(document.as_table(), group));
+        let line = line_of(text, key_span(document.as_table(), group));
         let legal = format!("the name of a layer ({})", names.join(", "));
-        return Err(refuse(&format!("line {line}: {group} is refused: expected {legal} in a material")));
+        let reason = format!("{group} is refused: expected {legal} in a material");
+        return Err(ScenarioFileError::Unknown { line, reason });
     }
-    parse(&text, base).map_err(|error| refuse(&error))
+    parse(text, base)
 }
 
 /// The scenario that `text` makes of `base`.

@@ -28,8 +28,8 @@ impl Mesh {
     /// The mesh of `simulation`.
     ///
     /// # Errors
-    /// Never in practice, as [`Simulation::with`].
-    pub fn of(simulation: &mut Simulation) -> Result<Self, ModelError> {
+    /// Never in practice, as [`Simulation::read`].
+    pub fn of(simulation: &Simulation) -> Result<Self, ModelError> {
         let constants = simulation.constants().clone();
         let grid = &constants.grid;
         let shape = [grid.node_rows(), grid.n_u + 1];
@@ -42,7 +42,7 @@ impl Mesh {
             triangles.extend(kernel_triangles(grid, u, v).map(|corners| corners.map(|corner| node(CORNERS[corner]))));
             places.extend([0, 1].map(|t| 2 * (v * grid.n_u + u) + t));
         }
-        let reference = simulation.with(|model, _| {
+        let reference = simulation.read(|model, _| {
             let [x, y] = model.reference_position();
             nodes.map(|node| [x[node], y[node]]).collect()
         })?;

@@ -1,0 +1,64 @@
+"""Softanvil: drop tests on a soft anvil, by explicit finite elements that give the same bits everywhere.
+
+    import softanvil as sa
+
+    s = sa.preset("study")
+    s.impactor.energy = 9.8        # J; also "9.8 J", or a quantity of pint
+    r = sa.run(s)
+    r.peak_force                   # N
+    r.trace                        # a pandas.DataFrame by time
+    r.plot()
+
+`Scenario` says what is dropped on what, `run` and `run_many` simulate it, `Simulation` goes step by step, `sweep` studies many
+on one machine or on a cluster of Dask; `fit`, `measure`, `protect`, `calibrate` and `read_trace` are the commands of the command
+line. All numbers are in SI units.
+"""
+
+from . import _softanvil
+from ._animation import Animation
+from ._commands import Calibration, Fit, Measurement, Verdict, calibrate, fit, measure, protect, read_trace
+from ._design import design
+from ._errors import FileError, ParameterError, ScenarioError, SimulationError, SoftanvilError
+from ._plot import compare
+from ._result import Result, run, run_many
+from ._scenario import Layer, Layers, Scenario, preset, presets
+from ._simulation import Simulation
+from ._state import State
+from ._sweep import sweep
+from ._tables import fields, outputs, parameters
+
+__version__: str = _softanvil.version()
+
+__all__ = [
+    "Animation",
+    "Calibration",
+    "FileError",
+    "Fit",
+    "Layer",
+    "Layers",
+    "Measurement",
+    "ParameterError",
+    "Result",
+    "Scenario",
+    "ScenarioError",
+    "Simulation",
+    "SimulationError",
+    "SoftanvilError",
+    "State",
+    "Verdict",
+    "calibrate",
+    "compare",
+    "design",
+    "fields",
+    "fit",
+    "measure",
+    "outputs",
+    "parameters",
+    "preset",
+    "presets",
+    "protect",
+    "read_trace",
+    "run",
+    "run_many",
+    "sweep",
+]

@@ -1,0 +1,68 @@
+"""The package itself: its stubs are those of the kernel's tables, type checkers agree, and its profile is that of the workspace."""
+
+import importlib.metadata
+import subprocess
+import sys
+import tomllib
+
+import softanvil as sa
+
+
+def test_the_version_is_that_of_the_workspace(root):
+    version = tomllib.loads((root / "Cargo.toml").read_text())["workspace"]["package"]["version"]
+    assert sa.__version__ == version == importlib.metadata.version("softanvil")
+
+
+def test_stubs_are_those_of_the_tables(root):
+    sys.path.insert(0, str(root / "python"))
+    try:
+        import stubs
+    finally:
+        sys.path.pop(0)
+    for name, text in stubs.STUBS.items():
+        assert (root / "python/softanvil" / name).read_text() == text(), f"python python/stubs.py renews {name}"
+
+
+def test_profiles_are_those_of_the_workspace(root):
+    """Whatever the two workspaces have in common is built alike."""
+    theirs = tomllib.loads((root / "Cargo.toml").read_text())["profile"]["release"]
+    ours = tomllib.loads((root / "python/Cargo.toml").read_text())["profile"]["release"]
+    assert {key: value for key, value in ours.items() if key != "package"} == {
+        key: value for key, value in theirs.items() if key != "package"}
+    # The kernel is a member there, which "*" is not for.
+    assert ours["package"].pop("softanvil-kernel") == {"opt-level": 3, **theirs["package"]["softanvil-kernel"]}
+    for name, profile in ours["package"].items():
+        assert theirs["package"][name] == profile, name
+
+
+def test_every_public_name_is_documented():
+    for name in sa.__all__:
+        item = getattr(sa, name)
+        assert item.__doc__ and name in dir(sa)
+        for member, value in vars(item).items() if isinstance(item, type) else []:
+            if not member.startswith("_") and (callable(value) or isinstance(value, property)):
+                assert value.__doc__, f"{name}.{member}"
+
+
+def check(root, *arguments):
+    done = subprocess.run([sys.executable, "-m", *arguments], cwd=root / "python", capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+def test_mypy_agrees(root, tmp_path):
+    check(root, "mypy", "--strict", "--warn-unused-ignores", "--cache-dir", str(tmp_path), "softanvil", "tests/typed.py")
+
+
+def test_pyright_agrees(root):
+    check(root, "pyright")
+
+
+def test_the_stub_of_the_compiled_part_is_true(root):
+    check(root, "mypy.stubtest", "--mypy-config-file", "tests/stubtest.ini", "softanvil._softanvil")
+
+
+def test_base_needs_nothing_that_is_optional():
+    optional = ["pint", "pyvista", "distributed", "dask", "pyarrow", "tqdm", "SALib", "scipy"]
+    script = f"import sys; [sys.modules.__setitem__(name, None) for name in {optional}]\nimport softanvil as sa\n" \
+             "s = sa.preset('study'); s.impactor.energy = '9.8 J'; sa.run(s).trace; sa.sweep(s, {'impactor.energy': [4.9]})"
+    subprocess.run([sys.executable, "-c", script], check=True)
