@@ -29,7 +29,9 @@ pub(crate) fn contact<S: Simd>(simd: S, model: &Model, state: &mut State, predic
     if constants.has_uneven_contact() {
         return rounded_face::contact(model, state, prediction);
     }
-    let Some(mut surface) = Surface::of(model, &mut state.nodes) else { return ContactWork::default() };
+    let StateNodes { displacement, velocity, force, contact, .. } = &mut state.nodes;
+    let surface = Surface::of(model, displacement, velocity, force, contact);
+    let Some(mut surface) = surface else { return ContactWork::default() };
     surface.find_free_heights(simd, constants);
     let mass = constants.moved_mass() / constants.symmetry_factor;
     // Of the slices alone: the surface stays where the compiler sees that its rows are of one length.
@@ -44,24 +46,29 @@ pub(crate) fn contact<S: Simd>(simd: S, model: &Model, state: &mut State, predic
 }
 
 /// The nodes at the surface.
-struct Surface<'s> {
-    row: NodeRow<'s>,
+pub(super) struct Surface<'s> {
+    pub row: NodeRow<'s>,
     /// Normal forces, N. Until they are known, the height of each node above the undeformed anvil's top at the end of a step
     /// without contact, m; far below where it is not under the face.
-    normal: &'s mut [Pack],
-    tangential: &'s mut [Pack],
+    pub normal: &'s mut [Pack],
+    pub tangential: &'s mut [Pack],
 }
 
 /// A height that no face reaches, m.
-const FAR_BELOW: Real = -1e30;
+pub(super) const FAR_BELOW: Real = -1e30;
 
 impl<'s> Surface<'s> {
     /// None if a row is too short, which the sizes of [`crate::mesh::Grid`] exclude.
     #[inline(always)]
-    fn of(model: &'s Model, nodes: &'s mut StateNodes<&mut [Real]>) -> Option<Self> {
+    pub fn of(
+        model: &'s Model,
+        displacement: &'s [&mut [Real]; 2],
+        velocity: &'s [&mut [Real]; 2],
+        force: &'s mut [&mut [Real]; 2],
+        [normal, tangential]: &'s mut [&mut [Real]; 2],
+    ) -> Option<Self> {
         let grid = &model.constants.grid;
-        let count = grid.stride() / LANES;
-        let StateNodes { displacement, velocity, force, contact: [normal, tangential], .. } = nodes;
+        let count = grid.plane() / LANES;
         Some(Self {
             row: NodeRow::of(model, grid.node_rows() - 1, displacement, velocity, force)?,
             normal: packs_mut(normal, 0, count)?,
@@ -93,7 +100,7 @@ impl<'s> Surface<'s> {
 
     /// The force that brings each penetrating node back to the face within the step; returns their sum in index order.
     #[inline(always)]
-    fn hold<S: Simd>(&mut self, simd: S, dt: Real, face: Real) -> Real {
+    pub fn hold<S: Simd>(&mut self, simd: S, dt: Real, face: Real) -> Real {
         let inverse_dt_squared = 1.0 / (dt * dt);
         let (zero, face, mut total) = (simd.splat(0.0), simd.splat(face), ZERO);
         for i in 0..self.normal.len() {
@@ -142,11 +149,11 @@ impl<'s> Surface<'s> {
 }
 
 /// The masses of the surface nodes, kg, and their free heights, m, under a face of a mass, kg.
-struct Touching<'s, S> {
-    simd: S,
-    masses: &'s [Pack],
-    heights: &'s [Pack],
-    impactor_mass: Real,
+pub(super) struct Touching<'s, S> {
+    pub simd: S,
+    pub masses: &'s [Pack],
+    pub heights: &'s [Pack],
+    pub impactor_mass: Real,
 }
 
 impl<S: Simd> FaceContact for Touching<'_, S> {

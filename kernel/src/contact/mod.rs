@@ -8,4 +8,6 @@ mod node_row;
 mod pairing;
 pub(crate) mod rigid_core;
 mod rounded_face;
+pub(crate) mod solid_core;
+pub(crate) mod solid_face;
 pub mod surface;

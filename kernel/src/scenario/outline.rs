@@ -46,7 +46,8 @@ impl Outline {
     /// That of the face of a legal `scenario`.
     pub fn of(scenario: &Scenario) -> Self {
         let half = scenario.face_half_width();
-        if !PADS {
+        // A solid has the edge of a flat face in its plane: the nodes beyond it are free.
+        if !PADS || scenario.geometry.formulation.is_solid() {
             return Self { flat: half, radius: 0.0 };
         }
         match scenario.impactor.shape {
@@ -77,10 +78,10 @@ impl Scenario {
     pub fn face_half_width(&self) -> Real {
         let impactor = &self.impactor;
         match (impactor.shape, self.geometry.formulation) {
-            (FaceShape::Rectangular, Formulation::PlaneStrain) => 0.5 * impactor.face_width,
             (FaceShape::Rectangular, Formulation::Axisymmetric) => {
                 math::sqrt(impactor.face_width * impactor.face_length / PI)
             }
+            (FaceShape::Rectangular, _) => 0.5 * impactor.face_width,
             (FaceShape::Round | FaceShape::Sphere | FaceShape::Bar, _) => 0.5 * impactor.face_diameter,
         }
     }

@@ -2,5 +2,6 @@
 
 mod assembly;
 mod construction;
+mod solid_assembly;
 mod time_step;
 mod trial;

@@ -51,7 +51,8 @@ impl<'a> State<'a> {
     #[inline(always)]
     pub fn view(model: &Model, memory: StateMemory<'a>) -> Result<Self, MemoryError> {
         let size = &model.constants.size;
-        let lengths = NodeArrays::new(&model.constants.grid, &model.constants.outline);
+        let constants = model.constants;
+        let lengths = NodeArrays::new(&constants.grid, &constants.outline, constants.solid_history_packs);
         let given = memory.nodes.len();
         let mut nodes = take(memory.nodes, size.state_nodes, "state nodes")?;
         let nodes = StateNodes::of(&lengths, |n| split_row(&mut nodes, n));

@@ -75,7 +75,7 @@ impl<'a> StateView<'a> {
     /// Too little memory.
     pub fn new(model: &Model, scalars: &'a Scalars, content: StateContent<'a>) -> Result<Self, MemoryError> {
         let (constants, size) = (model.constants, &model.constants.size);
-        let lengths = NodeArrays::new(&constants.grid, &constants.outline);
+        let lengths = NodeArrays::new(&constants.grid, &constants.outline, constants.solid_history_packs);
         let mut nodes = content.nodes;
         let row = |n| {
             let (row, rest) = nodes.split_at_checked(n)?;

@@ -13,6 +13,7 @@ use crate::number::real::Real;
 use crate::number::vector::{Scalar, Simd, Vector, Work};
 use crate::state::{ContactWork, Forces, Rows, State, StateNodes, StepWork, corners};
 use crate::step::monitor;
+use crate::step::solid_advance::SolidAdvance;
 use crate::tensor::deviator::Deviator;
 
 /// Advances `state` by one step of `model.constants.dt`: central difference, from the positions at n and the velocities
@@ -81,6 +82,9 @@ pub(crate) fn advance_once(
     state: &mut State,
     input: &StepInput,
 ) -> Result<(), StepError> {
+    if model.constants.grid.is_solid() {
+        return set.run(SolidAdvance { model, state, input });
+    }
     set.run(Advance { model, state, input })
 }
 
@@ -227,7 +231,7 @@ fn first_inverted(model: &Model, state: &State) -> StepError {
 /// Moves the nodes under their forces; returns the kinetic energy of the section at the forces, from the velocities on both
 /// sides, and after their impulse.
 #[inline(always)]
-fn move_nodes<S: Simd>(simd: S, model: &Model, state: &mut State) -> [Real; 2] {
+pub(super) fn move_nodes<S: Simd>(simd: S, model: &Model, state: &mut State) -> [Real; 2] {
     let dt = model.constants.dt;
     let (fixed, nodes) = (&model.nodes, &mut state.nodes);
     let StateNodes { displacement: [ux, uy], velocity: [vx, vy], force: [fx, fy], .. } = nodes;
@@ -237,7 +241,7 @@ fn move_nodes<S: Simd>(simd: S, model: &Model, state: &mut State) -> [Real; 2] {
 }
 
 #[inline(always)]
-fn move_along<S: Simd>(
+pub(super) fn move_along<S: Simd>(
     simd: S,
     dt: Real,
     [mass, inverse_mass]: [&[Real]; 2],
@@ -264,7 +268,7 @@ fn move_along<S: Simd>(
 
 /// Records the forces of the step and what the laboratory would read.
 #[inline(always)]
-fn measure(model: &Model, state: &mut State, face: &ContactWork, core: &ContactWork, velocity_before: Real) {
+pub(super) fn measure(model: &Model, state: &mut State, face: &ContactWork, core: &ContactWork, velocity_before: Real) {
     let constants = &model.constants;
     let scalars = &mut state.scalars;
     scalars.force = Forces {

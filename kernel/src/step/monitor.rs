@@ -43,20 +43,20 @@ pub(crate) fn check<S: Simd>(simd: S, model: &Model, state: &State) -> Result<()
 }
 
 /// The cells that a step visits: groups of neighbours.
-struct MonitorWindow {
+pub(super) struct MonitorWindow {
     /// Cells of a group, a divisor of [`LANES`].
-    group: usize,
+    pub group: usize,
     /// The first group.
     first: usize,
     /// Number of groups.
-    count: usize,
+    pub count: usize,
     /// Groups of the mesh, after the last of which comes the first.
     of: usize,
 }
 
 impl MonitorWindow {
     /// Of the step `step_index`, for a mesh of so many `cells`, padding included.
-    fn new(cells: usize, step_index: u64) -> Self {
+    pub fn new(cells: usize, step_index: u64) -> Self {
         let each = cells.div_ceil(MONITOR_PERIOD);
         let (group, count, of) = if each > MIN_GROUP {
             (LANES, each.div_ceil(LANES), cells / LANES)
@@ -68,7 +68,7 @@ impl MonitorWindow {
     }
 
     /// The first cell of the group `turn`.
-    fn cell(&self, turn: usize) -> usize {
+    pub fn cell(&self, turn: usize) -> usize {
         let place = self.first + turn;
         self.group * if place < self.of { place } else { place - self.of }
     }
@@ -77,7 +77,7 @@ impl MonitorWindow {
 /// The error of the cell with the smallest limit.
 #[cold]
 #[inline(never)]
-fn failure(model: &Model, state: &State) -> StepError {
+pub(super) fn failure(model: &Model, state: &State) -> StepError {
     let (limit, element) = critical_time_step(model, state);
     let constants = &model.constants;
     StepError::Unstable { element, time: constants.time(state.scalars.step_index), limit, step: constants.dt }

@@ -19,6 +19,7 @@ use crate::number::pack::{LANES, ZERO};
 use crate::number::real::Real;
 use crate::number::vector::{Simd, Vector, Work};
 use crate::state::State;
+use crate::step::solid_stable_step::SolidCells;
 use crate::tensor::kinematics::Kinematics;
 use crate::tensor::stretch::{IsochoricStretch, largest_in_plane};
 
@@ -26,6 +27,10 @@ use crate::tensor::stretch::{IsochoricStretch, largest_in_plane};
 /// sets it.
 #[inline(never)]
 pub fn critical_time_step(model: &Model, state: &State) -> (Real, u32) {
+    if model.constants.grid.is_solid() {
+        let critical = SolidCells::of(model, state).critical(Real::MAX);
+        return critical.map_or((Real::INFINITY, 0), |found| (math::sqrt(found.limit_squared), found.element));
+    }
     let cells = Cells { constants: model.constants, cells: model.cells, hoops: model.hoops };
     let critical = cells.critical(&|block| state.cells.get(block), Real::MAX);
     critical.map_or((Real::INFINITY, 0), |found| (math::sqrt(found.limit_squared), found.element))
@@ -118,7 +123,7 @@ impl Work for Search<'_, '_, '_> {
 
 /// Whether any of the numbers is not 0.
 #[inline(always)]
-fn any<S: Simd>(simd: S, numbers: S::Vector) -> bool {
+pub(super) fn any<S: Simd>(simd: S, numbers: S::Vector) -> bool {
     let mut pack = ZERO;
     simd.store(numbers, &mut pack, 0);
     pack != ZERO
