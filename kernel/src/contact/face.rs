@@ -46,21 +46,21 @@ pub(crate) fn contact<S: Simd>(simd: S, model: &Model, state: &mut State, predic
 }
 
 /// The nodes at the surface.
-pub(super) struct Surface<'s> {
-    pub row: NodeRow<'s>,
+struct Surface<'s> {
+    row: NodeRow<'s>,
     /// Normal forces, N. Until they are known, the height of each node above the undeformed anvil's top at the end of a step
     /// without contact, m; far below where it is not under the face.
-    pub normal: &'s mut [Pack],
-    pub tangential: &'s mut [Pack],
+    normal: &'s mut [Pack],
+    tangential: &'s mut [Pack],
 }
 
 /// A height that no face reaches, m.
-pub(super) const FAR_BELOW: Real = -1e30;
+const FAR_BELOW: Real = -1e30;
 
 impl<'s> Surface<'s> {
     /// None if a row is too short, which the sizes of [`crate::mesh::Grid`] exclude.
     #[inline(always)]
-    pub fn of(
+    fn of(
         model: &'s Model,
         displacement: &'s [&mut [Real]; 2],
         velocity: &'s [&mut [Real]; 2],
@@ -100,7 +100,7 @@ impl<'s> Surface<'s> {
 
     /// The force that brings each penetrating node back to the face within the step; returns their sum in index order.
     #[inline(always)]
-    pub fn hold<S: Simd>(&mut self, simd: S, dt: Real, face: Real) -> Real {
+    fn hold<S: Simd>(&mut self, simd: S, dt: Real, face: Real) -> Real {
         let inverse_dt_squared = 1.0 / (dt * dt);
         let (zero, face, mut total) = (simd.splat(0.0), simd.splat(face), ZERO);
         for i in 0..self.normal.len() {
@@ -149,11 +149,11 @@ impl<'s> Surface<'s> {
 }
 
 /// The masses of the surface nodes, kg, and their free heights, m, under a face of a mass, kg.
-pub(super) struct Touching<'s, S> {
-    pub simd: S,
-    pub masses: &'s [Pack],
-    pub heights: &'s [Pack],
-    pub impactor_mass: Real,
+struct Touching<'s, S> {
+    simd: S,
+    masses: &'s [Pack],
+    heights: &'s [Pack],
+    impactor_mass: Real,
 }
 
 impl<S: Simd> FaceContact for Touching<'_, S> {

@@ -4,9 +4,9 @@ use crate::number::math;
 use crate::number::real::Real;
 use crate::number::vector::Vector;
 
-/// `force` in two directions, its size limited to `limit`, N.
-pub(super) fn limited_pair(force: [Real; 2], limit: Real) -> [Real; 2] {
-    let size = math::sqrt(force[0] * force[0] + force[1] * force[1]);
+/// `force`, its size limited to `limit`, N.
+pub(super) fn limited_vector(force: [Real; 3], limit: Real) -> [Real; 3] {
+    let size = math::sqrt(force[0] * force[0] + force[1] * force[1] + force[2] * force[2]);
     if size > limit { force.map(|force| force * (limit / size)) } else { force }
 }
 

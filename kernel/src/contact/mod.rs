@@ -10,4 +10,5 @@ pub(crate) mod rigid_core;
 mod rounded_face;
 pub(crate) mod solid_core;
 pub(crate) mod solid_face;
+mod solid_node;
 pub mod surface;

@@ -3,7 +3,7 @@
 use crate::mesh::columns::cells_along;
 use crate::number::math;
 use crate::number::real::Real;
-use crate::scenario::{Body, FaceShape, Scenario, Symmetry};
+use crate::scenario::{Body, FaceShape, Outline, Scenario, Symmetry};
 
 /// Slices of cells on one side of z = 0. In a section there are none.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,13 +28,15 @@ impl Slices {
             return Self { half: columns, face: columns, face_z: 1.0, end_z: 1.0 };
         }
         let (size, end_z) = (scenario.mesh.element_size, 0.5 * scenario.geometry.length);
-        let impactor = &scenario.impactor;
-        let face_half_length = match impactor.shape {
-            FaceShape::Rectangular => 0.5 * impactor.face_length,
-            _ => 0.5 * impactor.face_diameter,
+        let outline = Outline::of(scenario);
+        let flat = match scenario.impactor.shape {
+            _ if outline.radius == 0.0 => end_z,
+            FaceShape::Rectangular | FaceShape::Bar => scenario.face_flat_length(&outline),
+            FaceShape::Round => outline.flat,
+            FaceShape::Sphere => 0.0,
         };
         // A node bears what lies halfway to its neighbours, so the last one under the face is half a cell inside its edge.
-        let face_z = face_half_length - 0.5 * size;
+        let face_z = flat - 0.5 * size;
         if face_z < size || end_z - face_z < 0.5 * size {
             let half = cells_along(end_z, size) as usize;
             return Self { half, face: half, face_z: end_z, end_z };

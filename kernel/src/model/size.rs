@@ -15,6 +15,9 @@ pub(crate) const SURFACE_FIELDS: usize = 2;
 /// Numbers per surface node under a face that is round or has edges: depth in it, its direction there, and the node's mass.
 pub(crate) const ROUNDING_FIELDS: usize = 4;
 
+/// The same of a solid: see [`crate::contact`].
+pub(crate) const SOLID_TOUCH_FIELDS: usize = 8;
+
 /// Numbers of a node that may touch the layer across an interface: see [`crate::state::Pair`].
 pub(crate) const PAIR_FIELDS: usize = 16;
 
@@ -38,6 +41,8 @@ impl NodeArrays {
     pub fn new(grid: &Grid, outline: &Outline, history_packs: usize) -> Self {
         let rounding =
             if outline.radius > 0.0 || !grid.has_even_surface() { ROUNDING_FIELDS * grid.stride() } else { 0 };
+        // Under a solid every face counts as one with edges.
+        let rounding = if grid.is_solid() { SOLID_TOUCH_FIELDS * grid.plane() } else { rounding };
         let sides = 2 * grid.layer_open.iter().filter(|open| **open).count();
         let solid = if grid.is_solid() { SolidArrays::of_state(grid, history_packs).total() } else { 0 };
         Self {

@@ -80,9 +80,6 @@ impl Scenario {
                 return refused(Name::of_layer(layer, "interface"), "bonded");
             }
         }
-        if matches!(impactor.shape, FaceShape::Sphere | FaceShape::Bar) {
-            return refused("impactor.shape".into(), "round or rectangular");
-        }
         if self.geometry.symmetry == Symmetry::Quarter && impactor.offset != 0.0 {
             return refused("impactor.offset".into(), "0 m with geometry.symmetry = quarter");
         }

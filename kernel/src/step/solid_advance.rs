@@ -31,7 +31,7 @@ impl Work for SolidAdvance<'_, '_, '_> {
         let core = solid_core::react(model, state);
         let prediction = state.scalars.impactor.predict(model, input, state.scalars.step_index);
         let before = state.scalars.impactor.velocity_half;
-        let face = solid_face::contact(simd, model, state, &prediction);
+        let face = solid_face::contact(model, state, &prediction);
         state.scalars.contact_half_width = surface::contact_half_width(model, &state.as_view());
         let layer_kinetic = move_solid(simd, model, state);
         monitor::guard(model, state, model.constants.symmetry_factor * layer_kinetic[0])?;
