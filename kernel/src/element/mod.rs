@@ -13,6 +13,7 @@ pub(crate) mod solid_bound;
 mod solid_cell;
 mod solid_force;
 mod solid_history;
+mod solid_recovery;
 mod solid_response;
 pub(crate) mod whole_bound;
 mod whole_response;
@@ -30,4 +31,5 @@ pub(crate) use solid_cell::{
     SOLID_BLOCK_PACKS, SolidBlock, SolidConstants, SolidCorners, TETRAHEDRON_PACKS, VOLUME, store_cell,
 };
 pub(crate) use solid_force::{gradients as solid_gradients, solid_force};
-pub(crate) use solid_history::{SolidHistory, solid_history_packs};
+pub(crate) use solid_history::solid_history_packs;
+pub(crate) use solid_recovery::recover_solid;

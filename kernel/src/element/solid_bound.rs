@@ -46,7 +46,8 @@ impl<V: Vector> SolidMatrix<V> {
                 stretch = stretch.plus(&Symmetric::load(simd, packs, chunk));
             }
             let fraction = simd.load(&packs[VOLUME], chunk) * inverse_volume;
-            assembly.add(simd, chunk, block, packs, path, &stretch, fraction);
+            let gradients = node_gradients(simd, chunk, packs, &stretch);
+            assembly.add(simd, block, path, &stretch, &gradients, fraction);
         }
         assembly.complete(simd, block)
     }
@@ -105,21 +106,19 @@ impl<V: Vector> SolidMatrix<V> {
 }
 
 impl<V: Vector> Assembly<V> {
-    /// Adds a tetrahedron of each cell, which has the part `fraction` of its volume.
+    /// Adds a tetrahedron of each cell along a `path`, whose corners have these gradients, with the part `fraction` of its volume.
     #[inline(always)]
     fn add<S: Simd<Vector = V>>(
         &mut self,
         simd: S,
-        chunk: usize,
         block: &SolidBlock,
-        packs: &[Pack; TETRAHEDRON_PACKS],
         path: [usize; 3],
         stretch: &Symmetric<V>,
+        gradients: &[[V; 3]; 4],
         fraction: V,
     ) {
         let stretches = stretch.principal(simd).values;
         let [shear, own_bulk] = block.laws.solid_tangent(simd, stretches);
-        let gradients = node_gradients(simd, chunk, packs, stretch);
         let (shear_part, bulk_part) = (fraction * shear, fraction * own_bulk);
         let trace_part = bulk_part - shear_part.mul_scalar(2.0 * THIRD);
         let corners = path_corners(path);

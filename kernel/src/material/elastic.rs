@@ -14,7 +14,7 @@ use crate::material::union::{distinct, n_distinct, places};
 use crate::material::{ArrudaBoyce, Gent, MooneyRivlin, NeoHookean, Ogden, Yeoh};
 use crate::number::real::Real;
 use crate::number::vector::{Scalar, Simd};
-use crate::tensor::deviator::{Deviator, Deviatoric};
+use crate::tensor::deviator::Deviator;
 use crate::tensor::kinematics::Kinematics;
 use crate::tensor::solid_deviator::SolidDeviator;
 use crate::tensor::solid_kinematics::SolidKinematics;
@@ -160,7 +160,7 @@ macro_rules! laws {
                     $(Self::$law(law) => by_kind!(
                         $kind,
                         law.solid_response(simd, kinematics),
-                        { let _ = law; (SolidDeviator::uniform(simd.splat(0.0)), simd.splat(0.0)) }
+                        { let _ = law; (SolidDeviator::none(simd), simd.splat(0.0)) }
                     ),)+
                 }
             }

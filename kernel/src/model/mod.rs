@@ -11,4 +11,3 @@ pub(crate) use memory::{ModelArrays, split_row, take};
 pub use size::Size;
 pub(crate) use size::{MODEL_NODE_FIELDS, NodeArrays, PAIR_FIELDS, SOLID_TOUCH_FIELDS, SolidArrays, history_packs};
 pub use view::Model;
-pub(crate) use view::SolidModel;

@@ -30,6 +30,13 @@ impl<'s> SolidState<'s> {
         let (displacement, velocity, force, friction) = (row(nodes), row(nodes), row(nodes), row(surface));
         Self { displacement, velocity, force, friction, history: numbers.as_chunks_mut().0 }
     }
+
+    /// No displacement, no velocity and no force; histories stay.
+    pub fn stand_still(self) {
+        for row in [self.displacement, self.velocity, self.force, self.friction] {
+            row.fill(0.0);
+        }
+    }
 }
 
 /// The same, to be read.

@@ -3,7 +3,6 @@
 use core::ops::{Add, Sub};
 
 use crate::number::pack::Pack;
-use crate::number::real::Real;
 use crate::number::vector::{Simd, Vector};
 use crate::tensor::deviator::{Deviatoric, SQRT_THIRD};
 use crate::tensor::symmetric::Symmetric;
@@ -28,6 +27,12 @@ pub struct SolidDeviator<T> {
 }
 
 impl<V: Vector> SolidDeviator<V> {
+    /// No stress, no strain.
+    #[inline(always)]
+    pub fn none<S: Simd<Vector = V>>(simd: S) -> Self {
+        Self::uniform(simd.splat(0.0))
+    }
+
     /// The deviator of a tensor.
     #[inline(always)]
     pub fn of(tensor: &Symmetric<V>) -> Self {
@@ -134,6 +139,3 @@ impl<V: Vector> Sub for SolidDeviator<V> {
         }
     }
 }
-
-/// No stress, no strain.
-pub const NO_DEVIATOR: SolidDeviator<Real> = SolidDeviator { mean: 0.0, difference: 0.0, shear: 0.0, yz: 0.0, zx: 0.0 };

@@ -207,12 +207,6 @@ impl<V: Vector> Symmetric<V> {
         }
         Principal { values: [rows[0][0], rows[1][1], rows[2][2]], directions }
     }
-
-    /// Principal values, in no order.
-    #[inline(always)]
-    pub(crate) fn principal_values<S: Simd<Vector = V>>(&self, simd: S) -> [V; 3] {
-        self.principal(simd).values
-    }
 }
 
 /// Turns the axes p and q so that nothing is left between them; gives cosine and sine of the angle.
