@@ -54,7 +54,7 @@ impl<V: Vector> SolidMatrix<V> {
 
     /// 1 where the step of this square is too large, 0 elsewhere and where the state is not a number.
     #[inline(always)]
-    pub fn unstable<S: Simd<Vector = V>>(&self, simd: S, step_squared: V) -> V {
+    fn unstable<S: Simd<Vector = V>>(&self, simd: S, step_squared: V) -> V {
         let (zero, one) = (simd.splat(0.0), simd.splat(1.0));
         let mut rows = [[zero; N]; N];
         for i in 0..N {
@@ -88,12 +88,13 @@ impl<V: Vector> SolidMatrix<V> {
         }
         // The largest eigenvalue lies between the mean of all and their sum.
         let mut stable = simd.splat(1.0) / trace.max(simd.splat(Real::MIN_POSITIVE));
-        let mut beyond = stable.mul_scalar(N as Real);
-        beyond = beyond.select_greater(bound, bound, beyond);
-        let mut probe = beyond;
+        stable = stable.select_greater(bound, bound, stable);
+        let (mut beyond, mut probe) = (bound, bound);
         for _ in 0..=HALVINGS {
             let lost = self.unstable(simd, probe);
             (stable, beyond) = (lost.select_greater(zero, stable, probe), lost.select_greater(zero, probe, beyond));
+            let most = stable.mul_scalar(N as Real);
+            beyond = beyond.select_greater(most, most, beyond);
             probe = (stable + beyond).mul_scalar(0.5);
             let mut open = ZERO;
             simd.store(beyond - stable, &mut open, 0);

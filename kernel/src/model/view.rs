@@ -123,6 +123,11 @@ impl<'a> Model<'a> {
         self.solid().reference_z
     }
 
+    /// Lumped mass of the node in column `u`, row `v` and slice `w`, kg; 0 where there is none.
+    pub fn nodal_mass(&self, u: usize, v: usize, w: usize) -> Real {
+        self.nodes.nodal_mass.get(self.constants.grid.node(u, v, w)).copied().unwrap_or_default()
+    }
+
     /// Positions of the nodes at rest, m, in rows of [`crate::mesh::Grid::stride`] from the core to the surface, the first
     /// `n_u + 1` of each row in use.
     pub fn reference_position(&self) -> [&[Real]; 2] {

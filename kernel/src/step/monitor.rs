@@ -67,6 +67,11 @@ impl MonitorWindow {
         Self { group, first: first as usize * count, count, of }
     }
 
+    /// All `cells` of a mesh.
+    pub fn whole(cells: usize) -> Self {
+        Self { group: LANES, first: 0, count: cells / LANES, of: cells / LANES }
+    }
+
     /// The first cell of the group `turn`.
     pub fn cell(&self, turn: usize) -> usize {
         let place = self.first + turn;

@@ -27,7 +27,7 @@ impl Work for SolidAdvance<'_, '_, '_> {
         let Self { model, state, input } = self;
         let mut energy = ElementEnergy::ZERO;
         internal_forces(simd, model, state, &mut energy)?;
-        solid_stable_step::check(simd, model, state)?;
+        solid_stable_step::check(model, state)?;
         let core = solid_core::react(model, state);
         let prediction = state.scalars.impactor.predict(model, input, state.scalars.step_index);
         let before = state.scalars.impactor.velocity_half;

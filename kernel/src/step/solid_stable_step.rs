@@ -12,7 +12,7 @@ use crate::number::real::Real;
 use crate::number::vector::{Scalar, Simd, Work};
 use crate::state::{SolidView, State};
 use crate::step::monitor::{self, MonitorWindow};
-use crate::step::stable_step::{Critical, any};
+use crate::step::stable_step::Critical;
 use crate::tensor::symmetric::Symmetric;
 
 /// The cells of a solid.
@@ -42,7 +42,12 @@ impl<'m> SolidCells<'m> {
 
     /// The cell with the smallest limit whose square is below `bound`, s2; none if there is none.
     pub fn critical(&self, bound: Real) -> Option<Critical> {
-        InstructionSet::best().run(Search { cells: self, bound })
+        self.critical_of(MonitorWindow::whole(self.blocks.len() * LANES), bound)
+    }
+
+    /// The same among the cells of a `window`.
+    fn critical_of(&self, window: MonitorWindow, bound: Real) -> Option<Critical> {
+        InstructionSet::best().run(Search { cells: self, window, bound })
     }
 
     /// Packs of the history of a block; nothing at rest.
@@ -50,13 +55,6 @@ impl<'m> SolidCells<'m> {
     fn history_of(&self, block: usize) -> &'m [Pack] {
         let share = TETRAHEDRA * self.constants.solid_history_packs;
         self.history.get(block * share..(block + 1) * share).unwrap_or_default()
-    }
-
-    #[inline(always)]
-    fn matrix<S: Simd>(&self, simd: S, chunk: usize, index: usize) -> Option<SolidMatrix<S::Vector>> {
-        let ([row, _], _) = self.constants.grid.solid_place(index);
-        let block = SolidBlock { laws: self.constants.laws_of_row(row), constants: self.blocks.get(index)? };
-        Some(SolidMatrix::new(simd, chunk, &block, self.history_of(index)))
     }
 
     /// Whether a cell is there, or padding.
@@ -67,9 +65,10 @@ impl<'m> SolidCells<'m> {
     }
 }
 
-/// The search for the smallest limit, as work for an instruction set.
+/// The search for the smallest limit, as work for an instruction set: the one copy of it all.
 struct Search<'c, 'm> {
     cells: &'c SolidCells<'m>,
+    window: MonitorWindow,
     bound: Real,
 }
 
@@ -78,24 +77,24 @@ impl Work for Search<'_, '_> {
 
     #[inline(always)]
     fn run<S: Simd>(self, simd: S) -> Option<Critical> {
-        let Self { cells, mut bound } = self;
-        let mut critical = None;
-        for index in 0..cells.blocks.len() {
-            for chunk in 0..LANES / S::WIDTH {
-                let step_squared = simd.splat(bound);
-                let Some(matrix) = cells.matrix(simd, chunk, index) else { continue };
-                if !any(simd, matrix.unstable(simd, step_squared)) {
-                    continue;
-                }
+        let Self { cells, window, mut bound } = self;
+        let (constants, mut critical) = (cells.constants, None);
+        for turn in 0..window.count {
+            let (index, start) = (window.cell(turn) / LANES, window.cell(turn) % LANES);
+            let ([row, _], _) = constants.grid.solid_place(index);
+            let Some(block) = cells.blocks.get(index) else { continue };
+            let block = SolidBlock { laws: constants.laws_of_row(row), constants: block };
+            for chunk in start / S::WIDTH..(start + window.group).div_ceil(S::WIDTH) {
+                let matrix = SolidMatrix::new(simd, chunk, &block, cells.history_of(index));
                 let mut limits = ZERO;
-                simd.store(matrix.limit_squared(simd, step_squared), &mut limits, chunk);
-                for l in chunk * S::WIDTH..(chunk + 1) * S::WIDTH {
+                simd.store(matrix.limit_squared(simd, simd.splat(bound)), &mut limits, chunk);
+                for l in (chunk * S::WIDTH).max(start)..((chunk + 1) * S::WIDTH).min(start + window.group) {
                     let limit_squared = limits[l % LANES];
-                    if cells.has_cell(index, l) && limit_squared < bound {
+                    if limit_squared < bound && cells.has_cell(index, l) {
                         bound = limit_squared;
-                        let element = cells.constants.grid.element_index(index, l, 0);
-                        let stretch = smallest_stretch(cells, index, l);
-                        critical = Some(Critical { limit_squared, element, stretch });
+                        let element = constants.grid.element_index(index, l, 0);
+                        critical =
+                            Some(Critical { limit_squared, element, stretch: smallest_stretch(cells, index, l) });
                     }
                 }
             }
@@ -119,21 +118,11 @@ fn smallest_stretch(cells: &SolidCells, block: usize, l: usize) -> Real {
 ///
 /// # Errors
 /// The cell with the smallest limit, where that of one of them is below the step.
-#[inline(always)]
-pub(super) fn check<S: Simd>(simd: S, model: &Model, state: &State) -> Result<(), StepError> {
-    let window = MonitorWindow::new(model.solid().blocks.len() * LANES, state.scalars.step_index);
-    let step_squared = simd.splat(model.constants.dt * model.constants.dt);
-    let mut exceeded = false;
+pub(super) fn check(model: &Model, state: &State) -> Result<(), StepError> {
     let cells = SolidCells::of(model, state);
-    for turn in 0..window.count {
-        let (block, start) = (window.cell(turn) / LANES, window.cell(turn) % LANES);
-        for chunk in start / S::WIDTH..(start + window.group).div_ceil(S::WIDTH) {
-            let Some(matrix) = cells.matrix(simd, chunk, block) else { continue };
-            let mut lost = ZERO;
-            simd.store(matrix.unstable(simd, step_squared), &mut lost, chunk);
-            let (first, end) = (start.max(chunk * S::WIDTH), (start + window.group).min((chunk + 1) * S::WIDTH));
-            exceeded |= lost.get(first..end).unwrap_or_default().iter().any(|lost| *lost > 0.0);
-        }
+    let window = MonitorWindow::new(cells.blocks.len() * LANES, state.scalars.step_index);
+    match cells.critical_of(window, model.constants.dt * model.constants.dt) {
+        Some(_) => Err(monitor::failure(model, state)),
+        None => Ok(()),
     }
-    if exceeded { Err(monitor::failure(model, state)) } else { Ok(()) }
 }

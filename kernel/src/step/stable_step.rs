@@ -123,7 +123,7 @@ impl Work for Search<'_, '_, '_> {
 
 /// Whether any of the numbers is not 0.
 #[inline(always)]
-pub(super) fn any<S: Simd>(simd: S, numbers: S::Vector) -> bool {
+fn any<S: Simd>(simd: S, numbers: S::Vector) -> bool {
     let mut pack = ZERO;
     simd.store(numbers, &mut pack, 0);
     pack != ZERO

@@ -135,7 +135,7 @@ pub fn sliding_slab(friction: f64, element_size: f64) -> [f64; 2] {
             step(model, state, &input).expect("a step");
         };
         for _ in 0..(5e-3 / dt) as usize {
-            damp(state, 1.0 - dt / 0.5e-3);
+            damp(model, state, 1.0 - dt / 0.5e-3);
             advance(state);
         }
         let start = slab(model, state);
