@@ -52,7 +52,12 @@ fn centre_forces<'a>(model: &Model, state: &StateView<'a>) -> &'a [Real] {
 
 /// Contact pressure at the surface node of `column`, Pa: its normal force over the current area that belongs to it, from
 /// midway to the node before to midway to the node after.
+///
+/// Of a solid in the plane z = 0; see [`solid_contact_pressure`].
 pub fn contact_pressure(model: &Model, state: &StateView, column: usize) -> Option<Real> {
+    if model.constants.grid.is_solid() {
+        return solid_contact_pressure(model, state, model.constants.grid.centre_w, column);
+    }
     let x = surface_position(model, state, column)?[0];
     let middle = |other: Option<usize>| {
         other.and_then(|c| surface_position(model, state, c)).map_or(x, |position| 0.5 * (x + position[0]))
@@ -64,5 +69,29 @@ pub fn contact_pressure(model: &Model, state: &StateView, column: usize) -> Opti
         _ => out_of_plane(scenario, x) * (right - left),
     };
     let force = *state.contact_force()[0].get(column)?;
+    Some(if area > 0.0 { force / area } else { 0.0 })
+}
+
+/// Contact pressure at the surface node of `column` in `slice` of a solid, Pa: its normal force over a quarter of each of the cells
+/// about it as they are now, in the plane of the face.
+pub(crate) fn solid_contact_pressure(model: &Model, state: &StateView, slice: usize, column: usize) -> Option<Real> {
+    let grid = &model.constants.grid;
+    let first = grid.node(0, grid.node_rows() - 1, 0);
+    let [x, _] = model.reference_position();
+    let ([ux, _], [uz, ..], z) = (state.displacement(), state.along_z(model), model.reference_z());
+    let place = |u: usize, w: usize| {
+        let node = first + w * grid.stride() + u;
+        Some([x.get(node)? + ux.get(node)?, z.get(node)? + uz.get(node)?])
+    };
+    let mut area = 0.0;
+    for (u, w) in [(0, 0), (1, 0), (0, 1), (1, 1)] {
+        let (Some(u), Some(w)) = ((column + u).checked_sub(1), (slice + w).checked_sub(1)) else { continue };
+        if u < grid.n_u && w < grid.n_w {
+            let [a, b, c, d] = [place(u, w)?, place(u + 1, w)?, place(u + 1, w + 1)?, place(u, w + 1)?];
+            // Half the product of the diagonals.
+            area += 0.125 * ((c[0] - a[0]) * (d[1] - b[1]) - (c[1] - a[1]) * (d[0] - b[0]));
+        }
+    }
+    let force = *state.contact_force()[0].get(slice * grid.stride() + column)?;
     Some(if area > 0.0 { force / area } else { 0.0 })
 }

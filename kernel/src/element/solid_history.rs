@@ -3,8 +3,10 @@
 use crate::features::PADS;
 use crate::material::{Material, MaterialModel};
 use crate::number::pack::Pack;
-use crate::tensor::solid_deviator::DEVIATOR_PACKS;
-use crate::tensor::symmetric::SYMMETRIC_PACKS;
+use crate::number::real::Real;
+use crate::number::vector::Scalar;
+use crate::tensor::solid_deviator::{DEVIATOR_PACKS, SolidDeviator};
+use crate::tensor::symmetric::{SYMMETRIC_PACKS, Symmetric};
 
 /// What one tetrahedron of each cell remembers.
 pub(crate) struct SolidHistory<'h> {
@@ -62,5 +64,39 @@ impl<'h> SolidHistory<'h> {
             (softening, packs) = (Some(first), rest);
         }
         Some(Self { stretch, elastic, slider, terms: terms.as_chunks_mut().0, tear, softening, mean: packs })
+    }
+}
+
+/// What one tetrahedron of one cell remembers, to be read.
+pub(crate) struct SolidMemory {
+    /// Right stretch U of the last step.
+    pub stretch: Symmetric<Real>,
+    /// Deviator of the Kirchhoff stress of the last step in the unrotated frame, Pa, before any tear.
+    pub deviator: SolidDeviator<Real>,
+    /// Mean Kirchhoff stress of a compressible law likewise, Pa; 0 of others.
+    pub mean: Real,
+    /// Largest principal stretch so far, where the material can tear; 1 otherwise.
+    pub largest_stretch: Real,
+}
+
+impl SolidMemory {
+    /// Of lane `l` of the packs of a tetrahedron; none if there are too few.
+    pub fn of(laws: &MaterialModel, packs: &[Pack], l: usize) -> Option<Self> {
+        let (stretch, packs) = packs.split_first_chunk()?;
+        let stresses = 1 + usize::from(laws.slider.active()) + laws.n_term();
+        let (stresses, packs) = packs.split_at_checked(DEVIATOR_PACKS * stresses)?;
+        let mut deviator = SolidDeviator::none(Scalar);
+        for stress in stresses.as_chunks().0 {
+            deviator = deviator + SolidDeviator::load(Scalar, stress, l);
+        }
+        let at = |place: usize| packs.get(place).and_then(|pack| pack.get(l)).copied();
+        let before_mean = 2 * (usize::from(laws.tear.active()) + usize::from(laws.softening.active()));
+        let largest_stretch = if laws.tear.active() { 1.0 + at(0)? } else { 1.0 };
+        let mut mean = 0.0;
+        if laws.elastic.is_compressible() {
+            (0..=laws.prony.n_term()).for_each(|term| mean += at(before_mean + term).unwrap_or_default());
+        }
+        let unit = Symmetric::unit(1.0, 0.0);
+        Some(Self { stretch: Symmetric::load(Scalar, stretch, l).plus(&unit), deviator, mean, largest_stretch })
     }
 }

@@ -10,8 +10,8 @@ use core::ops::Range;
 
 use crate::error::ModelError;
 use crate::features::{PADS, SOLID};
-use crate::mesh::cell::TETRAHEDRA;
 use crate::mesh::columns::{MAX_PIECES, Piece, cells_along, layer_across, pieces};
+use crate::mesh::paths::TETRAHEDRA;
 use crate::mesh::slices::{Slices, meshed};
 use crate::number::math;
 use crate::number::pack::{LANES, Pack};

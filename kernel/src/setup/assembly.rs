@@ -13,10 +13,8 @@ use crate::sampling::SAMPLING_INTERVAL;
 use crate::scenario::parameter::Parameter;
 use crate::scenario::preset::elastic_silicone;
 use crate::scenario::{Formulation, Interface, Outline, Scenario, Section, Symmetry};
+use crate::setup::numbers::{Positions, put};
 use crate::setup::solid_assembly::build_solid;
-
-/// Where the nodes of column u, row v and slice w rest, m; a section has the one slice 0 and no z.
-pub(crate) type Positions<'p> = &'p dyn Fn([usize; 3]) -> [Real; 3];
 
 /// Fills `arrays` with the model of `scenario` whose nodes rest at `position([u, v, w])`, m, and `place` with its constants, for steps
 /// of a sampling interval until [`Constants::set_step`] says otherwise; without a [`fingerprint`]. Apart, so that what it needs leaves the stack.
@@ -157,13 +155,6 @@ fn build_nodes(scenario: &Scenario, grid: &Grid, position: Positions, cells: &[C
             put(inverse_x, node, if fixed[0] { 0.0 } else { inverse_mass });
             put(inverse_y, node, if fixed[1] { 0.0 } else { inverse_mass });
         }
-    }
-}
-
-/// Sets one number; nothing past the end, which the sizes exclude.
-pub(super) fn put(row: &mut [Real], node: usize, value: Real) {
-    if let Some(place) = row.get_mut(node) {
-        *place = value;
     }
 }
 

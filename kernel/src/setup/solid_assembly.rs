@@ -9,7 +9,7 @@ use crate::model::{MODEL_NODE_FIELDS, split_row};
 use crate::number::pack::{LANES, ZERO};
 use crate::number::real::Real;
 use crate::scenario::{Body, Ends, Interface, Scenario, Symmetry};
-use crate::setup::assembly::{Positions, put};
+use crate::setup::numbers::{Positions, put};
 
 /// Fills the numbers of the nodes of a model, those of the tetrahedra among them.
 ///

@@ -13,7 +13,8 @@ use crate::number::math;
 use crate::number::real::{self, Real};
 use crate::sampling::{MAX_STEPS_PER_SAMPLE, SAMPLING_INTERVAL, SMALLEST_STEP};
 use crate::scenario::{Outline, Scenario, StepBy};
-use crate::setup::assembly::{Positions, assemble, fingerprint};
+use crate::setup::assembly::{assemble, fingerprint};
+use crate::setup::numbers::Positions;
 use crate::setup::trial::{self, Forecast};
 use crate::state::StateMemory;
 

@@ -13,7 +13,8 @@ use crate::number::math;
 use crate::number::real::Real;
 use crate::sampling::SMALLEST_STEP;
 use crate::scenario::{DropBy, Impactor, Motion, Scenario};
-use crate::setup::assembly::{Positions, assemble};
+use crate::setup::assembly::assemble;
+use crate::setup::numbers::Positions;
 use crate::state::{State, StateMemory};
 use crate::step::{Cells, Critical, SolidCells, advance_once};
 

@@ -5,7 +5,7 @@ use crate::mesh::Grid;
 use crate::model::{SolidArrays, split_row};
 use crate::number::pack::{LANES, Pack};
 use crate::number::real::Real;
-use crate::number::vector::{Simd, Vector};
+use crate::number::vector::{Scalar, Simd, Vector};
 use crate::state::nodes::{Span, span, subtract_ends};
 
 /// What a solid has besides what a section has, laid out alike along z: to be changed.
@@ -97,35 +97,50 @@ pub(crate) fn solid_corners<S: Simd>(
     corners
 }
 
-/// Takes the forces of the cells of a block from their corners.
-#[inline(always)]
-pub(crate) fn subtract_solid_force<S: Simd>(
-    simd: S,
+/// Takes the forces of the cells of a block from their corners, whose first nodes are `rows`, along x, y and z.
+pub(crate) fn subtract_solid_force(
     rows: &SolidRows,
-    force: [&mut [Real]; 3],
+    [x, y, z]: [&mut [Real]; 3],
     of_block: &SolidCorners<Pack>,
     mirrored: Option<&Pack>,
 ) {
-    let [x, y, z] = force;
-    for place in 0..4 {
-        let (start, end) = (&of_block[2 * place], &of_block[2 * place + 1]);
+    for (place, first) in rows.iter().enumerate() {
         for (i, row) in [&mut *x, &mut *y, &mut *z].into_iter().enumerate() {
-            let (mut left, mut right) = (start[i % 3], end[i % 3]);
-            if let Some(mask) = mirrored {
-                swap_lanes(simd, mask, &mut left, &mut right);
-            }
-            subtract_ends(simd, row, rows[place], &left, &right);
+            subtract_row(row, *first, of_block, [place, i], mirrored);
         }
     }
 }
 
-/// Changes two packs where the mask is 1.
-#[inline(always)]
-fn swap_lanes<S: Simd>(simd: S, mask: &Pack, left: &mut Pack, right: &mut Pack) {
-    let zero = simd.splat(0.0);
-    for chunk in 0..LANES / S::WIDTH {
-        let (mask, a, b) = (simd.load(mask, chunk), simd.load(left, chunk), simd.load(right, chunk));
-        simd.store(mask.select_greater(zero, b, a), left, chunk);
-        simd.store(mask.select_greater(zero, a, b), right, chunk);
+/// The same for one of the four rows of nodes, of which only itself is there, for a `block` of the row of cells; not bonded layers
+/// have no such row.
+#[cfg(feature = "threads")]
+pub(crate) fn subtract_from_row(
+    block: usize,
+    rows: [&mut [Real]; 3],
+    of_block: &SolidCorners<Pack>,
+    place: usize,
+    mirrored: Option<&Pack>,
+) {
+    for (i, row) in rows.into_iter().enumerate() {
+        subtract_row(row, block * LANES, of_block, [place, i], mirrored);
     }
+}
+
+/// Subtracts component `i` of the forces of a block at one of its rows of nodes.
+fn subtract_row(
+    row: &mut [Real],
+    first: usize,
+    of_block: &SolidCorners<Pack>,
+    [place, i]: [usize; 2],
+    mirrored: Option<&Pack>,
+) {
+    let (mut left, mut right) = (of_block[(2 * place) % 8][i % 3], of_block[(2 * place + 1) % 8][i % 3]);
+    if let Some(mask) = mirrored {
+        for l in 0..LANES {
+            if mask[l] > 0.0 {
+                core::mem::swap(&mut left[l], &mut right[l]);
+            }
+        }
+    }
+    subtract_ends(Scalar, row, first, &left, &right);
 }

@@ -1,77 +1,133 @@
-//! Internal forces of a solid: row by row of cells, in index order.
+//! Internal forces of a solid.
+//!
+//! The cells of a block give forces on their corners first; then each row of nodes takes those of the blocks about it, in index
+//! order. So the bits are the same whichever rows are computed at the same time (feature `threads`).
 
 use crate::element::{ElementEnergy, SolidBlock, SolidConstants, SolidCorners, solid_force, solid_gradients};
 use crate::error::StepError;
 use crate::mesh::TETRAHEDRA;
 use crate::model::{Constants, Model};
+use crate::number::instruction_set::InstructionSet;
 use crate::number::pack::{LANES, Pack, ZERO, sum};
 use crate::number::real::Real;
-use crate::number::vector::{Scalar, Simd};
+use crate::number::vector::{Scalar, Simd, Work};
 use crate::state::{SolidState, SolidView, State, solid_corners, subtract_solid_force};
 
 /// Fills the nodal forces with minus the internal forces and adds up the energies.
-#[inline(always)]
-pub(super) fn internal_forces<S: Simd>(
-    simd: S,
+pub(super) fn internal_forces(
+    set: InstructionSet,
     model: &Model,
     state: &mut State,
     energy: &mut ElementEnergy,
 ) -> Result<(), StepError> {
     let constants = model.constants;
-    let grid = &constants.grid;
     let SolidState { displacement: uz, force: fz, history, .. } =
-        SolidState::of(grid, constants.solid_history_packs, state.nodes.solid);
+        SolidState::of(&constants.grid, constants.solid_history_packs, state.nodes.solid);
     let ([ux, uy], [fx, fy]) = (&state.nodes.displacement, &mut state.nodes.force);
     for force in [&mut *fx, &mut *fy, &mut *fz] {
         force.fill(0.0);
     }
-    let per_row = grid.blocks_per_row().max(1);
-    let share = (per_row * TETRAHEDRA * constants.solid_history_packs).max(1);
-    let rows = model.solid().blocks.chunks_exact(per_row).zip(history.chunks_exact_mut(share));
-    for (number, (blocks, history)) in rows.enumerate() {
-        let row = CellRow { constants, place: [number / grid.n_w.max(1), number % grid.n_w.max(1)], blocks };
-        let of_row = row_forces(simd, &row, [ux, uy, uz], [fx, fy, fz], history);
+    let cells = Cells { set, constants, blocks: model.solid().blocks, displacement: [ux, uy, uz] };
+    #[cfg(feature = "threads")]
+    if super::solid_threads::pays(constants) {
+        super::solid_threads::forces(&cells, [fx, fy, fz], history, energy);
+        return ended(model, state, energy);
+    }
+    for (number, history) in history.chunks_exact_mut(cells.history_of_row()).enumerate() {
+        let place = cells.place(number);
+        let mut of_row = ElementEnergy::ZERO;
+        cells.row(number, history, &mut of_row, |block, force| {
+            let rows = constants.grid.solid_rows(place, block);
+            subtract_solid_force(&rows, [&mut *fx, &mut *fy, &mut *fz], force, constants.grid.mirrored(block).as_ref());
+        });
         energy.add(&of_row);
     }
+    ended(model, state, energy)
+}
+
+/// The error of an inverted tetrahedron, if there is one.
+fn ended(model: &Model, state: &State, energy: &ElementEnergy) -> Result<(), StepError> {
     if sum(&energy.inverted) > 0.0 { Err(first_inverted(model, state)) } else { Ok(()) }
 }
 
-/// A row of cells.
-struct CellRow<'m> {
-    constants: &'m Constants,
-    /// Row from the core, then slice.
-    place: [usize; 2],
-    blocks: &'m [SolidConstants],
+/// The cells of a solid with the displacements of its nodes.
+pub(super) struct Cells<'m> {
+    pub set: InstructionSet,
+    pub constants: &'m Constants,
+    pub blocks: &'m [SolidConstants],
+    /// Along x, y and z, m.
+    pub displacement: [&'m [Real]; 3],
 }
 
-/// Takes the internal forces of a row of cells from those of the nodes; gives its energies.
-#[inline(always)]
-fn row_forces<S: Simd>(
-    simd: S,
-    row: &CellRow,
-    displacement: [&[Real]; 3],
-    [fx, fy, fz]: [&mut [Real]; 3],
-    history: &mut [Pack],
-) -> ElementEnergy {
-    let (grid, laws) = (&row.constants.grid, row.constants.laws_of_row(row.place[0]));
-    let mut energy = ElementEnergy::ZERO;
-    let share = (TETRAHEDRA * row.constants.solid_history_packs).max(1);
-    for (place, (constants, history)) in row.blocks.iter().zip(history.chunks_exact_mut(share)).enumerate() {
-        let (rows, mirrored) = (grid.solid_rows(row.place, place), grid.mirrored(place));
-        let block = SolidBlock { laws, constants };
-        let mut force: SolidCorners<Pack> = [[ZERO; 3]; 8];
+impl Cells<'_> {
+    /// Packs of the history of a row of cells.
+    pub fn history_of_row(&self) -> usize {
+        (self.constants.grid.blocks_per_row() * TETRAHEDRA * self.constants.solid_history_packs).max(1)
+    }
+
+    /// Row from the core and slice of the `number`-th row of cells.
+    pub fn place(&self, number: usize) -> [usize; 2] {
+        let slices = self.constants.grid.n_w.max(1);
+        [number / slices, number % slices]
+    }
+
+    /// Hands the forces on the corners of the `number`-th row of cells to `take`, block by block, N; advances their `history`.
+    pub fn row(
+        &self,
+        number: usize,
+        history: &mut [Pack],
+        energy: &mut ElementEnergy,
+        mut take: impl FnMut(usize, &SolidCorners<Pack>),
+    ) {
+        let (constants, place) = (self.constants, self.place(number));
+        let (grid, laws) = (&constants.grid, constants.laws_of_row(place[0]));
+        let per_row = grid.blocks_per_row();
+        let share = (TETRAHEDRA * constants.solid_history_packs).max(1);
+        let blocks = self.blocks.get(number * per_row..(number + 1) * per_row).unwrap_or_default();
+        for (at, (block, history)) in blocks.iter().zip(history.chunks_exact_mut(share)).enumerate() {
+            let mut force = [[ZERO; 3]; 8];
+            let mirrored = grid.mirrored(at);
+            self.set.run(BlockForces {
+                block: SolidBlock { laws, constants: block },
+                rows: grid.solid_rows(place, at),
+                displacement: self.displacement,
+                mirrored: mirrored.as_ref(),
+                history,
+                energy,
+                force: &mut force,
+            });
+            take(at, &force);
+        }
+    }
+}
+
+/// Forces on the corners of the cells of a block, N, as work for an instruction set: the one copy of the element loop.
+struct BlockForces<'b> {
+    block: SolidBlock<'b>,
+    rows: [usize; 4],
+    displacement: [&'b [Real]; 3],
+    mirrored: Option<&'b Pack>,
+    history: &'b mut [Pack],
+    energy: &'b mut ElementEnergy,
+    force: &'b mut SolidCorners<Pack>,
+}
+
+impl Work for BlockForces<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<S: Simd>(self, simd: S) {
+        let Self { block, rows, displacement, mirrored, history, energy, force } = self;
         for chunk in 0..LANES / S::WIDTH {
-            let corners = solid_corners(simd, chunk, &rows, displacement, mirrored.as_ref());
-            let of_chunk = solid_force(simd, chunk, &block, &corners, history, &mut energy);
+            let corners = solid_corners(simd, chunk, &rows, displacement, mirrored);
+            let of_chunk = solid_force(simd, chunk, &block, &corners, history, energy);
             for corner in 0..8 {
                 for i in 0..3 {
                     simd.store(of_chunk[corner][i], &mut force[corner][i], chunk);
                 }
             }
         }
-        subtract_solid_force(simd, &rows, [fx, fy, fz], &force, mirrored.as_ref());
     }
-    energy
 }
 
 /// The first inverted tetrahedron, as the error that it is.

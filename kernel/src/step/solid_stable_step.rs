@@ -2,7 +2,6 @@
 
 use crate::element::solid_bound::SolidMatrix;
 use crate::element::{SolidBlock, SolidConstants};
-use crate::error::StepError;
 use crate::mesh::TETRAHEDRA;
 use crate::model::{Constants, Model};
 use crate::number::instruction_set::InstructionSet;
@@ -11,8 +10,8 @@ use crate::number::pack::{LANES, Pack, ZERO};
 use crate::number::real::Real;
 use crate::number::vector::{Scalar, Simd, Work};
 use crate::state::{SolidView, State};
-use crate::step::monitor::{self, MonitorWindow};
-use crate::step::stable_step::Critical;
+use crate::step::critical::Critical;
+use crate::step::window::MonitorWindow;
 use crate::tensor::symmetric::Symmetric;
 
 /// The cells of a solid.
@@ -114,15 +113,9 @@ fn smallest_stretch(cells: &SolidCells, block: usize, l: usize) -> Real {
     values.fold(1.0, |least, value| if value < least { value } else { least })
 }
 
-/// Compares the step with the current limit of this step's share of the cells, as [`monitor::check`].
-///
-/// # Errors
-/// The cell with the smallest limit, where that of one of them is below the step.
-pub(super) fn check(model: &Model, state: &State) -> Result<(), StepError> {
+/// Whether the step is above the current limit of one of this step's share of the cells.
+pub(super) fn is_exceeded(model: &Model, state: &State) -> bool {
     let cells = SolidCells::of(model, state);
     let window = MonitorWindow::new(cells.blocks.len() * LANES, state.scalars.step_index);
-    match cells.critical_of(window, model.constants.dt * model.constants.dt) {
-        Some(_) => Err(monitor::failure(model, state)),
-        None => Ok(()),
-    }
+    cells.critical_of(window, model.constants.dt * model.constants.dt).is_some()
 }

@@ -19,6 +19,7 @@ use crate::number::pack::{LANES, ZERO};
 use crate::number::real::Real;
 use crate::number::vector::{Simd, Vector, Work};
 use crate::state::State;
+use crate::step::critical::Critical;
 use crate::step::solid_stable_step::SolidCells;
 use crate::tensor::kinematics::Kinematics;
 use crate::tensor::stretch::{IsochoricStretch, largest_in_plane};
@@ -41,17 +42,6 @@ pub(crate) struct Cells<'m> {
     pub constants: &'m Constants,
     pub cells: &'m [CellConstants],
     pub hoops: &'m [HoopConstants],
-}
-
-/// The cell with the smallest limit.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Critical {
-    /// Square of its largest stable step, s2.
-    pub limit_squared: Real,
-    /// Its first triangle.
-    pub element: u32,
-    /// The smallest principal stretch of its triangles in the section.
-    pub stretch: Real,
 }
 
 impl<'m> Cells<'m> {

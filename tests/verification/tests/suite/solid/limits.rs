@@ -8,7 +8,7 @@ use softanvil_kernel::material::{Material, VolumetricBy, VolumetricLaw};
 use softanvil_kernel::scenario::Symmetry;
 use softanvil_kernel::state::{restore, save, snapshot_size};
 use softanvil_kernel::step::critical_time_step;
-use softanvil_kernel::{Scenario, Simulation};
+use softanvil_kernel::{ModelError, Scenario, Simulation};
 use softanvil_verification::deformation::Samples;
 use softanvil_verification::scenes::random_law;
 use softanvil_verification::solid::{CELL, cube, forces, nodes, put};
@@ -56,7 +56,10 @@ impl Body {
     fn limits(&self) -> Option<(f64, f64)> {
         let place = |[u, v, w]: [usize; 3]| (v * (N + 1) + w) * (N + 1) + u;
         let position = |node| self.rest[place(node)];
-        let mut simulation = Simulation::with_node_positions(&self.scenario, &position).ok()?;
+        let mut simulation = match Simulation::with_node_positions(&self.scenario, &position) {
+            Err(ModelError::NoVolume { .. }) => return None,
+            other => other.expect("a legal solid"),
+        };
         let found = simulation.with(|model, state| {
             let target = |displaced: Option<(usize, f64)>| {
                 let mut moved = self.moved.clone();

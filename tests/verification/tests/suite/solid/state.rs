@@ -18,8 +18,8 @@ fn with_everything() -> Scenario {
     let material = &mut scenario.layers[0].material;
     (material.maxwell_g[0], material.maxwell_beta[0]) = (5e4, 1e3);
     (material.slider_stiffness, material.slider_yield_stress) = (2e5, 1e4);
-    (material.softening_r, material.softening_m) = (1.5, 1e4);
-    (material.tear_stretch, material.tear_width) = (1.2, 0.5);
+    (material.softening_r, material.softening_m) = (2.0, 1e5);
+    (material.tear_stretch, material.tear_width, material.tear_residual) = (1.1, 1.0, 0.7);
     scenario
 }
 
