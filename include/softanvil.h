@@ -131,6 +131,8 @@ enum SoftanvilStatus
     SOFTANVIL_STATUS_LAYER_WIDTH = 216,
     /** The library was built without pads, which the scenario needs. */
     SOFTANVIL_STATUS_WITHOUT_PADS = 217,
+    /** A solid does not have what the scenario asks for. */
+    SOFTANVIL_STATUS_NOT_IN_SOLID = 220,
     /** An element turned inside out or is no longer finite. */
     SOFTANVIL_STATUS_INVERTED = 300,
     /** The time step is above the current stability limit of an element. */
@@ -254,13 +256,13 @@ enum SoftanvilPreset {
 enum SoftanvilParameter {
     /** geometry.shape, a SoftanvilGeometryShape: layer on a round core, or a flat block on a flat core. */
     SOFTANVIL_PARAMETER_GEOMETRY_SHAPE = 0,
-    /** geometry.formulation, a SoftanvilGeometryFormulation: kinematics of the section. */
+    /** geometry.formulation, a SoftanvilGeometryFormulation: kinematics: a section in plane strain or turned about its centre line, or a solid in three dimensions. */
     SOFTANVIL_PARAMETER_GEOMETRY_FORMULATION = 1,
-    /** geometry.section, a SoftanvilGeometrySection: half of the section with symmetry, or all of it. */
+    /** geometry.section, a SoftanvilGeometrySection: half of the section with symmetry, or all of it (not of a solid). */
     SOFTANVIL_PARAMETER_GEOMETRY_SECTION = 2,
     /** geometry.core_radius, m, from 0.001 to 1: radius of the rigid core (round shape). */
     SOFTANVIL_PARAMETER_GEOMETRY_CORE_RADIUS = 3,
-    /** geometry.length, m, from 0.001 to 10: largest out-of-plane thickness in plane strain (effective length of the layers). */
+    /** geometry.length, m, from 0.001 to 10: largest out-of-plane thickness in plane strain (effective length of the layers), or length of a solid prism. */
     SOFTANVIL_PARAMETER_GEOMETRY_LENGTH = 4,
     /** geometry.block_width, m, from 1e-4 to 10: full width, or diameter if axisymmetric (block shape). */
     SOFTANVIL_PARAMETER_GEOMETRY_BLOCK_WIDTH = 5,
@@ -270,7 +272,7 @@ enum SoftanvilParameter {
     SOFTANVIL_PARAMETER_IMPACTOR_MASS = 7,
     /** impactor.face_diameter, m, from 0.001 to 10: diameter of a round face, a sphere or a bar; the chord of a round face that covers a round section is its thickness in plane strain, and a narrower one counts as a rectangle of its area and width. */
     SOFTANVIL_PARAMETER_IMPACTOR_FACE_DIAMETER = 8,
-    /** impactor.offset, m, from -1 to 1: distance of the face's centre from the centre line, to the right (full section). */
+    /** impactor.offset, m, from -1 to 1: distance of the face's centre from the centre line, to the right (full section; half or full solid). */
     SOFTANVIL_PARAMETER_IMPACTOR_OFFSET = 9,
     /** impactor.gap, m, from 0 to 1: height of the face above the anvil at the start. */
     SOFTANVIL_PARAMETER_IMPACTOR_GAP = 10,
@@ -323,7 +325,13 @@ enum SoftanvilParameter {
     /** impactor.rail_friction, N, from 0 to 1e5: friction of the rails that guide the falling mass: against its motion, and what holds it at rest. */
     SOFTANVIL_PARAMETER_IMPACTOR_RAIL_FRICTION = 34,
     /** impactor.rail_damping, N.s/m, from 0 to 1e6: force of the rails against the motion, over the speed. */
-    SOFTANVIL_PARAMETER_IMPACTOR_RAIL_DAMPING = 35
+    SOFTANVIL_PARAMETER_IMPACTOR_RAIL_DAMPING = 35,
+    /** geometry.body, a SoftanvilGeometryBody: what a solid makes of its section: drawn along z, or turned about its centre line. */
+    SOFTANVIL_PARAMETER_GEOMETRY_BODY = 60,
+    /** geometry.symmetry, a SoftanvilGeometrySymmetry: part of a solid that is meshed: x >= 0 and z >= 0 with symmetry, z >= 0 with symmetry, or all of it. */
+    SOFTANVIL_PARAMETER_GEOMETRY_SYMMETRY = 61,
+    /** geometry.ends, a SoftanvilGeometryEnds: ends of a solid prism: free, or held along z as a section in plane strain. */
+    SOFTANVIL_PARAMETER_GEOMETRY_ENDS = 62
 };
 
 /** Parameters of a layer, to be given to SOFTANVIL_PARAMETER_OF_LAYER: name, unit, legal range, meaning. */
@@ -472,16 +480,36 @@ enum SoftanvilGeometryShape {
     SOFTANVIL_GEOMETRY_SHAPE_BLOCK = 1
 };
 
-/** geometry.formulation: kinematics of the section. */
+/** geometry.formulation: kinematics: a section in plane strain or turned about its centre line, or a solid in three dimensions. */
 enum SoftanvilGeometryFormulation {
     SOFTANVIL_GEOMETRY_FORMULATION_PLANE_STRAIN = 0,
-    SOFTANVIL_GEOMETRY_FORMULATION_AXISYMMETRIC = 1
+    SOFTANVIL_GEOMETRY_FORMULATION_AXISYMMETRIC = 1,
+    SOFTANVIL_GEOMETRY_FORMULATION_SOLID = 2
 };
 
-/** geometry.section: half of the section with symmetry, or all of it. */
+/** geometry.section: half of the section with symmetry, or all of it (not of a solid). */
 enum SoftanvilGeometrySection {
     SOFTANVIL_GEOMETRY_SECTION_HALF = 0,
     SOFTANVIL_GEOMETRY_SECTION_FULL = 1
+};
+
+/** geometry.body: what a solid makes of its section: drawn along z, or turned about its centre line. */
+enum SoftanvilGeometryBody {
+    SOFTANVIL_GEOMETRY_BODY_PRISM = 0,
+    SOFTANVIL_GEOMETRY_BODY_REVOLVED = 1
+};
+
+/** geometry.symmetry: part of a solid that is meshed: x >= 0 and z >= 0 with symmetry, z >= 0 with symmetry, or all of it. */
+enum SoftanvilGeometrySymmetry {
+    SOFTANVIL_GEOMETRY_SYMMETRY_QUARTER = 0,
+    SOFTANVIL_GEOMETRY_SYMMETRY_HALF = 1,
+    SOFTANVIL_GEOMETRY_SYMMETRY_FULL = 2
+};
+
+/** geometry.ends: ends of a solid prism: free, or held along z as a section in plane strain. */
+enum SoftanvilGeometryEnds {
+    SOFTANVIL_GEOMETRY_ENDS_FREE = 0,
+    SOFTANVIL_GEOMETRY_ENDS_HELD = 1
 };
 
 /** impactor.motion: a falling mass, a position given from outside with every call, or down at a speed to a depth and hold. */

@@ -61,6 +61,17 @@ impl Simulation {
         Self::build(scenario, |memory, state| Model::with_positions(scenario, position, memory, state))
     }
 
+    /// The same of a solid with nodes that rest at `position([u, v, w])`, m; see [`Model::with_node_positions`].
+    ///
+    /// # Errors
+    /// As [`Simulation::new`], and a tetrahedron without volume.
+    pub fn with_node_positions(
+        scenario: &Scenario,
+        position: &dyn Fn([usize; 3]) -> [Real; 3],
+    ) -> Result<Self, ModelError> {
+        Self::build(scenario, |memory, state| Model::with_node_positions(scenario, position, memory, state))
+    }
+
     fn build(
         scenario: &Scenario,
         model: impl for<'m> FnOnce(ModelMemory<'m>, &mut StateMemory) -> Result<Model<'m>, ModelError>,

@@ -122,6 +122,7 @@ fn scenario_status(error: &ScenarioError) -> Status {
         ScenarioError::BulkModulus { .. } => Status::BulkModulus,
         ScenarioError::LayerWidth { .. } => Status::LayerWidth,
         ScenarioError::WithoutPads { .. } => Status::WithoutPads,
+        ScenarioError::NotInSolid { .. } => Status::NotInSolid,
     }
 }
 
@@ -140,7 +141,7 @@ impl Failure {
             Self::Model(ModelError::TooManyCells { .. }) => Status::TooManyCells,
             Self::Model(ModelError::StepTooSmall { .. }) => Status::StepTooSmall,
             Self::Model(ModelError::StepTooLarge { .. }) => Status::StepTooLarge,
-            Self::Model(ModelError::NoArea { .. }) => Status::NoArea,
+            Self::Model(ModelError::NoArea { .. } | ModelError::NoVolume { .. }) => Status::NoArea,
             Self::Model(ModelError::Memory(_)) | Self::Step(StepError::Memory(_)) => Status::ShortBuffer,
             Self::Step(StepError::Inverted { .. }) => Status::Inverted,
             Self::Step(StepError::Unstable { .. }) => Status::Unstable,
@@ -203,7 +204,7 @@ impl Failure {
             Self::Scenario(ScenarioError::TearStretch { layer, .. }) => Name::of_layer(layer, "tear_stretch"),
             Self::Scenario(ScenarioError::Softening { layer, .. }) => Name::of_layer(layer, "softening_r"),
             Self::Scenario(ScenarioError::FaceTooSmall { name, .. }) => name.into(),
-            Self::Scenario(ScenarioError::WithoutPads { name }) => name,
+            Self::Scenario(ScenarioError::WithoutPads { name } | ScenarioError::NotInSolid { name, .. }) => name,
             Self::Scenario(ScenarioError::FaceOfFormulation { .. }) => "impactor.shape".into(),
             Self::Scenario(ScenarioError::FullAxisymmetric) => "geometry.section".into(),
             Self::Scenario(ScenarioError::OffsetOfHalf { .. }) => "impactor.offset".into(),

@@ -63,6 +63,8 @@ pub enum SoftanvilStatus {
     LayerWidth = 216,
     /// The library was built without pads, which the scenario needs.
     WithoutPads = 217,
+    /// A solid does not have what the scenario asks for.
+    NotInSolid = 220,
     /// An element turned inside out or is no longer finite.
     Inverted = 300,
     /// The time step is above the current stability limit of an element.
@@ -85,7 +87,7 @@ use SoftanvilStatus as S;
 
 impl SoftanvilStatus {
     /// Every status.
-    pub const ALL: [Self; 35] = [
+    pub const ALL: [Self; 36] = [
         S::Ok,
         S::NullPointer,
         S::Misaligned,
@@ -113,6 +115,7 @@ impl SoftanvilStatus {
         S::WithoutPads,
         S::Softening,
         S::BulkModulus,
+        S::NotInSolid,
         S::Inverted,
         S::Unstable,
         S::IllegalInput,
@@ -153,6 +156,7 @@ impl SoftanvilStatus {
             S::FaceOfFormulation => c"face that the formulation cannot have",
             S::LayerWidth => c"layer wider than what it lies on",
             S::WithoutPads => c"library built without pads",
+            S::NotInSolid => c"what a solid does not have",
             S::Inverted => c"element inverted or not finite",
             S::Unstable => c"time step above the current stability limit",
             S::IllegalInput => c"input of a step not finite",

@@ -29,7 +29,9 @@ pub(crate) fn contact<S: Simd>(simd: S, model: &Model, state: &mut State, predic
     if constants.has_uneven_contact() {
         return rounded_face::contact(model, state, prediction);
     }
-    let Some(mut surface) = Surface::of(model, &mut state.nodes) else { return ContactWork::default() };
+    let StateNodes { displacement, velocity, force, contact, .. } = &mut state.nodes;
+    let surface = Surface::of(model, displacement, velocity, force, contact);
+    let Some(mut surface) = surface else { return ContactWork::default() };
     surface.find_free_heights(simd, constants);
     let mass = constants.moved_mass() / constants.symmetry_factor;
     // Of the slices alone: the surface stays where the compiler sees that its rows are of one length.
@@ -58,10 +60,15 @@ const FAR_BELOW: Real = -1e30;
 impl<'s> Surface<'s> {
     /// None if a row is too short, which the sizes of [`crate::mesh::Grid`] exclude.
     #[inline(always)]
-    fn of(model: &'s Model, nodes: &'s mut StateNodes<&mut [Real]>) -> Option<Self> {
+    fn of(
+        model: &'s Model,
+        displacement: &'s [&mut [Real]; 2],
+        velocity: &'s [&mut [Real]; 2],
+        force: &'s mut [&mut [Real]; 2],
+        [normal, tangential]: &'s mut [&mut [Real]; 2],
+    ) -> Option<Self> {
         let grid = &model.constants.grid;
-        let count = grid.stride() / LANES;
-        let StateNodes { displacement, velocity, force, contact: [normal, tangential], .. } = nodes;
+        let count = grid.plane() / LANES;
         Some(Self {
             row: NodeRow::of(model, grid.node_rows() - 1, displacement, velocity, force)?,
             normal: packs_mut(normal, 0, count)?,

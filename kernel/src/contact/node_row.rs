@@ -1,4 +1,4 @@
-//! A row of nodes that something rigid may touch.
+//! A row of nodes that something rigid may touch; of a solid, in all its slices.
 
 use crate::model::Model;
 use crate::number::pack::{LANES, Pack, packs, packs_mut};
@@ -22,7 +22,7 @@ pub(super) struct NodeRow<'s> {
 }
 
 impl<'s> NodeRow<'s> {
-    /// Row `v` from the core, from displacement, velocity and force of all nodes; none if an array is too short, which the sizes of [`crate::mesh::Grid`] exclude.
+    /// Row `v` from the core, of a solid in all its slices, from displacement, velocity and force of all nodes; none if an array is too short, which the sizes of [`crate::mesh::Grid`] exclude.
     #[inline(always)]
     pub fn of(
         model: &'s Model,
@@ -32,7 +32,7 @@ impl<'s> NodeRow<'s> {
         [fx, fy]: &'s mut [&mut [Real]; 2],
     ) -> Option<Self> {
         let (grid, fixed) = (&model.constants.grid, &model.nodes);
-        let (first, count) = (v * grid.stride(), grid.stride() / LANES);
+        let (first, count) = (v * grid.plane(), grid.plane() / LANES);
         let row = |[x, y]: [&'s [Real]; 2]| Some([packs(x, first, count)?, packs(y, first, count)?]);
         Some(Self {
             mass: packs(fixed.nodal_mass, first, count)?,

@@ -76,7 +76,7 @@ impl Touch {
 
 /// Depth of a point in a face and the direction out of it there, for a point `x` m beside its axis and `y` m above its lowest
 /// point. Above the rounding the impactor has upright sides, which a node beside it may come against.
-fn depth(outline: &Outline, x: Real, y: Real) -> [Real; 3] {
+pub(super) fn depth(outline: &Outline, x: Real, y: Real) -> [Real; 3] {
     let (beyond, down) = (math::abs(x) - outline.flat, outline.radius - y);
     let side = outline.radius - beyond;
     let sign = if x < 0.0 { -1.0 } else { 1.0 };

@@ -1,6 +1,6 @@
 //! Energies of the triangles of a block of cells.
 
-use crate::number::pack::{Pack, ZERO};
+use crate::number::pack::{LANES, Pack, ZERO};
 
 /// Sums over the triangles of each lane: energies of the section, J.
 #[derive(Clone, Copy, Debug)]
@@ -22,6 +22,24 @@ pub struct ElementEnergy {
 }
 
 impl ElementEnergy {
+    /// Adds those of other elements, lane by lane.
+    pub(crate) fn add(&mut self, other: &Self) {
+        let pairs = [
+            (&mut self.elastic, &other.elastic),
+            (&mut self.slider_stored, &other.slider_stored),
+            (&mut self.viscous_increment, &other.viscous_increment),
+            (&mut self.slider_increment, &other.slider_increment),
+            (&mut self.tear_increment, &other.tear_increment),
+            (&mut self.softening_increment, &other.softening_increment),
+            (&mut self.inverted, &other.inverted),
+        ];
+        for (sum, part) in pairs {
+            for l in 0..LANES {
+                sum[l] += part[l];
+            }
+        }
+    }
+
     /// Nothing yet.
     pub const ZERO: Self = Self {
         elastic: ZERO,

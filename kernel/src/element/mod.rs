@@ -1,4 +1,4 @@
-//! The cells of the section: two linear triangles each.
+//! The cells of the section, two linear triangles each, and of the solid, six linear tetrahedra each.
 
 mod cell;
 pub(crate) mod cell_bound;
@@ -9,6 +9,12 @@ pub mod internal_force;
 mod recovery;
 mod reference_triangle;
 mod response;
+pub(crate) mod solid_bound;
+mod solid_cell;
+mod solid_force;
+mod solid_history;
+mod solid_recovery;
+mod solid_response;
 pub(crate) mod whole_bound;
 mod whole_response;
 
@@ -21,3 +27,9 @@ pub use internal_force::internal_force;
 pub(crate) use internal_force::{plain_force, whole_force};
 pub(crate) use recovery::recover;
 pub(crate) use reference_triangle::Triangle;
+pub(crate) use solid_cell::{
+    INVERSE_VOLUME, SOLID_BLOCK_PACKS, SolidBlock, SolidConstants, SolidCorners, TETRAHEDRON_PACKS, VOLUME, store_cell,
+};
+pub(crate) use solid_force::{gradients as solid_gradients, solid_force};
+pub(crate) use solid_history::{SolidMemory, solid_history_packs};
+pub(crate) use solid_recovery::recover_solid;

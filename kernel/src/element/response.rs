@@ -7,7 +7,7 @@ use crate::material::relaxation::Overstress;
 use crate::material::slider::{Slider, SliderStep};
 use crate::number::pack::Pack;
 use crate::number::vector::{Simd, Vector};
-use crate::tensor::deviator::Deviator;
+use crate::tensor::deviator::{Deviator, Deviatoric};
 use crate::tensor::kinematics::Kinematics;
 
 /// Deviatoric stress of one triangle, Pa, and its energies.
@@ -25,13 +25,13 @@ pub(crate) struct EnergyDensity<V> {
 impl<V: Vector> EnergyDensity<V> {
     /// Of elasticity, overstress and springs.
     #[inline(always)]
-    pub(super) fn new<S: Simd<Vector = V>>(
+    pub(super) fn new<S: Simd<Vector = V>, D: Deviatoric<V>>(
         simd: S,
         stored: V,
-        overstress: &Overstress<V>,
-        elastic: &Deviator<V>,
-        strain_increment: &Deviator<V>,
-        springs: &SliderStep<V>,
+        overstress: &Overstress<D>,
+        elastic: &D,
+        strain_increment: &D,
+        springs: &SliderStep<V, D>,
     ) -> Self {
         Self {
             elastic: stored,
@@ -40,6 +40,30 @@ impl<V: Vector> EnergyDensity<V> {
             slider_increment: springs.dissipation,
             tear_increment: simd.splat(0.0),
         }
+    }
+
+    /// Takes what is lost where tearing leaves the parts `before` and `after` of the energy in the pack `stored_prev`, J/m3; gives the
+    /// mean of both.
+    #[inline(always)]
+    pub(super) fn lose<S: Simd<Vector = V>>(
+        &mut self,
+        simd: S,
+        chunk: usize,
+        laws: &MaterialModel,
+        [before, after]: [V; 2],
+        stored_prev: &mut Pack,
+    ) -> V {
+        let mean = (before + after).mul_scalar(0.5);
+        let slides = laws.slider.active();
+        let stored = if slides { self.elastic + self.slider_stored } else { self.elastic };
+        let lost = (before - after) * (simd.load(stored_prev, chunk) + stored).mul_scalar(0.5);
+        simd.store(stored, stored_prev, chunk);
+        self.tear_increment = lost;
+        self.elastic = after * self.elastic;
+        self.viscous_increment = mean * self.viscous_increment;
+        self.slider_stored = after * self.slider_stored;
+        self.slider_increment = mean * self.slider_increment;
+        mean
     }
 
     /// Adds the work on an overstress that is no deviator, J/m3.
@@ -178,7 +202,7 @@ pub(super) fn viscous_stress<S: Simd>(
     strain_increment: &[Deviator<S::Vector>; 2],
     [a, b]: [&mut TriangleHistory; 2],
     viscous: &mut [Deviator],
-) -> [Overstress<S::Vector>; 2] {
+) -> [Overstress<Deviator<S::Vector>>; 2] {
     let n_quasi_linear = laws.prony.n_term();
     let (first, second) = viscous.split_at_mut_checked(laws.n_term()).unwrap_or_default();
     let (quasi_linear, additive) = first.split_at_mut_checked(n_quasi_linear).unwrap_or_default();
@@ -226,15 +250,6 @@ pub(super) fn tear_energies<S: Simd>(
 ) -> [S::Vector; 2] {
     let [largest, before, after] = laws.tear.update(simd, kinematics, simd.load(&history.largest_stretch, chunk));
     simd.store(largest, &mut history.largest_stretch, chunk);
-    let mean = (before + after).mul_scalar(0.5);
-    let slides = laws.slider.active();
-    let stored = if slides { density.elastic + density.slider_stored } else { density.elastic };
-    let lost = (before - after) * (simd.load(&history.stored_prev, chunk) + stored).mul_scalar(0.5);
-    simd.store(stored, &mut history.stored_prev, chunk);
-    density.tear_increment = lost;
-    density.elastic = after * density.elastic;
-    density.viscous_increment = mean * density.viscous_increment;
-    density.slider_stored = after * density.slider_stored;
-    density.slider_increment = mean * density.slider_increment;
+    let mean = density.lose(simd, chunk, laws, [before, after], &mut history.stored_prev);
     [mean, after]
 }

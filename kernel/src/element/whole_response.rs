@@ -10,7 +10,7 @@ use crate::element::response::{EnergyDensity, advance_stretch, spring_stress, te
 use crate::element::{Block, CellHistory};
 use crate::material::{MaterialModel, Softened, WholeStress};
 use crate::number::vector::{Simd, Vector};
-use crate::tensor::deviator::Deviator;
+use crate::tensor::deviator::{Deviator, Deviatoric};
 use crate::tensor::kinematics::Kinematics;
 
 /// Stress and energies of one triangle of each cell.

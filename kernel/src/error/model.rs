@@ -55,6 +55,12 @@ pub enum ModelError {
         /// Index of the triangle.
         element: u32,
     },
+    /// A tetrahedron without volume, or with its corners in the wrong order.
+    #[error("element {element} has no volume: expected columns to the right, rows upwards and slices along z")]
+    NoVolume {
+        /// Index of the tetrahedron.
+        element: u32,
+    },
     /// There is too little memory.
     #[error(transparent)]
     Memory(#[from] MemoryError),

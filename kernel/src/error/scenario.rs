@@ -118,6 +118,14 @@ pub enum ScenarioError {
         /// What asks for it.
         name: Name,
     },
+    /// What a solid does not have.
+    #[error("{name} is refused: expected {expected} with geometry.formulation = solid")]
+    NotInSolid {
+        /// What asks for it.
+        name: Name,
+        /// What it has instead.
+        expected: &'static str,
+    },
     /// A full section of a body of revolution.
     #[error("geometry.section = full is refused: expected half with an axisymmetric formulation")]
     FullAxisymmetric,

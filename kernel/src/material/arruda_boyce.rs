@@ -12,15 +12,15 @@
 //! of nearly equal powers.
 
 use crate::material::coefficient::Coefficient;
-use crate::material::invariants::{
-    first_invariant, first_invariant_stress, invariant_principal_stress, invariant_shear_tangent,
-};
+use crate::material::invariants::{invariant_principal_stress, invariant_shear_tangent};
 use crate::material::law::{HyperelasticLaw, IsochoricLaw, Variant};
 use crate::number::real::Real;
 use crate::number::vector::{Simd, Vector};
 use crate::tensor::deviator::Deviator;
 use crate::tensor::kinematics::Kinematics;
-use crate::tensor::stretch::IsochoricStretch;
+use crate::tensor::solid_deviator::SolidDeviator;
+use crate::tensor::solid_kinematics::SolidKinematics;
+use crate::tensor::stretch::{IsochoricState, IsochoricTensor};
 
 /// C_i.
 const SERIES: [Real; 5] = [0.5, 0.05, 11.0 / 1050.0, 19.0 / 7000.0, 519.0 / 673_750.0];
@@ -49,6 +49,13 @@ impl ArrudaBoyce {
             k5,
         ];
         Self { mu, lambda_m, polynomial }
+    }
+
+    /// Stress, Pa, and W, J/m3, at a C-bar.
+    #[inline(always)]
+    fn of_strain<V: Vector, C: IsochoricTensor<V>>(&self, c: &C) -> (C::Deviator, V) {
+        let a = c.first_invariant();
+        (c.scaled_deviator(self.slope(a).mul_scalar(2.0)), self.energy(a))
     }
 
     /// W, J/m3, at a = I1 - 3.
@@ -143,13 +150,20 @@ impl HyperelasticLaw for ArrudaBoyce {
 impl IsochoricLaw for ArrudaBoyce {
     #[inline(always)]
     fn response<S: Simd>(&self, _: S, kinematics: &Kinematics<S::Vector>, _: bool) -> (Deviator<S::Vector>, S::Vector) {
-        let c = kinematics.isochoric_cauchy_green();
-        let a = first_invariant(&c);
-        (first_invariant_stress(&c, self.slope(a).mul_scalar(2.0)), self.energy(a))
+        self.of_strain(&kinematics.isochoric_cauchy_green())
     }
 
     #[inline(always)]
-    fn shear_tangent<S: Simd>(&self, simd: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
+    fn solid_response<S: Simd>(
+        &self,
+        _: S,
+        kinematics: &SolidKinematics<S::Vector>,
+    ) -> (SolidDeviator<S::Vector>, S::Vector) {
+        self.of_strain(&kinematics.isochoric_cauchy_green())
+    }
+
+    #[inline(always)]
+    fn shear_tangent<S: Simd>(&self, simd: S, stretch: &impl IsochoricState<S::Vector>) -> S::Vector {
         let (a, zero) = (stretch.invariants().0.add_scalar(-3.0), simd.splat(0.0));
         invariant_shear_tangent(simd, stretch, [self.slope(a), zero], [self.second(a), zero, zero])
     }
@@ -160,6 +174,7 @@ impl IsochoricLaw for ArrudaBoyce {
 mod tests {
     use super::*;
     use crate::material::Elastic;
+    use crate::tensor::stretch::IsochoricStretch;
 
     /// W, J/m3, and the difference of the principal stresses in uniaxial extension, Pa, and the shear modulus at rest, of mu =
     /// 0.27 MPa and lambda_m = 5.

@@ -16,7 +16,9 @@ use crate::number::real::Real;
 use crate::number::vector::{Scalar, Simd};
 use crate::tensor::deviator::Deviator;
 use crate::tensor::kinematics::Kinematics;
-use crate::tensor::stretch::IsochoricStretch;
+use crate::tensor::solid_deviator::SolidDeviator;
+use crate::tensor::solid_kinematics::SolidKinematics;
+use crate::tensor::stretch::{IsochoricState, IsochoricStretch};
 
 /// An expression for laws of one kind, another one for those of the other.
 macro_rules! by_kind {
@@ -146,6 +148,51 @@ macro_rules! laws {
                 }
             }
 
+            /// Kirchhoff stress of an isochoric law in the unrotated frame, Pa, and W, J/m3, of neighbouring tetrahedra. Nothing of a
+            /// compressible law.
+            #[inline(always)]
+            pub(crate) fn solid_stress<S: Simd>(
+                &self,
+                simd: S,
+                kinematics: &SolidKinematics<S::Vector>,
+            ) -> (SolidDeviator<S::Vector>, S::Vector) {
+                match self {
+                    $(Self::$law(law) => by_kind!(
+                        $kind,
+                        law.solid_response(simd, kinematics),
+                        { let _ = law; (SolidDeviator::none(simd), simd.splat(0.0)) }
+                    ),)+
+                }
+            }
+
+            /// Stress and energy of a compressible law of neighbouring tetrahedra. Nothing of an isochoric law.
+            #[inline(always)]
+            pub(crate) fn whole_solid_stress<S: Simd>(
+                &self,
+                simd: S,
+                kinematics: &SolidKinematics<S::Vector>,
+            ) -> WholeStress<S::Vector, SolidDeviator<S::Vector>> {
+                match self {
+                    $(Self::$law(law) => by_kind!(
+                        $kind,
+                        { let _ = (law, kinematics); WholeStress::none(simd) },
+                        law.solid_response(simd, kinematics)
+                    ),)+
+                }
+            }
+
+            /// Majorants of the moduli of shear and of volume strain of a compressible law, Pa. Nothing of an isochoric law.
+            #[inline(always)]
+            pub(crate) fn whole_solid_tangent<S: Simd>(&self, simd: S, stretches: [S::Vector; 3]) -> [S::Vector; 2] {
+                match self {
+                    $(Self::$law(law) => by_kind!(
+                        $kind,
+                        { let _ = (law, stretches); [simd.splat(0.0); 2] },
+                        law.solid_tangent(simd, stretches)
+                    ),)+
+                }
+            }
+
             /// Stress and tangent of a compressible law along the principal directions of U of neighbouring triangles. Nothing of an
             /// isochoric law.
             #[inline(always)]
@@ -187,7 +234,7 @@ macro_rules! laws {
             /// A majorant of the shear tangent of an isochoric law at a stretch with the geometric stiffness of the stress, Pa.
             /// Nothing of a compressible law.
             #[inline(always)]
-            pub fn shear_tangent<S: Simd>(&self, simd: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
+            pub fn shear_tangent<S: Simd>(&self, simd: S, stretch: &impl IsochoricState<S::Vector>) -> S::Vector {
                 match self {
                     $(Self::$law(law) => by_kind!(
                         $kind,

@@ -7,9 +7,7 @@
 //! reached: 400 mu / Jm of 2 dW/dI1 by I1. The energy stays that of the stress, and the shear tangent its majorant.
 
 use crate::material::coefficient::Coefficient;
-use crate::material::invariants::{
-    first_invariant, first_invariant_stress, invariant_principal_stress, invariant_shear_tangent,
-};
+use crate::material::invariants::{invariant_principal_stress, invariant_shear_tangent};
 use crate::material::law::{HyperelasticLaw, IsochoricLaw, Variant};
 use crate::number::power;
 use crate::number::real::Real;
@@ -17,7 +15,9 @@ use crate::number::real::consts::LN_2;
 use crate::number::vector::{Simd, Vector};
 use crate::tensor::deviator::Deviator;
 use crate::tensor::kinematics::Kinematics;
-use crate::tensor::stretch::IsochoricStretch;
+use crate::tensor::solid_deviator::SolidDeviator;
+use crate::tensor::solid_kinematics::SolidKinematics;
+use crate::tensor::stretch::{IsochoricState, IsochoricTensor};
 
 /// Part of the limit up to which the law is Gent's: the stress is then twenty times that of a neo-Hookean material, more
 /// than a rubber bears. Nearer to the limit its tangent, and so the step, is of no use.
@@ -59,6 +59,13 @@ impl Gent {
         let (whole, last) = (a.mul_scalar(self.inverse_jm), simd.splat(LAST));
         let part = whole.select_greater(last, last, whole);
         State { part, left: simd.splat(1.0) - part, beyond: whole - part }
+    }
+
+    /// Stress, Pa, and W, J/m3, at a C-bar.
+    #[inline(always)]
+    fn of_strain<S: Simd, C: IsochoricTensor<S::Vector>>(&self, simd: S, c: &C) -> (C::Deviator, S::Vector) {
+        let state = self.state(simd, c.first_invariant());
+        (c.scaled_deviator(self.factor(simd, &state)), self.energy(simd, &state))
     }
 
     /// 2 dW/dI1, Pa.
@@ -129,13 +136,20 @@ impl IsochoricLaw for Gent {
         kinematics: &Kinematics<S::Vector>,
         _: bool,
     ) -> (Deviator<S::Vector>, S::Vector) {
-        let c = kinematics.isochoric_cauchy_green();
-        let state = self.state(simd, first_invariant(&c));
-        (first_invariant_stress(&c, self.factor(simd, &state)), self.energy(simd, &state))
+        self.of_strain(simd, &kinematics.isochoric_cauchy_green())
     }
 
     #[inline(always)]
-    fn shear_tangent<S: Simd>(&self, simd: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
+    fn solid_response<S: Simd>(
+        &self,
+        simd: S,
+        kinematics: &SolidKinematics<S::Vector>,
+    ) -> (SolidDeviator<S::Vector>, S::Vector) {
+        self.of_strain(simd, &kinematics.isochoric_cauchy_green())
+    }
+
+    #[inline(always)]
+    fn shear_tangent<S: Simd>(&self, simd: S, stretch: &impl IsochoricState<S::Vector>) -> S::Vector {
         let zero = simd.splat(0.0);
         let state = self.state(simd, stretch.invariants().0.add_scalar(-3.0));
         let first = self.factor(simd, &state).mul_scalar(0.5);
@@ -150,6 +164,7 @@ mod tests {
     use super::*;
     use crate::material::Elastic;
     use crate::number::vector::Scalar;
+    use crate::tensor::stretch::IsochoricStretch;
 
     fn uniaxial(l: Real) -> IsochoricStretch {
         let side = 1.0 / crate::number::math::sqrt(l);

@@ -20,6 +20,8 @@ use crate::number::vector::{Simd, Vector};
 use crate::number::{math, power};
 use crate::tensor::deviator::{Deviator, SQRT_THIRD};
 use crate::tensor::kinematics::Kinematics;
+use crate::tensor::solid_deviator::SolidDeviator;
+use crate::tensor::solid_kinematics::SolidKinematics;
 
 /// Most terms of the law.
 pub const MAX_FOAM_TERMS: usize = 3;
@@ -171,6 +173,44 @@ fn limited<S: Simd>(simd: S, log: S::Vector, largest: Real) -> S::Vector {
     least.select_greater(log, least, log)
 }
 
+/// Binary logarithms of the principal stretches of a tetrahedron, then of J.
+struct SolidLogs<V>([V; 3], V);
+
+impl Hyperfoam {
+    #[inline(always)]
+    fn solid_logs<S: Simd>(&self, simd: S, stretches: [S::Vector; 3]) -> SolidLogs<S::Vector> {
+        let [stretch, jacobian] = self.largest_log;
+        let (mut logs, mut volume) = ([simd.splat(0.0); 3], simd.splat(0.0));
+        for i in 0..3 {
+            let log = power::log2(simd, stretches[i]);
+            volume = volume + log;
+            logs[i] = limited(simd, log, stretch);
+        }
+        SolidLogs(logs, limited(simd, volume, jacobian))
+    }
+}
+
+impl Term {
+    /// l_i^alpha - 1 of a tetrahedron, J^(-alpha beta) - 1, and (J^(-alpha beta) - 1) / beta.
+    #[inline(always)]
+    fn solid_powers<S: Simd>(
+        &self,
+        simd: S,
+        SolidLogs(logs, volume): &SolidLogs<S::Vector>,
+    ) -> ([S::Vector; 3], S::Vector, S::Vector) {
+        let mut powers = [simd.splat(0.0); 3];
+        for i in 0..3 {
+            powers[i] = power::exp2_of_both_signs(logs[i].mul_scalar(self.alpha))[0].exp2_m1;
+        }
+        if self.beta > NO_BETA {
+            let power = power::exp2_of_both_signs(volume.mul_scalar(-self.alpha * self.beta))[0].exp2_m1;
+            (powers, power, power.mul_scalar(1.0 / self.beta))
+        } else {
+            (powers, simd.splat(0.0), volume.mul_scalar(-self.alpha * LN_2))
+        }
+    }
+}
+
 impl HyperelasticLaw for Hyperfoam {
     const NAME: &'static str = "hyperfoam";
     const LABEL: &'static str = "Ogden-Hill foam";
@@ -258,6 +298,58 @@ impl CompressibleLaw for Hyperfoam {
         let deviator =
             Deviator { mean: step.mul_scalar(SQRT_THIRD), difference: slope * difference, shear: slope * shear };
         WholeStress { deviator, mean, energy }
+    }
+
+    #[inline(always)]
+    fn solid_response<S: Simd>(
+        &self,
+        simd: S,
+        kinematics: &SolidKinematics<S::Vector>,
+    ) -> WholeStress<S::Vector, SolidDeviator<S::Vector>> {
+        let zero = simd.splat(0.0);
+        let principal = kinematics.stretch.principal(simd);
+        let logs = self.solid_logs(simd, principal.values);
+        let (mut stress, mut mean, mut energy) = ([zero; 3], zero, zero);
+        for term in &self.terms {
+            if term.factor == 0.0 {
+                continue;
+            }
+            let (powers, volume, volume_energy) = term.solid_powers(simd, &logs);
+            let sum = powers[0] + powers[1] + powers[2];
+            for i in 0..3 {
+                stress[i] = stress[i] + powers[i].mul_scalar(term.factor);
+            }
+            mean = mean + (sum.mul_scalar(THIRD) - volume).mul_scalar(term.factor);
+            energy = energy + (sum + volume_energy).mul_scalar(term.factor / term.alpha);
+        }
+        WholeStress { deviator: SolidDeviator::of(&principal.with_values(stress)), mean, energy }
+    }
+
+    /// Along a principal direction 2 mu l^alpha meets a strain, half of which is the shear modulus, and 2 mu beta J^(-alpha beta)
+    /// one of volume; a compression adds its stress to both. Turning the directions meets the shear modulus of an exponent between.
+    #[inline(always)]
+    fn solid_tangent<S: Simd>(&self, simd: S, stretches: [S::Vector; 3]) -> [S::Vector; 2] {
+        let zero = simd.splat(0.0);
+        let logs = self.solid_logs(simd, stretches);
+        let (mut own, mut stress, mut common) = ([zero; 3], [zero; 3], zero);
+        for term in &self.terms {
+            if term.factor == 0.0 {
+                continue;
+            }
+            let (powers, volume, _) = term.solid_powers(simd, &logs);
+            for i in 0..3 {
+                own[i] = own[i] + powers[i].add_scalar(1.0).mul_scalar(2.0 * term.mu);
+                stress[i] = stress[i] + (powers[i] - volume).mul_scalar(term.factor);
+            }
+            common = common + volume.add_scalar(1.0).mul_scalar(2.0 * term.mu * term.beta);
+        }
+        let mut shear = zero;
+        for i in 0..3 {
+            let pressed = (zero - stress[i]).max(zero);
+            shear = shear.max(own[i].mul_scalar(0.5) + pressed);
+        }
+        // A third of 2 G is what a strain along one direction has of the volume's modulus.
+        [shear, common.max(zero) + shear.mul_scalar(2.0 * THIRD)]
     }
 
     /// The tangents are 2 mu l_i^alpha, summed, and 2 mu beta J^(-alpha beta).

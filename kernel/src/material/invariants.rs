@@ -4,8 +4,7 @@ use crate::material::coefficient::Coefficient;
 use crate::number::math::THIRD;
 use crate::number::real::Real;
 use crate::number::vector::{Simd, Vector};
-use crate::tensor::deviator::{Deviator, SQRT_THIRD};
-use crate::tensor::stretch::{CauchyGreen, IsochoricStretch};
+use crate::tensor::stretch::IsochoricState;
 
 /// The coefficient of (I1 - 3) in the polynomials.
 pub(crate) const C10: Coefficient =
@@ -13,22 +12,6 @@ pub(crate) const C10: Coefficient =
 /// The coefficient of (I1 - 3)^2 in the polynomials.
 pub(crate) const C20: Coefficient =
     Coefficient::modulus("c20", (0.0, 0.2), "mooney_rivlin and yeoh coefficient of (I1 - 3)^2");
-
-/// I1 - 3.
-#[inline(always)]
-pub(crate) fn first_invariant<V: Vector>(c: &CauchyGreen<V>) -> V {
-    c.mean + c.mean + c.out.add_scalar(-3.0)
-}
-
-/// Kirchhoff stress in the unrotated frame, Pa, of a law of I1 alone: dev(`factor` C-bar), where the factor is 2 dW/dI1.
-#[inline(always)]
-pub(crate) fn first_invariant_stress<V: Vector>(c: &CauchyGreen<V>, factor: V) -> Deviator<V> {
-    Deviator {
-        mean: factor * (c.mean - c.out).mul_scalar(SQRT_THIRD),
-        difference: factor * c.difference,
-        shear: factor * c.shear,
-    }
-}
 
 /// The principal stresses 2 (W1 l^2 - W2 / l^2) by Rivlin (1948), Pa, from `slopes`, dW/dI1 and dW/dI2 at the invariants.
 pub(crate) fn invariant_principal_stress(
@@ -53,14 +36,12 @@ pub(crate) fn invariant_principal_stress(
 #[inline(always)]
 pub(crate) fn invariant_shear_tangent<S: Simd>(
     simd: S,
-    stretch: &IsochoricStretch<S::Vector>,
+    stretch: &impl IsochoricState<S::Vector>,
     [w1, w2]: [S::Vector; 2],
     [w11, w12, w22]: [S::Vector; 3],
 ) -> S::Vector {
     let ((i1, i2), zero) = (stretch.invariants(), simd.splat(0.0));
-    let out = stretch.u33 * stretch.u33;
-    let around = out.max(simd.splat(1.0) / out).add_scalar(-1.0);
-    let first = w1.max(zero) * i1.add_scalar(-1.0) + w2.max(zero) * (i2 + around).mul_scalar(2.0).add_scalar(-4.0);
+    let first = stretch.first_order([w1, w2]);
     // Squares and product of dev b and dev 1/b, the latter with its sign turned.
     let squares =
         [i1 * i1.mul_scalar(2.0 * THIRD) - i2.mul_scalar(2.0), i2 * i2.mul_scalar(2.0 * THIRD) - i1.mul_scalar(2.0)];

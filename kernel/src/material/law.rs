@@ -3,9 +3,11 @@
 use crate::material::coefficient::Coefficient;
 use crate::number::real::Real;
 use crate::number::vector::{Simd, Vector};
-use crate::tensor::deviator::Deviator;
+use crate::tensor::deviator::{Deviator, Deviatoric};
 use crate::tensor::kinematics::Kinematics;
-use crate::tensor::stretch::IsochoricStretch;
+use crate::tensor::solid_deviator::SolidDeviator;
+use crate::tensor::solid_kinematics::SolidKinematics;
+use crate::tensor::stretch::IsochoricState;
 
 /// A hyperelastic law with its coefficients. It is an [`IsochoricLaw`] or a [`CompressibleLaw`].
 pub trait HyperelasticLaw: Copy + sealed::Sealed {
@@ -59,8 +61,15 @@ pub trait IsochoricLaw: HyperelasticLaw {
         axisymmetric: bool,
     ) -> (Deviator<S::Vector>, S::Vector);
 
+    /// The same of neighbouring tetrahedra.
+    fn solid_response<S: Simd>(
+        &self,
+        simd: S,
+        kinematics: &SolidKinematics<S::Vector>,
+    ) -> (SolidDeviator<S::Vector>, S::Vector);
+
     /// A majorant of the shear tangent at a stretch with the geometric stiffness of the stress, Pa.
-    fn shear_tangent<S: Simd>(&self, simd: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector;
+    fn shear_tangent<S: Simd>(&self, simd: S, stretch: &impl IsochoricState<S::Vector>) -> S::Vector;
 }
 
 /// A law W of the whole U, which says the mean stress as well: there is no other volumetric law beside it.
@@ -75,6 +84,17 @@ pub trait CompressibleLaw: HyperelasticLaw {
         kinematics: &Kinematics<S::Vector>,
         axisymmetric: bool,
     ) -> WholeStress<S::Vector>;
+
+    /// Stress and W of neighbouring tetrahedra.
+    fn solid_response<S: Simd>(
+        &self,
+        simd: S,
+        kinematics: &SolidKinematics<S::Vector>,
+    ) -> WholeStress<S::Vector, SolidDeviator<S::Vector>>;
+
+    /// A majorant of the moduli of shear and of volume strain of neighbouring tetrahedra with the geometric stiffness of the
+    /// stress, Pa.
+    fn solid_tangent<S: Simd>(&self, simd: S, stretches: [S::Vector; 3]) -> [S::Vector; 2];
 
     /// Stress and tangent along the principal directions of U of neighbouring triangles.
     fn principal_tangent<S: Simd>(&self, simd: S, kinematics: &Kinematics<S::Vector>) -> PrincipalTangent<S::Vector>;
@@ -97,11 +117,11 @@ pub struct PrincipalTangent<V> {
     pub energy: V,
 }
 
-/// Stress and energy of a compressible law, of neighbouring triangles.
+/// Stress and energy of a compressible law, of neighbouring elements.
 #[derive(Clone, Copy, Debug)]
-pub struct WholeStress<V> {
+pub struct WholeStress<V, D = Deviator<V>> {
     /// Deviator of the Kirchhoff stress in the unrotated frame, Pa.
-    pub deviator: Deviator<V>,
+    pub deviator: D,
     /// Mean of the Kirchhoff stress, Pa, positive in tension.
     pub mean: V,
     /// W, J/m3 of reference volume.
@@ -117,12 +137,12 @@ impl<V: Vector> PrincipalTangent<V> {
     }
 }
 
-impl<V: Vector> WholeStress<V> {
+impl<V: Vector, D: Deviatoric<V>> WholeStress<V, D> {
     /// No stress, no energy.
     #[inline(always)]
     pub fn none<S: Simd<Vector = V>>(simd: S) -> Self {
         let zero = simd.splat(0.0);
-        Self { deviator: Deviator { mean: zero, difference: zero, shear: zero }, mean: zero, energy: zero }
+        Self { deviator: D::uniform(zero), mean: zero, energy: zero }
     }
 }
 

@@ -8,9 +8,11 @@
 
 use crate::material::Material;
 use crate::material::relaxation::{Branches, Overstress};
+use crate::number::pack::Pack;
 use crate::number::real::Real;
 use crate::number::vector::Simd;
 use crate::tensor::deviator::Deviator;
+use crate::tensor::solid_deviator::{DEVIATOR_PACKS, SolidDeviator};
 
 /// The constants of the recurrence, for one step size.
 #[derive(Clone, Debug, PartialEq)]
@@ -51,8 +53,21 @@ impl Maxwell {
         chunk: usize,
         strain_increment: &[Deviator<S::Vector>; 2],
         history: [&mut [Deviator]; 2],
-        overstress: &mut [Overstress<S::Vector>; 2],
+        overstress: &mut [Overstress<Deviator<S::Vector>>; 2],
     ) {
         self.branches.update(simd, chunk, strain_increment, history, overstress);
+    }
+
+    /// The same for tetrahedra.
+    #[inline(always)]
+    pub fn update_solid<S: Simd>(
+        &self,
+        simd: S,
+        chunk: usize,
+        strain_increment: &SolidDeviator<S::Vector>,
+        history: &mut [[Pack; DEVIATOR_PACKS]],
+        overstress: &mut Overstress<SolidDeviator<S::Vector>>,
+    ) {
+        self.branches.update_solid(simd, chunk, strain_increment, history, overstress);
     }
 }

@@ -13,7 +13,9 @@ use crate::number::real::Real;
 use crate::number::vector::{Simd, Vector};
 use crate::tensor::deviator::{Deviator, SQRT_THIRD};
 use crate::tensor::kinematics::Kinematics;
-use crate::tensor::stretch::IsochoricStretch;
+use crate::tensor::solid_deviator::SolidDeviator;
+use crate::tensor::solid_kinematics::{IsochoricSymmetric, SolidKinematics};
+use crate::tensor::stretch::IsochoricState;
 
 /// Coefficients, Pa.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,6 +35,21 @@ pub struct MooneyRivlin {
 impl MooneyRivlin {
     /// No stress.
     pub const ZERO: Self = Self { c10: 0.0, c01: 0.0, c11: 0.0, c20: 0.0, c02: 0.0 };
+
+    /// Twice the derivatives of W, Pa, at I1 - 3 and I2 - 3.
+    #[inline(always)]
+    fn double_slopes<V: Vector>(&self, a: V, b: V) -> [V; 2] {
+        [
+            (a.mul_scalar(4.0 * self.c20) + b.mul_scalar(2.0 * self.c11)).add_scalar(2.0 * self.c10),
+            (b.mul_scalar(4.0 * self.c02) + a.mul_scalar(2.0 * self.c11)).add_scalar(2.0 * self.c01),
+        ]
+    }
+
+    /// W, J/m3, of degree two without a constant: half the invariants times the mean of the slope and that at rest.
+    #[inline(always)]
+    fn energy<V: Vector>(&self, a: V, b: V, [w1, w2]: [V; 2]) -> V {
+        (a * w1.add_scalar(2.0 * self.c10) + b * w2.add_scalar(2.0 * self.c01)).mul_scalar(0.25)
+    }
 }
 
 impl HyperelasticLaw for MooneyRivlin {
@@ -96,22 +113,33 @@ impl IsochoricLaw for MooneyRivlin {
         // I1 - 3 and I2 - 3.
         let a = c_mean + c_mean + c_out.add_scalar(-3.0);
         let b = inverse_mean + inverse_mean + inverse_out.add_scalar(-3.0);
-        // Twice the derivatives of W.
-        let w1 = (a.mul_scalar(4.0 * self.c20) + b.mul_scalar(2.0 * self.c11)).add_scalar(2.0 * self.c10);
-        let w2 = (b.mul_scalar(4.0 * self.c02) + a.mul_scalar(2.0 * self.c11)).add_scalar(2.0 * self.c01);
+        let [w1, w2] = self.double_slopes(a, b);
         let turned = (w1 + w2 * c_out) * (scale * (mean + mean));
         let tau = Deviator {
             mean: (w1 * (c_mean - c_out) - w2 * (inverse_mean - inverse_out)).mul_scalar(SQRT_THIRD),
             difference: turned * difference,
             shear: turned * shear,
         };
-        // W is of degree two without a constant: half the invariants times the mean of the slope and that at rest.
-        let energy = (a * w1.add_scalar(2.0 * self.c10) + b * w2.add_scalar(2.0 * self.c01)).mul_scalar(0.25);
-        (tau, energy)
+        (tau, self.energy(a, b, [w1, w2]))
+    }
+
+    /// C-bar^-1 is the adjugate of C-bar, whose determinant is one.
+    #[inline(always)]
+    fn solid_response<S: Simd>(
+        &self,
+        _: S,
+        kinematics: &SolidKinematics<S::Vector>,
+    ) -> (SolidDeviator<S::Vector>, S::Vector) {
+        let IsochoricSymmetric(c) = kinematics.isochoric_cauchy_green();
+        let inverse = c.adjugate();
+        let (a, b) = (c.trace().add_scalar(-3.0), inverse.trace().add_scalar(-3.0));
+        let [w1, w2] = self.double_slopes(a, b);
+        let tau = SolidDeviator::of(&c.scaled(w1).minus(&inverse.scaled(w2)));
+        (tau, self.energy(a, b, [w1, w2]))
     }
 
     #[inline(always)]
-    fn shear_tangent<S: Simd>(&self, simd: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
+    fn shear_tangent<S: Simd>(&self, simd: S, stretch: &impl IsochoricState<S::Vector>) -> S::Vector {
         let (i1, i2) = stretch.invariants();
         let (a, b) = (i1.add_scalar(-3.0), i2.add_scalar(-3.0));
         let w1 = a.mul_scalar(2.0 * self.c20).add_scalar(self.c10) + b.mul_scalar(self.c11);

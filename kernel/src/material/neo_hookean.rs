@@ -2,13 +2,15 @@
 //! frame is tau = dev(2 C10 C-bar).
 
 use crate::material::coefficient::Coefficient;
-use crate::material::invariants::{C10, first_invariant, invariant_principal_stress, invariant_shear_tangent};
+use crate::material::invariants::{C10, invariant_principal_stress, invariant_shear_tangent};
 use crate::material::law::{HyperelasticLaw, IsochoricLaw, Variant};
 use crate::number::real::Real;
 use crate::number::vector::{Simd, Vector};
 use crate::tensor::deviator::{Deviator, SQRT_THIRD};
 use crate::tensor::kinematics::Kinematics;
-use crate::tensor::stretch::IsochoricStretch;
+use crate::tensor::solid_deviator::SolidDeviator;
+use crate::tensor::solid_kinematics::SolidKinematics;
+use crate::tensor::stretch::{IsochoricState, IsochoricTensor};
 
 /// Coefficient, Pa.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,11 +57,21 @@ impl IsochoricLaw for NeoHookean {
             difference: c.difference.mul_scalar(factor),
             shear: c.shear.mul_scalar(factor),
         };
-        (tau, first_invariant(&c).mul_scalar(self.c10))
+        (tau, c.first_invariant().mul_scalar(self.c10))
     }
 
     #[inline(always)]
-    fn shear_tangent<S: Simd>(&self, simd: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
+    fn solid_response<S: Simd>(
+        &self,
+        simd: S,
+        kinematics: &SolidKinematics<S::Vector>,
+    ) -> (SolidDeviator<S::Vector>, S::Vector) {
+        let c = kinematics.isochoric_cauchy_green();
+        (c.scaled_deviator(simd.splat(2.0 * self.c10)), c.first_invariant().mul_scalar(self.c10))
+    }
+
+    #[inline(always)]
+    fn shear_tangent<S: Simd>(&self, simd: S, stretch: &impl IsochoricState<S::Vector>) -> S::Vector {
         let zero = simd.splat(0.0);
         invariant_shear_tangent(simd, stretch, [simd.splat(self.c10), zero], [zero; 3])
     }

@@ -27,7 +27,9 @@ use crate::number::vector::{Simd, Vector};
 use crate::number::{math, power};
 use crate::tensor::deviator::{Deviator, SQRT_THIRD};
 use crate::tensor::kinematics::Kinematics;
-use crate::tensor::stretch::IsochoricStretch;
+use crate::tensor::solid_deviator::SolidDeviator;
+use crate::tensor::solid_kinematics::SolidKinematics;
+use crate::tensor::stretch::IsochoricState;
 
 /// Most terms of the law.
 pub const MAX_OGDEN_TERMS: usize = 3;
@@ -163,6 +165,34 @@ impl IsochoricLaw for Ogden {
         self.of_stretch(simd, [mean, difference, shear], inverse_cbrt_j * hoop)
     }
 
+    /// mu_k l^alpha_k along the principal directions.
+    #[inline(always)]
+    fn solid_response<S: Simd>(
+        &self,
+        simd: S,
+        kinematics: &SolidKinematics<S::Vector>,
+    ) -> (SolidDeviator<S::Vector>, S::Vector) {
+        let principal = kinematics.stretch.principal(simd);
+        let zero = simd.splat(0.0);
+        let (mut stress, mut energy) = ([zero; 3], zero);
+        for i in 0..3 {
+            let log = power::log2(simd, kinematics.inverse_cbrt_j * principal.values[i]);
+            let log = self.limited(simd, log);
+            for k in 0..MAX_OGDEN_TERMS {
+                let (mu, alpha) = (self.mu[k], self.alpha[k]);
+                if mu == 0.0 || alpha == 0.0 {
+                    continue;
+                }
+                // Squared, as logarithms are limited for half of the exponent.
+                let root = power::exp2_of_both_signs(log.mul_scalar(0.5 * alpha))[0].exp2_m1;
+                let power = root * root.add_scalar(2.0);
+                stress[i] = stress[i] + power.mul_scalar(mu);
+                energy = energy + power.mul_scalar(self.energy_factor[k]);
+            }
+        }
+        (SolidDeviator::of(&principal.with_values(stress)), energy)
+    }
+
     /// A majorant of the shear tangent with the geometric stiffness of the stress, Pa. Only terms with mu alpha > 0 count;
     /// the others soften.
     ///
@@ -172,7 +202,7 @@ impl IsochoricLaw for Ogden {
     /// between -2 and 2, by less than (1 + h^2/3) / (1 + |a| h/2) with h = |ln(l_i / l_j)|, as h coth h < 1 + h^2/3 and
     /// (1 - e^-x)/x < 1 / (1 + x/2).
     #[inline(always)]
-    fn shear_tangent<S: Simd>(&self, simd: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
+    fn shear_tangent<S: Simd>(&self, simd: S, stretch: &impl IsochoricState<S::Vector>) -> S::Vector {
         let zero = simd.splat(0.0);
         let logs = stretch.principal().map(|stretch| self.limited(simd, power::log2(simd, stretch)));
         let largest = |logs: [S::Vector; 3]| logs[0].max(logs[1]).max(logs[2]);

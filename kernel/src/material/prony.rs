@@ -11,9 +11,11 @@
 
 use crate::material::Material;
 use crate::material::relaxation::{Branches, Overstress};
+use crate::number::pack::Pack;
 use crate::number::real::Real;
 use crate::number::vector::Simd;
 use crate::tensor::deviator::Deviator;
+use crate::tensor::solid_deviator::{DEVIATOR_PACKS, SolidDeviator};
 
 /// The constants of the recurrence, for one step size.
 #[derive(Clone, Debug, PartialEq)]
@@ -56,9 +58,22 @@ impl Prony {
         chunk: usize,
         increment: &[Deviator<S::Vector>; 2],
         history: [&mut [Deviator]; 2],
-        overstress: &mut [Overstress<S::Vector>; 2],
+        overstress: &mut [Overstress<Deviator<S::Vector>>; 2],
     ) {
         self.branches.update(simd, chunk, increment, history, overstress);
+    }
+
+    /// The same for tetrahedra.
+    #[inline(always)]
+    pub fn update_solid<S: Simd>(
+        &self,
+        simd: S,
+        chunk: usize,
+        increment: &SolidDeviator<S::Vector>,
+        history: &mut [[Pack; DEVIATOR_PACKS]],
+        overstress: &mut Overstress<SolidDeviator<S::Vector>>,
+    ) {
+        self.branches.update_solid(simd, chunk, increment, history, overstress);
     }
     /// Advances the `history` of the mean stress of a compressible law by its increment; see [`Branches::update_mean`].
     #[inline(always)]
@@ -70,5 +85,17 @@ impl Prony {
         history: &mut [Deviator],
     ) -> [S::Vector; 2] {
         self.branches.update_mean(simd, chunk, increment, history)
+    }
+
+    /// The same for tetrahedra, a pack of `history` for each term.
+    #[inline(always)]
+    pub fn update_solid_mean<S: Simd>(
+        &self,
+        simd: S,
+        chunk: usize,
+        increment: S::Vector,
+        history: &mut [Pack],
+    ) -> [S::Vector; 2] {
+        self.branches.update_solid_mean(simd, chunk, increment, history)
     }
 }

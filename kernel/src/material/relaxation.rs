@@ -11,9 +11,11 @@
 use heapless::Vec;
 
 use crate::number::math;
+use crate::number::pack::Pack;
 use crate::number::real::Real;
 use crate::number::vector::{Simd, Vector};
-use crate::tensor::deviator::Deviator;
+use crate::tensor::deviator::{Deviator, Deviatoric};
+use crate::tensor::solid_deviator::{DEVIATOR_PACKS, SolidDeviator};
 
 /// Most branches of one kind.
 pub const MAX_BRANCHES: usize = 5;
@@ -32,26 +34,39 @@ struct Branch {
     gain: Real,
 }
 
-/// Stress of neighbouring triangles with their overstress.
-pub struct Overstress<V> {
+/// Stress of neighbouring elements with their overstress.
+pub struct Overstress<D> {
     /// Stress after the step with the sum over the branches, Pa.
-    pub total: Deviator<V>,
+    pub total: D,
     /// Sum over the branches before the step, Pa.
-    pub before: Deviator<V>,
+    pub before: D,
 }
 
-impl<V: Vector> Overstress<V> {
+impl<D> Overstress<D> {
     /// No branch yet, beside the stress `rest`.
     #[inline(always)]
-    pub fn with_equilibrium<S: Simd<Vector = V>>(simd: S, rest: Deviator<V>) -> Self {
-        let zero = simd.splat(0.0);
-        Self { total: rest, before: Deviator { mean: zero, difference: zero, shear: zero } }
+    pub fn with_equilibrium<S: Simd>(simd: S, rest: D) -> Self
+    where
+        D: Deviatoric<S::Vector>,
+    {
+        Self { total: rest, before: D::uniform(simd.splat(0.0)) }
     }
 
     /// Sum over the branches before and after the step, Pa, beside the stress `rest`.
     #[inline(always)]
-    pub fn twice_mean(&self, rest: &Deviator<V>) -> Deviator<V> {
+    pub fn twice_mean<V>(&self, rest: &D) -> D
+    where
+        D: Deviatoric<V>,
+    {
         self.before + (self.total - *rest)
+    }
+}
+
+impl Branch {
+    /// The overstress after a step from that before it, Pa, and the increment of what drives the branch.
+    #[inline(always)]
+    fn advance<S: Simd, D: Deviatoric<S::Vector>>(&self, simd: S, before: &D, increment: &D) -> D {
+        before.scaled(simd.splat(self.decay)) + increment.scaled(simd.splat(self.gain))
     }
 }
 
@@ -80,16 +95,35 @@ impl Branches {
         chunk: usize,
         increment: &[Deviator<S::Vector>; 2],
         [first, second]: [&mut [Deviator]; 2],
-        overstress: &mut [Overstress<S::Vector>; 2],
+        overstress: &mut [Overstress<Deviator<S::Vector>>; 2],
     ) {
-        for ((first, second), Branch { decay, gain }) in first.iter_mut().zip(second).zip(&self.0) {
+        for ((first, second), branch) in first.iter_mut().zip(second).zip(&self.0) {
             for (t, history) in [first, second].into_iter().enumerate() {
                 let (sum, before) = (&mut overstress[t], Deviator::load(simd, history, chunk));
-                let stress = before.scaled(simd.splat(*decay)) + increment[t].scaled(simd.splat(*gain));
+                let stress = branch.advance(simd, &before, &increment[t]);
                 stress.store(simd, history, chunk);
                 sum.before = sum.before + before;
                 sum.total = sum.total + stress;
             }
+        }
+    }
+
+    /// The same for tetrahedra.
+    #[inline(always)]
+    pub fn update_solid<S: Simd>(
+        &self,
+        simd: S,
+        chunk: usize,
+        increment: &SolidDeviator<S::Vector>,
+        history: &mut [[Pack; DEVIATOR_PACKS]],
+        overstress: &mut Overstress<SolidDeviator<S::Vector>>,
+    ) {
+        for (history, branch) in history.iter_mut().zip(&self.0) {
+            let before = SolidDeviator::load(simd, history, chunk);
+            let stress = branch.advance(simd, &before, increment);
+            stress.store(simd, history, chunk);
+            overstress.before = overstress.before + before;
+            overstress.total = overstress.total + stress;
         }
     }
 
@@ -105,14 +139,45 @@ impl Branches {
     ) -> [S::Vector; 2] {
         let mut sums = [simd.splat(0.0); 2];
         for (entry, branches) in history.iter_mut().zip(self.0.chunks(PACKS_OF_ENTRY)) {
-            for (pack, Branch { decay, gain }) in entry.packs_mut().into_iter().zip(branches) {
-                let before = simd.load(pack, chunk);
-                let stress = before.mul_scalar(*decay) + increment.mul_scalar(*gain);
-                simd.store(stress, pack, chunk);
-                sums = [sums[0] + before, sums[1] + stress];
+            for (pack, branch) in entry.packs_mut().into_iter().zip(branches) {
+                branch.advance_mean(simd, chunk, increment, pack, &mut sums);
             }
         }
         sums
+    }
+
+    /// The same for tetrahedra, a pack of `history` for each branch.
+    #[inline(always)]
+    pub fn update_solid_mean<S: Simd>(
+        &self,
+        simd: S,
+        chunk: usize,
+        increment: S::Vector,
+        history: &mut [Pack],
+    ) -> [S::Vector; 2] {
+        let mut sums = [simd.splat(0.0); 2];
+        for (pack, branch) in history.iter_mut().zip(&self.0) {
+            branch.advance_mean(simd, chunk, increment, pack, &mut sums);
+        }
+        sums
+    }
+}
+
+impl Branch {
+    /// Advances a mean overstress, Pa, and adds it before and after to `sums`.
+    #[inline(always)]
+    fn advance_mean<S: Simd>(
+        &self,
+        simd: S,
+        chunk: usize,
+        increment: S::Vector,
+        pack: &mut Pack,
+        sums: &mut [S::Vector; 2],
+    ) {
+        let before = simd.load(pack, chunk);
+        let stress = before.mul_scalar(self.decay) + increment.mul_scalar(self.gain);
+        simd.store(stress, pack, chunk);
+        *sums = [sums[0] + before, sums[1] + stress];
     }
 }
 

@@ -11,7 +11,7 @@
 use crate::number::math;
 use crate::number::real::Real;
 use crate::number::vector::{Simd, Vector};
-use crate::tensor::deviator::Deviator;
+use crate::tensor::deviator::{Deviator, Deviatoric};
 
 /// Constants of the spring-slider.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,23 +24,23 @@ pub struct Slider {
     limit: Real,
 }
 
-/// Springs and sliders of neighbouring triangles after a step.
+/// Springs and sliders of neighbouring elements after a step.
 #[derive(Clone, Copy)]
-pub struct SliderStep<V> {
+pub struct SliderStep<V, D = Deviator<V>> {
     /// Stress of the springs, Pa.
-    pub stress: Deviator<V>,
+    pub stress: D,
     /// Energy dissipated in the step, J/m3, from the mean of the stresses before and after.
     pub dissipation: V,
     /// Energy stored in the springs, J/m3.
     pub stored: V,
 }
 
-impl<V: Vector> SliderStep<V> {
+impl<V: Vector, D: Deviatoric<V>> SliderStep<V, D> {
     /// Of a material without springs.
     #[inline(always)]
     pub fn none<S: Simd<Vector = V>>(simd: S) -> Self {
         let zero = simd.splat(0.0);
-        Self { stress: Deviator { mean: zero, difference: zero, shear: zero }, dissipation: zero, stored: zero }
+        Self { stress: D::uniform(zero), dissipation: zero, stored: zero }
     }
 }
 
@@ -66,14 +66,14 @@ impl Slider {
         self.stiffness > 0.0
     }
 
-    /// Advances the stress `before` of neighbouring triangles by the deviatoric strain increment.
+    /// Advances the stress `before` of neighbouring elements by the deviatoric strain increment.
     #[inline(always)]
-    pub fn update<S: Simd>(
+    pub fn update<S: Simd, D: Deviatoric<S::Vector>>(
         &self,
         simd: S,
-        strain_increment: &Deviator<S::Vector>,
-        before: &Deviator<S::Vector>,
-    ) -> SliderStep<S::Vector> {
+        strain_increment: &D,
+        before: &D,
+    ) -> SliderStep<S::Vector, D> {
         let one = simd.splat(1.0);
         let trial = *before + strain_increment.scaled(simd.splat(2.0 * self.stiffness));
         // The von Mises stress is the root of 3/2 trial : trial.

@@ -58,4 +58,14 @@ impl Tear {
         let largest = hoop.select_greater(largest, hoop, largest);
         [largest, self.factor(simd, before), self.factor(simd, largest)]
     }
+
+    /// The same for tetrahedra, of these principal stretches.
+    #[inline(always)]
+    pub fn update_solid<S: Simd>(&self, simd: S, stretches: [S::Vector; 3], before: S::Vector) -> [S::Vector; 3] {
+        let mut largest = before;
+        for stretch in stretches {
+            largest = stretch.select_greater(largest, stretch, largest);
+        }
+        [largest, self.factor(simd, before), self.factor(simd, largest)]
+    }
 }

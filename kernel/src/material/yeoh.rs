@@ -2,15 +2,15 @@
 //! Kirchhoff stress in the unrotated frame is tau = dev(2 dW/dI1 C-bar). Zero coefficients give one or two terms.
 
 use crate::material::coefficient::Coefficient;
-use crate::material::invariants::{
-    C10, C20, first_invariant, first_invariant_stress, invariant_principal_stress, invariant_shear_tangent,
-};
+use crate::material::invariants::{C10, C20, invariant_principal_stress, invariant_shear_tangent};
 use crate::material::law::{HyperelasticLaw, IsochoricLaw, Variant};
 use crate::number::real::Real;
 use crate::number::vector::{Simd, Vector};
 use crate::tensor::deviator::Deviator;
 use crate::tensor::kinematics::Kinematics;
-use crate::tensor::stretch::IsochoricStretch;
+use crate::tensor::solid_deviator::SolidDeviator;
+use crate::tensor::solid_kinematics::SolidKinematics;
+use crate::tensor::stretch::{IsochoricState, IsochoricTensor};
 
 /// Coefficients, Pa.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,6 +31,18 @@ const C20_OF_YEOH: Coefficient = Coefficient { plausible: (-0.02, 0.3), ..C20 };
 impl Yeoh {
     /// No stress.
     pub const ZERO: Self = Self { c10: 0.0, c20: 0.0, c30: 0.0 };
+}
+
+impl Yeoh {
+    /// Stress, Pa, and W, J/m3, at a C-bar.
+    #[inline(always)]
+    fn of_strain<V: Vector, C: IsochoricTensor<V>>(&self, c: &C) -> (C::Deviator, V) {
+        let a = c.first_invariant();
+        let slope = a * (a.mul_scalar(3.0 * self.c30)).add_scalar(2.0 * self.c20);
+        let factor = slope.add_scalar(self.c10).mul_scalar(2.0);
+        let energy = a * (a * a.mul_scalar(self.c30).add_scalar(self.c20)).add_scalar(self.c10);
+        (c.scaled_deviator(factor), energy)
+    }
 }
 
 impl HyperelasticLaw for Yeoh {
@@ -72,16 +84,20 @@ impl HyperelasticLaw for Yeoh {
 impl IsochoricLaw for Yeoh {
     #[inline(always)]
     fn response<S: Simd>(&self, _: S, kinematics: &Kinematics<S::Vector>, _: bool) -> (Deviator<S::Vector>, S::Vector) {
-        let c = kinematics.isochoric_cauchy_green();
-        let a = first_invariant(&c);
-        let slope = a * (a.mul_scalar(3.0 * self.c30)).add_scalar(2.0 * self.c20);
-        let factor = slope.add_scalar(self.c10).mul_scalar(2.0);
-        let energy = a * (a * a.mul_scalar(self.c30).add_scalar(self.c20)).add_scalar(self.c10);
-        (first_invariant_stress(&c, factor), energy)
+        self.of_strain(&kinematics.isochoric_cauchy_green())
     }
 
     #[inline(always)]
-    fn shear_tangent<S: Simd>(&self, simd: S, stretch: &IsochoricStretch<S::Vector>) -> S::Vector {
+    fn solid_response<S: Simd>(
+        &self,
+        _: S,
+        kinematics: &SolidKinematics<S::Vector>,
+    ) -> (SolidDeviator<S::Vector>, S::Vector) {
+        self.of_strain(&kinematics.isochoric_cauchy_green())
+    }
+
+    #[inline(always)]
+    fn shear_tangent<S: Simd>(&self, simd: S, stretch: &impl IsochoricState<S::Vector>) -> S::Vector {
         let zero = simd.splat(0.0);
         let a = stretch.invariants().0.add_scalar(-3.0);
         let first = (a * a.mul_scalar(3.0 * self.c30).add_scalar(2.0 * self.c20)).add_scalar(self.c10);

@@ -9,12 +9,14 @@
 use core::ops::Range;
 
 use crate::error::ModelError;
-use crate::features::PADS;
+use crate::features::{PADS, SOLID};
 use crate::mesh::columns::{MAX_PIECES, Piece, cells_along, layer_across, pieces};
+use crate::mesh::paths::TETRAHEDRA;
+use crate::mesh::slices::{Slices, meshed};
 use crate::number::math;
-use crate::number::pack::LANES;
+use crate::number::pack::{LANES, Pack};
 use crate::number::real::{Real, SAME};
-use crate::scenario::{Formulation, Layer, MAX_LAYERS, Scenario, Section};
+use crate::scenario::{Formulation, Layer, MAX_LAYERS, Scenario, Section, Symmetry};
 
 /// Largest number of cells of a mesh.
 pub const MAX_CELLS: usize = 1 << 20;
@@ -41,6 +43,12 @@ pub struct Grid {
     pub pieces: [Piece; MAX_PIECES],
     /// Whether the section turns about its centre line.
     pub axisymmetric: bool,
+    /// Slices of cells of a solid along z, from one end, or the plane z = 0, to the other end; 0 in a section.
+    pub n_w: usize,
+    /// Slice of the nodes on the plane z = 0.
+    pub centre_w: usize,
+    /// How the slices on either side of that plane are spread.
+    pub slices: Slices,
 }
 
 impl Grid {
@@ -54,8 +62,10 @@ impl Grid {
         let pieces = pieces(scenario);
         let half = pieces[MAX_PIECES - 1].end;
         let rows = scenario.layers.iter().fold(0.0, |sum, layer| sum + layer_rows(layer, element_size) as Real);
-        let halves = if geometry.section == Section::Full { 2.0 } else { 1.0 };
-        let cells = halves * half as Real * rows;
+        let slices = if geometry.formulation.is_solid() { Slices::of(scenario, half) } else { Slices::NONE };
+        let [n_w, centre_w] = meshed(geometry.symmetry, slices.half);
+        let full = has_both_sides(scenario);
+        let cells = if full { 2.0 } else { 1.0 } * half as Real * rows * n_w.max(1) as Real;
         if cells > MAX_CELLS as Real {
             return Err(ModelError::TooManyCells { cells, max: MAX_CELLS });
         }
@@ -73,30 +83,69 @@ impl Grid {
             layer_end[place.min(MAX_LAYERS - 1)] + opened
         });
         let axisymmetric = geometry.formulation == Formulation::Axisymmetric;
-        Ok(match geometry.section {
-            Section::Half => Self {
-                n_u: half,
-                centre: 0,
-                n_v,
-                layer_end,
-                layer_open,
-                layer_columns,
-                layer_top,
-                pieces,
-                axisymmetric,
-            },
-            Section::Full => Self {
-                n_u: 2 * half,
-                centre: half,
-                n_v,
-                layer_end,
-                layer_open,
-                layer_columns,
-                layer_top,
-                pieces,
-                axisymmetric,
-            },
+        let [n_u, centre] = if full { [2 * half, half] } else { [half, 0] };
+        Ok(Self {
+            n_u,
+            centre,
+            n_v,
+            layer_end,
+            layer_open,
+            layer_columns,
+            layer_top,
+            pieces,
+            axisymmetric,
+            n_w,
+            centre_w,
+            slices,
         })
+    }
+
+    /// First nodes of the four rows about the block at `place` of the row of cells in row `v` and slice `w` of a solid, in the order
+    /// of the paths in a cell ([`crate::mesh::PATHS`]): bit 0 from the surface down, bit 1 away from z = 0.
+    #[inline(always)]
+    pub(crate) fn solid_rows(&self, [v, w]: [usize; 2], place: usize) -> [usize; 4] {
+        let [near, far] = if w < self.centre_w { [w + 1, w] } else { [w, w + 1] };
+        let (lower, first) = (self.node_row(v), place * LANES);
+        [
+            self.node(first, lower + 1, near),
+            self.node(first, lower, near),
+            self.node(first, lower + 1, far),
+            self.node(first, lower, far),
+        ]
+    }
+
+    /// 1 for the cells of the block at `place` of a row that are on the left of the centre line, if there are any.
+    #[inline(always)]
+    pub(crate) fn mirrored(&self, place: usize) -> Option<Pack> {
+        let left = self.centre.saturating_sub(place * LANES);
+        if left == 0 { None } else { Some(core::array::from_fn(|l| if l < left { 1.0 } else { 0.0 })) }
+    }
+
+    /// Row, slice and place of a block of a solid.
+    pub(crate) fn solid_place(&self, block: usize) -> ([usize; 2], usize) {
+        let (row, place) = (block / self.blocks_per_row().max(1), block % self.blocks_per_row().max(1));
+        ([row / self.n_w.max(1), row % self.n_w.max(1)], place)
+    }
+
+    /// Whether the mesh is that of a solid.
+    #[inline(always)]
+    pub fn is_solid(&self) -> bool {
+        SOLID && self.n_w > 0
+    }
+
+    /// Slices of nodes: one in a section.
+    pub fn node_slices(&self) -> usize {
+        if self.is_solid() { self.n_w + 1 } else { 1 }
+    }
+
+    /// Nodes of a row in all slices, padding included.
+    pub fn plane(&self) -> usize {
+        self.stride() * self.node_slices()
+    }
+
+    /// The nodes of column `u`, row `v` and slice `w`.
+    pub fn node(&self, u: usize, v: usize, w: usize) -> usize {
+        (v * self.node_slices() + w) * self.stride() + u
     }
 
     /// Blocks that hold a row of cells.
@@ -106,7 +155,7 @@ impl Grid {
 
     /// Blocks of the whole mesh.
     pub fn n_block(&self) -> usize {
-        self.blocks_per_row() * self.n_v
+        self.blocks_per_row() * self.n_v * self.n_w.max(1)
     }
 
     /// Rows of cells of a layer, counted from the core.
@@ -215,19 +264,31 @@ impl Grid {
 
     /// Nodes of the whole mesh, padding included.
     pub fn n_node(&self) -> usize {
-        self.stride() * self.node_rows()
+        self.plane() * self.node_rows()
     }
 
-    /// Triangles of the whole mesh, padding excluded.
+    /// Triangles or tetrahedra of the whole mesh, padding excluded.
     pub fn n_elem(&self) -> usize {
-        2 * self.n_u * self.n_v
+        if self.is_solid() { TETRAHEDRA * self.n_u * self.n_v * self.n_w } else { 2 * self.n_u * self.n_v }
     }
 
-    /// Index of the triangle `t` (0 or 1) of lane `l` in block `block`, counted row by row without padding.
+    /// Index of the triangle `t` (0 or 1) or tetrahedron `t` (0 to 5) of lane `l` in block `block`, counted row by row without
+    /// padding, in a solid slice by slice of a row.
     pub fn element_index(&self, block: usize, l: usize, t: usize) -> u32 {
         let row = block / self.blocks_per_row().max(1);
         let column = (block % self.blocks_per_row().max(1)) * LANES + l;
-        (2 * (row * self.n_u + column) + t) as u32
+        let per_cell = if self.is_solid() { TETRAHEDRA } else { 2 };
+        (per_cell * (row * self.n_u + column) + t) as u32
+    }
+}
+
+/// Whether what is meshed has both sides of the centre line.
+fn has_both_sides(scenario: &Scenario) -> bool {
+    let geometry = &scenario.geometry;
+    if geometry.formulation.is_solid() {
+        geometry.symmetry != Symmetry::Quarter
+    } else {
+        geometry.section == Section::Full
     }
 }
 

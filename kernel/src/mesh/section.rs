@@ -23,7 +23,7 @@ pub fn reference_position(scenario: &Scenario, grid: &Grid, u: usize, v: usize) 
 }
 
 /// Height of row `v` of nodes over the core at rest, m.
-fn height_over_core(scenario: &Scenario, grid: &Grid, v: usize) -> Real {
+pub(super) fn height_over_core(scenario: &Scenario, grid: &Grid, v: usize) -> Real {
     let mut below = 0.0;
     for (place, layer) in scenario.layers.iter().enumerate() {
         let rows = grid.rows_of(place);
@@ -47,6 +47,8 @@ pub fn out_of_plane(scenario: &Scenario, x: Real) -> Real {
     let (geometry, impactor) = (&scenario.geometry, &scenario.impactor);
     let covered = match (geometry.formulation, impactor.shape, geometry.shape) {
         (Formulation::Axisymmetric, ..) => return 2.0 * PI * x,
+        // A solid has its volume of its own.
+        (formulation, ..) if formulation.is_solid() => return 1.0,
         (_, FaceShape::Rectangular | FaceShape::Bar, _) => impactor.face_length,
         (_, FaceShape::Round | FaceShape::Sphere, Shape::Block) => geometry.length,
         (_, FaceShape::Round | FaceShape::Sphere, Shape::Round) if scenario.face_covers() => {

@@ -38,6 +38,8 @@ pub struct Constants {
     pub design_stretch: Real,
     /// Steps in a sampling interval; `dt` times it is [`crate::SAMPLING_INTERVAL`].
     pub steps_per_sample: u32,
+    /// Packs that each tetrahedron of a solid remembers.
+    pub(crate) solid_history_packs: usize,
     /// Channel filter of the contact force.
     pub channel: Coefficients,
     /// Material models of the layers from the core to the surface; behind them that of the last again.
@@ -84,6 +86,17 @@ impl Constants {
     pub fn laws_of(&self, block: usize) -> &MaterialModel {
         let [first, second, third, fourth] = &self.laws;
         match self.grid.layer_of_block(block) {
+            0 => first,
+            1 => second,
+            2 => third,
+            _ => fourth,
+        }
+    }
+
+    /// Material model of the layer of a row of cells.
+    pub(crate) fn laws_of_row(&self, row: usize) -> &MaterialModel {
+        let [first, second, third, fourth] = &self.laws;
+        match self.grid.layer_of_row(row) {
             0 => first,
             1 => second,
             2 => third,

@@ -1,7 +1,9 @@
 //! Sizes of the memory that the caller lends to a model and a state, known before anything is built.
 
+use crate::element::{SOLID_BLOCK_PACKS, solid_history_packs};
 use crate::error::ModelError;
-use crate::mesh::Grid;
+use crate::mesh::{Grid, TETRAHEDRA};
+use crate::number::pack::LANES;
 use crate::scenario::{Outline, Scenario};
 
 /// Numbers per node in a model: height of rest, inverse masses along x and y, mass, and x of rest.
@@ -12,6 +14,9 @@ pub(crate) const STATE_NODE_FIELDS: usize = 6;
 pub(crate) const SURFACE_FIELDS: usize = 2;
 /// Numbers per surface node under a face that is round or has edges: depth in it, its direction there, and the node's mass.
 pub(crate) const ROUNDING_FIELDS: usize = 4;
+
+/// The same of a solid: see [`crate::contact`].
+pub(crate) const SOLID_TOUCH_FIELDS: usize = 8;
 
 /// Numbers of a node that may touch the layer across an interface: see [`crate::state::Pair`].
 pub(crate) const PAIR_FIELDS: usize = 16;
@@ -27,20 +32,63 @@ pub(crate) struct NodeArrays {
     pub rounding: usize,
     /// Of that for the nodes on both sides of the interfaces that are not bonded.
     pub pairs: usize,
+    /// Of that for what only a solid has: see [`crate::state::SolidState`].
+    pub solid: usize,
 }
 
 impl NodeArrays {
     /// Those of a mesh under a face of this outline.
-    pub fn new(grid: &Grid, outline: &Outline) -> Self {
+    pub fn new(grid: &Grid, outline: &Outline, history_packs: usize) -> Self {
         let rounding =
             if outline.radius > 0.0 || !grid.has_even_surface() { ROUNDING_FIELDS * grid.stride() } else { 0 };
+        // Under a solid every face counts as one with edges.
+        let rounding = if grid.is_solid() { SOLID_TOUCH_FIELDS * grid.plane() } else { rounding };
         let sides = 2 * grid.layer_open.iter().filter(|open| **open).count();
-        Self { nodes: grid.n_node(), surface: grid.stride(), rounding, pairs: sides * PAIR_FIELDS * grid.stride() }
+        let solid = if grid.is_solid() { SolidArrays::of_state(grid, history_packs).total() } else { 0 };
+        Self {
+            nodes: grid.n_node(),
+            surface: grid.plane(),
+            rounding,
+            pairs: sides * PAIR_FIELDS * grid.stride(),
+            solid,
+        }
     }
 
     /// Numbers of all.
     fn total(&self) -> usize {
-        STATE_NODE_FIELDS * self.nodes + SURFACE_FIELDS * self.surface + self.rounding + self.pairs
+        STATE_NODE_FIELDS * self.nodes + SURFACE_FIELDS * self.surface + self.rounding + self.pairs + self.solid
+    }
+}
+
+/// Lengths of the arrays of numbers that only a solid has.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SolidArrays {
+    /// Of those with a number for every node.
+    pub nodes: usize,
+    /// How many of those there are.
+    pub fields: usize,
+    /// Of that with a number for every surface node.
+    pub surface: usize,
+    /// Of that for the tetrahedra.
+    pub tetrahedra: usize,
+}
+
+impl SolidArrays {
+    /// Of a model: z at rest and inverse mass along z; constants of the tetrahedra.
+    pub fn of_model(grid: &Grid) -> Self {
+        let tetrahedra = SOLID_BLOCK_PACKS * LANES * grid.n_block();
+        Self { nodes: grid.n_node(), fields: 2, surface: 0, tetrahedra }
+    }
+
+    /// Of a state whose tetrahedra remember so many packs: displacement, velocity and force along z; friction along z; histories.
+    pub fn of_state(grid: &Grid, history_packs: usize) -> Self {
+        let tetrahedra = history_packs * TETRAHEDRA * LANES * grid.n_block();
+        Self { nodes: grid.n_node(), fields: 3, surface: grid.plane(), tetrahedra }
+    }
+
+    /// Numbers of all.
+    fn total(&self) -> usize {
+        self.fields * self.nodes + self.surface + self.tetrahedra
     }
 }
 
@@ -89,14 +137,35 @@ impl Size {
 
     /// What a legal `scenario` needs on its `grid`.
     pub(crate) fn of_grid(scenario: &Scenario, grid: &Grid) -> Self {
+        if grid.is_solid() {
+            return Self::of_solid(scenario, grid);
+        }
         let entries = scenario.layers.iter().fold(0, |most, layer| most.max(layer.material.n_history_entry()));
         Self {
             model_nodes: MODEL_NODE_FIELDS * grid.n_node(),
             model_cells: grid.n_block(),
             model_hoops: if grid.axisymmetric { grid.n_block() } else { 0 },
-            state_nodes: NodeArrays::new(grid, &Outline::of(scenario)).total(),
+            state_nodes: NodeArrays::new(grid, &Outline::of(scenario), 0).total(),
             state_cells: grid.n_block(),
             state_viscous: 2 * entries * grid.n_block(),
         }
     }
+
+    /// A solid has all of its numbers among those of the nodes.
+    fn of_solid(scenario: &Scenario, grid: &Grid) -> Self {
+        let packs = history_packs(scenario);
+        Self {
+            model_nodes: MODEL_NODE_FIELDS * grid.n_node() + SolidArrays::of_model(grid).total(),
+            model_cells: 0,
+            model_hoops: 0,
+            state_nodes: NodeArrays::new(grid, &Outline::of(scenario), packs).total(),
+            state_cells: 0,
+            state_viscous: 0,
+        }
+    }
+}
+
+/// Packs that each tetrahedron of a solid remembers: those of the layer that has most.
+pub(crate) fn history_packs(scenario: &Scenario) -> usize {
+    scenario.layers.iter().fold(0, |most, layer| most.max(solid_history_packs(&layer.material)))
 }

@@ -1,6 +1,6 @@
 //! [`Model`]: everything about a simulation that does not change, built once in memory that the caller lends.
 
-use crate::element::{CellConstants, HoopConstants};
+use crate::element::{CellConstants, HoopConstants, SolidConstants, TETRAHEDRON_PACKS, VOLUME};
 use crate::model::Constants;
 use crate::number::real::Real;
 
@@ -16,6 +16,18 @@ pub(crate) struct ModelNodes<'a> {
     pub inverse_mass_y: &'a [Real],
     /// Lumped mass, kg.
     pub nodal_mass: &'a [Real],
+    /// What only a solid has: [`SolidModel`].
+    pub solid: &'a [Real],
+}
+
+/// What a model of a solid has besides.
+pub(crate) struct SolidModel<'a> {
+    /// Reference z, m.
+    pub reference_z: &'a [Real],
+    /// 1/m along z, 1/kg; 0 where fixed.
+    pub inverse_mass_z: &'a [Real],
+    /// Constants of the blocks of cells.
+    pub blocks: &'a [SolidConstants],
 }
 
 impl<'a> ModelNodes<'a> {
@@ -27,13 +39,9 @@ impl<'a> ModelNodes<'a> {
             memory = rest;
             Some(row)
         };
-        Some(Self {
-            reference_x: row()?,
-            reference_y: row()?,
-            inverse_mass_x: row()?,
-            inverse_mass_y: row()?,
-            nodal_mass: row()?,
-        })
+        let (reference_x, reference_y) = (row()?, row()?);
+        let (inverse_mass_x, inverse_mass_y, nodal_mass) = (row()?, row()?, row()?);
+        Some(Self { reference_x, reference_y, inverse_mass_x, inverse_mass_y, nodal_mass, solid: memory })
     }
 }
 
@@ -97,8 +105,27 @@ impl<'a> Model<'a> {
             inverse_mass_x: &[],
             inverse_mass_y: &[],
             nodal_mass: &[],
+            solid: &[],
         };
         Self { constants, nodes, cells, hoops }
+    }
+
+    /// What a solid has besides; nothing in a section.
+    pub(crate) fn solid(&self) -> SolidModel<'a> {
+        let n = self.constants.grid.n_node();
+        let (reference_z, rest) = self.nodes.solid.split_at_checked(n).unwrap_or_default();
+        let (inverse_mass_z, rest) = rest.split_at_checked(n).unwrap_or_default();
+        SolidModel { reference_z, inverse_mass_z, blocks: rest.as_chunks().0.as_chunks().0 }
+    }
+
+    /// Positions of the nodes at rest along z, m, laid out as [`Self::reference_position`]; none in a section.
+    pub fn reference_z(&self) -> &'a [Real] {
+        self.solid().reference_z
+    }
+
+    /// Lumped mass of the node in column `u`, row `v` and slice `w`, kg; 0 where there is none.
+    pub fn nodal_mass(&self, u: usize, v: usize, w: usize) -> Real {
+        self.nodes.nodal_mass.get(self.constants.grid.node(u, v, w)).copied().unwrap_or_default()
     }
 
     /// Positions of the nodes at rest, m, in rows of [`crate::mesh::Grid::stride`] from the core to the surface, the first
@@ -107,12 +134,21 @@ impl<'a> Model<'a> {
         [self.nodes.reference_x, self.nodes.reference_y]
     }
 
-    /// Volume of all triangles of the section, m3.
+    /// Volume of all triangles of the section, or of all tetrahedra of the solid, m3.
     pub fn reference_volume(&self) -> Real {
+        if self.constants.grid.is_solid() {
+            return solid_volume(self.solid().blocks);
+        }
         self.cells
             .iter()
             .flat_map(|cell| &cell.triangle)
             .flat_map(|triangle| &triangle.reference_volume)
             .fold(0.0, |sum, volume| sum + volume)
     }
+}
+
+/// Volume of all tetrahedra, m3.
+fn solid_volume(blocks: &[SolidConstants]) -> Real {
+    let tetrahedra = blocks.iter().flat_map(|block| block.as_chunks::<TETRAHEDRON_PACKS>().0);
+    tetrahedra.flat_map(|packs| &packs[VOLUME]).fold(0.0, |sum, volume| sum + volume)
 }

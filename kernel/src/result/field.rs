@@ -1,19 +1,23 @@
 //! [`FIELDS`]: the single table of what a simulation tells about every node, surface node and triangle.
 
 use crate::contact::surface;
+use crate::mesh::TETRAHEDRA;
 use crate::model::Model;
 use crate::number::real::Real;
+use crate::result::solid_stress::SolidStress;
 use crate::result::stress::{Stress, cauchy_stress, principal_stretch};
 use crate::state::StateView;
 
 /// Where the values of a field live.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Location {
-    /// At the nodes: rows from the core to the surface, columns from the first edge of the section to the last.
+    /// At the nodes: rows from the core to the surface, columns from the first edge of the section to the last. Of a solid, a row
+    /// for each slice of a row of nodes, slice by slice.
     Node,
-    /// At the nodes of the surface: one row.
+    /// At the nodes of the surface: one row, or one for each slice of a solid.
     Surface,
-    /// In the triangles: rows from the core to the surface, two columns per cell.
+    /// In the triangles: rows from the core to the surface, two columns per cell. In the tetrahedra of a solid: a row for each slice
+    /// of a row of cells, six columns per cell.
     Element,
 }
 
@@ -97,7 +101,7 @@ const fn computed(
 pub const RETIRED_FIELDS: &[u32] = &[];
 
 /// Every field.
-pub static FIELDS: [Field; 12] = [
+pub static FIELDS: [Field; 17] = [
     stored(
         0,
         "node.reference_position",
@@ -145,7 +149,7 @@ pub static FIELDS: [Field; 12] = [
         "Pa",
         Location::Surface,
         1,
-        |model, state, _, column, _| surface::contact_pressure(model, state, column),
+        contact_pressure,
         "contact pressure in the last step, over the area halfway to the neighbouring nodes",
     ),
     computed(
@@ -154,7 +158,7 @@ pub static FIELDS: [Field; 12] = [
         "Pa",
         Location::Element,
         1,
-        |model, state, row, column, _| Stress::of(model, state, row, column).map(|stress| -stress.mean),
+        pressure,
         "hydrostatic pressure of the last step, positive in compression",
     ),
     computed(
@@ -163,7 +167,7 @@ pub static FIELDS: [Field; 12] = [
         "Pa",
         Location::Element,
         1,
-        |model, state, row, column, _| Stress::of(model, state, row, column).map(|stress| stress.von_mises()),
+        von_mises,
         "von Mises stress of the last step, viscous and damping parts included",
     ),
     computed(
@@ -172,8 +176,9 @@ pub static FIELDS: [Field; 12] = [
         "Pa",
         Location::Element,
         3,
-        |model, state, row, column, c| Stress::of(model, state, row, column)?.principal().get(c).copied(),
-        "principal Cauchy stresses of the last step: larger and smaller in the section, then out of its plane",
+        principal_stresses,
+        "principal Cauchy stresses of the last step: larger and smaller in the section, then out of its plane; of a solid from the \
+         largest to the smallest",
     ),
     computed(
         10,
@@ -181,7 +186,7 @@ pub static FIELDS: [Field; 12] = [
         "Pa",
         Location::Element,
         4,
-        |model, state, row, column, c| cauchy_stress(model, state, row, column)?.get(c).copied(),
+        cauchy_components,
         "Cauchy stress of the last step, positive in tension: xx, yy, xy, and zz out of the section",
     ),
     computed(
@@ -190,8 +195,46 @@ pub static FIELDS: [Field; 12] = [
         "1",
         Location::Element,
         3,
-        |model, state, row, column, c| principal_stretch(model, state, row, column)?.get(c).copied(),
-        "principal stretches of the last step: larger and smaller in the section, then out of its plane",
+        principal_stretches,
+        "principal stretches of the last step: larger and smaller in the section, then out of its plane; of a solid from the largest \
+         to the smallest",
+    ),
+    computed(
+        12,
+        "node.reference_z",
+        "m",
+        Location::Node,
+        1,
+        |model, _, row, column, _| at(model, model.reference_z(), row, column),
+        "position at rest along z, of a solid; 0 in a section",
+    ),
+    computed(13, "node.displacement_z", "m", Location::Node, 1, displacement_z, "displacement along z, of a solid"),
+    computed(
+        14,
+        "node.velocity_z",
+        "m/s",
+        Location::Node,
+        1,
+        |model, state, row, column, _| at(model, state.along_z(model)[1], row, column),
+        "velocity half a step back along z, of a solid",
+    ),
+    computed(
+        15,
+        "surface.friction_z",
+        "N",
+        Location::Surface,
+        1,
+        |model, state, row, column, _| at(model, state.along_z(model)[3], row, column),
+        "friction force of the face along z in the last step, on the meshed solid",
+    ),
+    computed(
+        16,
+        "element.shear_stress_z",
+        "Pa",
+        Location::Element,
+        2,
+        shear_stress_z,
+        "Cauchy stress of the last step of a solid: yz and zx",
     ),
 ];
 
@@ -200,8 +243,9 @@ impl Field {
     pub fn shape(&self, model: &Model) -> [usize; 2] {
         let grid = &model.constants.grid;
         match self.location {
-            Location::Node => [grid.node_rows(), grid.n_u + 1],
-            Location::Surface => [1, grid.n_u + 1],
+            Location::Node => [grid.node_rows() * grid.node_slices(), grid.n_u + 1],
+            Location::Surface => [grid.node_slices(), grid.n_u + 1],
+            Location::Element if grid.is_solid() => [grid.n_v * grid.n_w, TETRAHEDRA * grid.n_u],
             Location::Element => [grid.n_v, 2 * grid.n_u],
         }
     }
@@ -238,4 +282,64 @@ fn position(model: &Model, state: &StateView, row: usize, column: usize, compone
     let node = row * model.constants.grid.stride() + column;
     let (rest, displacement) = (model.reference_position(), state.displacement());
     Some(rest.get(component)?.get(node)? + displacement.get(component)?.get(node)?)
+}
+
+/// A number at (row, column); 0 where there are none.
+fn at(model: &Model, numbers: &[Real], row: usize, column: usize) -> Option<Real> {
+    Some(numbers.get(row * model.constants.grid.stride() + column).copied().unwrap_or_default())
+}
+
+fn contact_pressure(model: &Model, state: &StateView, row: usize, column: usize, _: usize) -> Option<Real> {
+    if model.constants.grid.is_solid() {
+        return surface::solid_contact_pressure(model, state, row, column);
+    }
+    surface::contact_pressure(model, state, column)
+}
+
+fn displacement_z(model: &Model, state: &StateView, row: usize, column: usize, _: usize) -> Option<Real> {
+    at(model, state.along_z(model)[0], row, column)
+}
+
+fn pressure(model: &Model, state: &StateView, row: usize, column: usize, _: usize) -> Option<Real> {
+    if model.constants.grid.is_solid() {
+        return Some(-SolidStress::of(model, state, row, column)?.mean);
+    }
+    Stress::of(model, state, row, column).map(|stress| -stress.mean)
+}
+
+fn von_mises(model: &Model, state: &StateView, row: usize, column: usize, _: usize) -> Option<Real> {
+    if model.constants.grid.is_solid() {
+        return Some(SolidStress::of(model, state, row, column)?.von_mises());
+    }
+    Stress::of(model, state, row, column).map(|stress| stress.von_mises())
+}
+
+fn principal_stresses(model: &Model, state: &StateView, row: usize, column: usize, c: usize) -> Option<Real> {
+    if model.constants.grid.is_solid() {
+        return SolidStress::of(model, state, row, column)?.principal().get(c).copied();
+    }
+    Stress::of(model, state, row, column)?.principal().get(c).copied()
+}
+
+fn cauchy_components(model: &Model, state: &StateView, row: usize, column: usize, c: usize) -> Option<Real> {
+    if model.constants.grid.is_solid() {
+        let stress = SolidStress::of(model, state, row, column)?.cauchy(model, state)?;
+        return [stress.m11, stress.m22, stress.m12, stress.m33].get(c).copied();
+    }
+    cauchy_stress(model, state, row, column)?.get(c).copied()
+}
+
+fn shear_stress_z(model: &Model, state: &StateView, row: usize, column: usize, c: usize) -> Option<Real> {
+    if !model.constants.grid.is_solid() {
+        return Some(0.0);
+    }
+    let stress = SolidStress::of(model, state, row, column)?.cauchy(model, state)?;
+    [stress.m23, stress.m13].get(c).copied()
+}
+
+fn principal_stretches(model: &Model, state: &StateView, row: usize, column: usize, c: usize) -> Option<Real> {
+    if model.constants.grid.is_solid() {
+        return SolidStress::of(model, state, row, column)?.stretches().get(c).copied();
+    }
+    principal_stretch(model, state, row, column)?.get(c).copied()
 }

@@ -2,6 +2,7 @@
 
 mod field;
 mod output;
+mod solid_stress;
 pub mod stress;
 
 pub use field::{FIELDS, Field, Location, RETIRED_FIELDS, Source, Strided};

@@ -65,6 +65,49 @@ pub enum Formulation {
     PlaneStrain,
     /// The section turned about its centre line.
     Axisymmetric,
+    /// Three dimensions: the body that [`Geometry::body`] makes of the section.
+    #[cfg(feature = "solid")]
+    Solid,
+}
+
+impl Formulation {
+    /// Whether it has three dimensions.
+    #[inline(always)]
+    pub fn is_solid(self) -> bool {
+        !matches!(self, Self::PlaneStrain | Self::Axisymmetric)
+    }
+}
+
+/// What a solid makes of its section.
+#[derive(Clone, Copy, Debug, FromRepr, PartialEq, Eq, VariantNames)]
+#[strum(serialize_all = "snake_case")]
+pub enum Body {
+    /// Drawn along z over [`Geometry::length`]: half a cylinder, or a cuboid.
+    Prism,
+    /// Turned about its centre line: a dome, or a disc.
+    Revolved,
+}
+
+/// How much of a solid is meshed.
+#[derive(Clone, Copy, Debug, FromRepr, PartialEq, Eq, VariantNames)]
+#[strum(serialize_all = "snake_case")]
+pub enum Symmetry {
+    /// x >= 0 and z >= 0: both planes through the centre line are planes of symmetry.
+    Quarter,
+    /// z >= 0.
+    Half,
+    /// All of it.
+    Full,
+}
+
+/// What holds the ends of a prism.
+#[derive(Clone, Copy, Debug, FromRepr, PartialEq, Eq, VariantNames)]
+#[strum(serialize_all = "snake_case")]
+pub enum Ends {
+    /// Nothing.
+    Free,
+    /// They do not move along z, as a section in plane strain.
+    Held,
 }
 
 /// How much of the section is meshed.
@@ -82,16 +125,22 @@ pub enum Section {
 pub struct Geometry {
     /// Round or block.
     pub shape: Shape,
-    /// Plane strain or axisymmetric.
+    /// Plane strain, axisymmetric or solid.
     pub formulation: Formulation,
     /// Half or full section.
     pub section: Section,
     /// Radius of the rigid core of a round anvil, m.
     pub core_radius: Real,
-    /// Largest out-of-plane thickness in plane strain, m.
+    /// Largest out-of-plane thickness in plane strain, or length along z of a solid prism, m.
     pub length: Real,
     /// Full width (plane strain) or diameter (axisymmetric) of a block, m.
     pub block_width: Real,
+    /// What a solid makes of its section.
+    pub body: Body,
+    /// How much of a solid is meshed.
+    pub symmetry: Symmetry,
+    /// What holds the ends of a prism.
+    pub ends: Ends,
 }
 
 /// How the layer sits on the core.

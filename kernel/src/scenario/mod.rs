@@ -15,8 +15,8 @@ mod validation;
 mod widths;
 
 pub use description::{
-    CoreInterface, FaceInterface, Formulation, Geometry, Interface, Measurement, Mesh, Scenario, Section, Shape,
-    StepBy, Time,
+    Body, CoreInterface, Ends, FaceInterface, Formulation, Geometry, Interface, Measurement, Mesh, Scenario, Section,
+    Shape, StepBy, Symmetry, Time,
 };
 pub use impactor::{DropBy, FaceShape, Impactor, Motion};
 pub use layer::{Layer, LayerInterface, MAX_LAYER_NAME, MAX_LAYERS};

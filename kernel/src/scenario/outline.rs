@@ -4,7 +4,7 @@ use crate::features::PADS;
 use crate::number::math;
 use crate::number::real::Real;
 use crate::number::real::consts::PI;
-use crate::scenario::{FaceShape, Formulation, Scenario, Shape};
+use crate::scenario::{Body, FaceShape, Formulation, Scenario, Shape};
 
 /// The outline of the face in the section: flat over some width about the impactor's axis, and rounded on both sides of it.
 ///
@@ -46,7 +46,7 @@ impl Outline {
     /// That of the face of a legal `scenario`.
     pub fn of(scenario: &Scenario) -> Self {
         let half = scenario.face_half_width();
-        if !PADS {
+        if !PADS && !scenario.geometry.formulation.is_solid() {
             return Self { flat: half, radius: 0.0 };
         }
         match scenario.impactor.shape {
@@ -77,10 +77,10 @@ impl Scenario {
     pub fn face_half_width(&self) -> Real {
         let impactor = &self.impactor;
         match (impactor.shape, self.geometry.formulation) {
-            (FaceShape::Rectangular, Formulation::PlaneStrain) => 0.5 * impactor.face_width,
             (FaceShape::Rectangular, Formulation::Axisymmetric) => {
                 math::sqrt(impactor.face_width * impactor.face_length / PI)
             }
+            (FaceShape::Rectangular, _) => 0.5 * impactor.face_width,
             (FaceShape::Round | FaceShape::Sphere | FaceShape::Bar, _) => 0.5 * impactor.face_diameter,
         }
     }
@@ -91,6 +91,32 @@ impl Scenario {
             Shape::Round => self.geometry.core_radius + self.height(),
             Shape::Block => 0.5 * self.geometry.block_width,
         };
-        self.face_half_width() >= FACE_MARGIN * side + math::abs(self.impactor.offset)
+        let (across, offset) = (self.face_half_width(), math::abs(self.impactor.offset));
+        across >= FACE_MARGIN * side + offset && self.face_covers_length(side + offset)
+    }
+
+    /// Whether a flat face that reaches past the sides of a solid, `side` m beside its centre, reaches past its ends as well.
+    fn face_covers_length(&self, side: Real) -> bool {
+        let (geometry, impactor) = (&self.geometry, &self.impactor);
+        if !geometry.formulation.is_solid() {
+            return true;
+        }
+        let end = match geometry.body {
+            Body::Prism => 0.5 * geometry.length,
+            Body::Revolved => side,
+        };
+        match impactor.shape {
+            FaceShape::Rectangular => 0.5 * impactor.face_length >= FACE_MARGIN * end,
+            _ => {
+                let (radius, corner) = (0.5 * impactor.face_diameter, math::sqrt(side * side + end * end));
+                radius >= FACE_MARGIN * if geometry.body == Body::Prism { corner } else { side }
+            }
+        }
+    }
+
+    /// Half of the length of the flat part of a rectangular face or of a bar along z, m.
+    pub(crate) fn face_flat_length(&self, outline: &Outline) -> Real {
+        let half = 0.5 * self.impactor.face_length;
+        if self.impactor.shape == FaceShape::Bar { half } else { half - outline.radius }
     }
 }

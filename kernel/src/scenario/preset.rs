@@ -8,8 +8,8 @@ use crate::material::{
 use crate::number::real::Real;
 use crate::sampling::SAMPLING_INTERVAL;
 use crate::scenario::{
-    CoreInterface, DropBy, FaceInterface, FaceShape, Formulation, Geometry, Impactor, Interface, Layer, MAX_LAYERS,
-    Measurement, Mesh, Motion, Scenario, Section, Shape, StepBy, Time,
+    Body, CoreInterface, DropBy, Ends, FaceInterface, FaceShape, Formulation, Geometry, Impactor, Interface, Layer,
+    MAX_LAYERS, Measurement, Mesh, Motion, Scenario, Section, Shape, StepBy, Symmetry, Time,
 };
 
 /// The soft anvil of "Finite element model to simulate impact on a soft tissue simulant", Sports Engineering (2023),
@@ -28,6 +28,9 @@ pub fn study() -> Scenario {
             core_radius: 37.5e-3,
             length: 150e-3,
             block_width: 30e-3,
+            body: Body::Prism,
+            symmetry: Symmetry::Quarter,
+            ends: Ends::Free,
         },
         impactor: Impactor {
             motion: Motion::Drop,

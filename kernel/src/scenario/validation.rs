@@ -5,7 +5,7 @@ use crate::features::PADS;
 use crate::number::real::consts::PI;
 use crate::number::real::{Real, SAME};
 use crate::scenario::parameter::Parameter;
-use crate::scenario::{FaceShape, Formulation, Impactor, Layer, LayerInterface, Scenario, Section};
+use crate::scenario::{FaceShape, Formulation, Impactor, Layer, LayerInterface, Scenario, Section, Symmetry};
 
 impl Scenario {
     /// Checks every parameter against its legal range, then what several parameters say together.
@@ -57,11 +57,31 @@ impl Scenario {
 
     fn validate_geometry(&self) -> Result<(), ScenarioError> {
         let geometry = &self.geometry;
+        if geometry.formulation.is_solid() {
+            return self.validate_solid();
+        }
         if geometry.section == Section::Full && geometry.formulation == Formulation::Axisymmetric {
             return Err(ScenarioError::FullAxisymmetric);
         }
         if geometry.section == Section::Half && self.impactor.offset != 0.0 {
             return Err(ScenarioError::OffsetOfHalf { offset: self.impactor.offset });
+        }
+        self.validate_face()
+    }
+
+    fn validate_solid(&self) -> Result<(), ScenarioError> {
+        let impactor = &self.impactor;
+        let refused = |name: Name, expected| Err(ScenarioError::NotInSolid { name, expected });
+        for (layer, of) in self.layers.iter().enumerate() {
+            if of.width > 0.0 {
+                return refused(Name::of_layer(layer, "width"), "0 (as wide as what is below it)");
+            }
+            if self.is_open(layer) {
+                return refused(Name::of_layer(layer, "interface"), "bonded");
+            }
+        }
+        if self.geometry.symmetry == Symmetry::Quarter && impactor.offset != 0.0 {
+            return refused("impactor.offset".into(), "0 m with geometry.symmetry = quarter");
         }
         self.validate_face()
     }
@@ -83,12 +103,10 @@ impl Scenario {
             return Ok(());
         }
         let (name, width, minimum) = match (impactor.shape, self.geometry.formulation) {
-            (FaceShape::Rectangular, Formulation::PlaneStrain) => {
-                ("impactor.face_width", impactor.face_width, 2.0 * size)
-            }
             (FaceShape::Rectangular, Formulation::Axisymmetric) => {
                 ("impactor.face_width", impactor.face_width, PI * size * size / impactor.face_length)
             }
+            (FaceShape::Rectangular, _) => ("impactor.face_width", impactor.face_width, 2.0 * size),
             _ => ("impactor.face_diameter", impactor.face_diameter, 2.0 * size),
         };
         Err(ScenarioError::FaceTooSmall { name, width, minimum })

@@ -5,16 +5,18 @@ use crate::element::{CellConstants, HoopConstants, Triangle};
 use crate::error::{ModelError, ScenarioError};
 use crate::material::MaterialModel;
 use crate::mesh::{CORNERS, Grid, triangles};
-use crate::model::{Constants, MODEL_NODE_FIELDS, ModelArrays, Size, split_row};
+use crate::model::{Constants, MODEL_NODE_FIELDS, ModelArrays, Size, history_packs, split_row};
 use crate::number::digest::Digest;
 use crate::number::pack::LANES;
 use crate::number::real::Real;
 use crate::sampling::SAMPLING_INTERVAL;
 use crate::scenario::parameter::Parameter;
 use crate::scenario::preset::elastic_silicone;
-use crate::scenario::{Formulation, Interface, Outline, Scenario, Section};
+use crate::scenario::{Formulation, Interface, Outline, Scenario, Section, Symmetry};
+use crate::setup::numbers::{Positions, put};
+use crate::setup::solid_assembly::build_solid;
 
-/// Fills `arrays` with the model of `scenario` whose nodes rest at `position(u, v)`, m, and `place` with its constants, for steps
+/// Fills `arrays` with the model of `scenario` whose nodes rest at `position([u, v, w])`, m, and `place` with its constants, for steps
 /// of a sampling interval until [`Constants::set_step`] says otherwise; without a [`fingerprint`]. Apart, so that what it needs leaves the stack.
 ///
 /// # Errors
@@ -23,14 +25,18 @@ use crate::scenario::{Formulation, Interface, Outline, Scenario, Section};
 pub(crate) fn assemble<'c>(
     scenario: &Scenario,
     grid: Grid,
-    position: &dyn Fn(usize, usize) -> [Real; 2],
+    position: Positions,
     arrays: &mut ModelArrays,
     place: &'c mut Option<Constants>,
 ) -> Result<&'c mut Constants, ModelError> {
     let size = Size::of_grid(scenario, &grid);
     let ModelArrays { nodes, cells, hoops } = arrays.first(&size)?;
-    build_cells(scenario, &grid, position, cells, hoops)?;
-    build_nodes(scenario, &grid, position, cells, nodes);
+    if grid.is_solid() {
+        build_solid(scenario, &grid, position, nodes)?;
+    } else {
+        build_cells(scenario, &grid, position, cells, hoops)?;
+        build_nodes(scenario, &grid, position, cells, nodes);
+    }
     let channel = Coefficients::new(scenario.measurement.channel_class, SAMPLING_INTERVAL);
     // Of no material in particular until the step is set.
     let none = MaterialModel::new(&elastic_silicone(), SAMPLING_INTERVAL);
@@ -45,7 +51,8 @@ pub(crate) fn assemble<'c>(
         laws: core::array::from_fn(|_| none.clone()),
         symmetry_factor: symmetry_factor(scenario),
         outline: Outline::of(scenario),
-        top_height: position(grid.centre, grid.node_rows() - 1)[1],
+        top_height: position([grid.centre, grid.node_rows() - 1, grid.centre_w])[1],
+        solid_history_packs: if grid.is_solid() { history_packs(scenario) } else { 0 },
         fingerprint: 0,
     });
     constants.set_step(SAMPLING_INTERVAL, 1);
@@ -58,7 +65,12 @@ pub(crate) fn fingerprint(scenario: &Scenario, grid: &Grid, nodes: &[Real]) -> u
     for parameter in Parameter::of(scenario) {
         digest.number(parameter.get(scenario));
     }
-    nodes.iter().take(REFERENCE_FIELDS * grid.n_node()).for_each(|coordinate| digest.number(*coordinate));
+    let n = grid.n_node();
+    nodes.iter().take(REFERENCE_FIELDS * n).for_each(|coordinate| digest.number(*coordinate));
+    if grid.is_solid() {
+        let along_z = nodes.iter().skip(MODEL_NODE_FIELDS * n).take(n);
+        along_z.for_each(|coordinate| digest.number(*coordinate));
+    }
     digest.value()
 }
 
@@ -67,7 +79,15 @@ const REFERENCE_FIELDS: usize = 2;
 
 /// Forces of the whole anvil per force of what is meshed.
 fn symmetry_factor(scenario: &Scenario) -> Real {
-    match (scenario.geometry.formulation, scenario.geometry.section) {
+    let geometry = &scenario.geometry;
+    if geometry.formulation.is_solid() {
+        return match geometry.symmetry {
+            Symmetry::Quarter => 4.0,
+            Symmetry::Half => 2.0,
+            Symmetry::Full => 1.0,
+        };
+    }
+    match (geometry.formulation, geometry.section) {
         (Formulation::PlaneStrain, Section::Half) => 2.0,
         _ => 1.0,
     }
@@ -76,7 +96,7 @@ fn symmetry_factor(scenario: &Scenario) -> Real {
 fn build_cells(
     scenario: &Scenario,
     grid: &Grid,
-    position: &dyn Fn(usize, usize) -> [Real; 2],
+    position: Positions,
     cells: &mut [CellConstants],
     hoops: &mut [HoopConstants],
 ) -> Result<(), ModelError> {
@@ -89,7 +109,10 @@ fn build_cells(
             if !grid.has_cell(u, v) {
                 continue;
             }
-            let corners = CORNERS.map(|(du, dv)| position(u + du, grid.node_row(v) + dv).into());
+            let corners = CORNERS.map(|(du, dv)| {
+                let [x, y, _] = position([u + du, grid.node_row(v) + dv, 0]);
+                [x, y].into()
+            });
             let nodes = triangles(grid, u, v);
             cell.diagonal[l] = if nodes[0] == RISING { 1.0 } else { 0.0 };
             let pair = nodes.map(|nodes| Triangle::new(scenario, &corners, nodes));
@@ -113,13 +136,7 @@ fn build_cells(
 /// Corners of the first triangle of a cell whose diagonal rises.
 const RISING: [usize; 3] = [0, 1, 2];
 
-fn build_nodes(
-    scenario: &Scenario,
-    grid: &Grid,
-    position: &dyn Fn(usize, usize) -> [Real; 2],
-    cells: &[CellConstants],
-    mut nodes: &mut [Real],
-) {
+fn build_nodes(scenario: &Scenario, grid: &Grid, position: Positions, cells: &[CellConstants], mut nodes: &mut [Real]) {
     nodes.fill(0.0);
     let n = grid.n_node();
     let [x, y, inverse_x, inverse_y, mass]: [&mut [Real]; MODEL_NODE_FIELDS] =
@@ -129,7 +146,7 @@ fn build_nodes(
         for u in 0..=grid.n_u {
             let node = v * grid.stride() + u;
             let fixed = fixed_directions(scenario, u, v);
-            let [px, py] = position(u, v);
+            let [px, py, _] = position([u, v, 0]);
             put(x, node, px);
             put(y, node, py);
             // Beside a layer that is narrower than others there are nodes of no cell, which nothing moves.
@@ -138,13 +155,6 @@ fn build_nodes(
             put(inverse_x, node, if fixed[0] { 0.0 } else { inverse_mass });
             put(inverse_y, node, if fixed[1] { 0.0 } else { inverse_mass });
         }
-    }
-}
-
-/// Sets one number; nothing past the end, which the sizes exclude.
-fn put(row: &mut [Real], node: usize, value: Real) {
-    if let Some(place) = row.get_mut(node) {
-        *place = value;
     }
 }
 

@@ -1,11 +1,11 @@
 //! How a [`Model`] is made.
 
 use crate::error::ModelError;
-use crate::mesh::{Grid, reference_position};
+use crate::mesh::Grid;
 use crate::model::{Model, ModelArrays, ModelMemory, Size};
 use crate::number::real::Real;
 use crate::scenario::Scenario;
-use crate::setup::time_step::with_chosen_step;
+use crate::setup::time_step::{place_of, with_chosen_step};
 use crate::state::StateMemory;
 
 impl<'a> Model<'a> {
@@ -19,7 +19,7 @@ impl<'a> Model<'a> {
     pub fn new(scenario: &Scenario, memory: ModelMemory<'a>, state: &mut StateMemory) -> Result<Self, ModelError> {
         scenario.validate()?;
         let grid = Grid::new(scenario)?;
-        Self::with_positions(scenario, &|u, v| reference_position(scenario, &grid, u, v), memory, state)
+        Self::with_node_positions(scenario, &|node| place_of(scenario, &grid, node), memory, state)
     }
 
     /// Builds a model whose nodes rest at `position(u, v)`, m, instead of on the scenario's shape: distorted or graded
@@ -31,6 +31,23 @@ impl<'a> Model<'a> {
     pub fn with_positions(
         scenario: &Scenario,
         position: &dyn Fn(usize, usize) -> [Real; 2],
+        memory: ModelMemory<'a>,
+        state: &mut StateMemory,
+    ) -> Result<Self, ModelError> {
+        let flat = |[u, v, _]: [usize; 3]| {
+            let [x, y] = position(u, v);
+            [x, y, 0.0]
+        };
+        Self::with_node_positions(scenario, &flat, memory, state)
+    }
+
+    /// The same for a solid whose nodes rest at `position([u, v, w])`, m, of column, row and slice.
+    ///
+    /// # Errors
+    /// As [`Model::new`], and a tetrahedron without volume.
+    pub fn with_node_positions(
+        scenario: &Scenario,
+        position: &dyn Fn([usize; 3]) -> [Real; 3],
         memory: ModelMemory<'a>,
         state: &mut StateMemory,
     ) -> Result<Self, ModelError> {

@@ -2,5 +2,7 @@
 
 mod assembly;
 mod construction;
+mod numbers;
+mod solid_assembly;
 mod time_step;
 mod trial;

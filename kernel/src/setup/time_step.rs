@@ -7,16 +7,16 @@
 //! pressed most, and the trial is repeated on the mesh itself. So it is at once where a layer says its rows.
 
 use crate::error::ModelError;
-use crate::mesh::{Grid, reference_position};
+use crate::mesh::{Grid, reference_position, solid_position};
 use crate::model::{Constants, ModelArrays};
 use crate::number::math;
 use crate::number::real::{self, Real};
 use crate::sampling::{MAX_STEPS_PER_SAMPLE, SAMPLING_INTERVAL, SMALLEST_STEP};
 use crate::scenario::{Outline, Scenario, StepBy};
 use crate::setup::assembly::{assemble, fingerprint};
+use crate::setup::numbers::Positions;
 use crate::setup::trial::{self, Forecast};
 use crate::state::StateMemory;
-use crate::step::Cells;
 
 /// Rows of cells of the coarse mesh: the fewest that show a maximum of compression between core and face.
 const COARSE_ROWS: Real = 3.0;
@@ -33,14 +33,14 @@ const OPEN_MARGIN: Real = 0.8;
 /// The same again for every factor of e that the limit has fallen by: of a layer pressed flat a trial says less.
 const MARGIN_POWER: Real = 0.03;
 
-/// Fills `arrays` with the model of `scenario`, whose nodes rest at `position(u, v)`, m, and `place` with its constants with the
+/// Fills `arrays` with the model of `scenario`, whose nodes rest at `position([u, v, w])`, m, and `place` with its constants with the
 /// step chosen. A trial runs in the memory of a `state`.
 ///
 /// # Errors
 /// As [`assemble`]; a stable step that is too small to offer, or a given step above the limit at rest.
 pub(crate) fn with_chosen_step<'c>(
     scenario: &Scenario,
-    position: &dyn Fn(usize, usize) -> [Real; 2],
+    position: Positions,
     arrays: &mut ModelArrays,
     state: &mut StateMemory,
     place: &'c mut Option<Constants>,
@@ -51,7 +51,7 @@ pub(crate) fn with_chosen_step<'c>(
         StepBy::Given => None,
     };
     let constants = assemble(scenario, grid, position, arrays, place)?;
-    let at_rest = Cells::new(constants, arrays).limit_at_rest();
+    let at_rest = trial::limit_at_rest(constants, arrays);
     let step = match forecast {
         Some(forecast) => {
             let open = if grid.layer_open.contains(&true) { OPEN_MARGIN } else { 1.0 };
@@ -69,13 +69,22 @@ pub(crate) fn with_chosen_step<'c>(
     Ok(constants)
 }
 
+/// Where a node of the scenario's own shape rests, m.
+pub(super) fn place_of(scenario: &Scenario, grid: &Grid, [u, v, w]: [usize; 3]) -> [Real; 3] {
+    if grid.is_solid() {
+        return solid_position(scenario, grid, [u, v, w]);
+    }
+    let [x, y] = reference_position(scenario, grid, u, v);
+    [x, y, 0.0]
+}
+
 /// What a trial of the scenario finds, on a coarse mesh and, if that is not enough, on its own. Apart, so that its numbers
 /// leave the stack before the model's come.
 #[inline(never)]
 fn foresee(
     scenario: &Scenario,
     grid: &Grid,
-    position: &dyn Fn(usize, usize) -> [Real; 2],
+    position: Positions,
     arrays: &mut ModelArrays,
     state: &mut StateMemory,
     place: &mut Option<Constants>,
@@ -91,7 +100,7 @@ fn foresee(
     let even = grid.has_even_surface() && Outline::of(scenario).radius == 0.0;
     let open = grid.layer_open.contains(&true);
     if coarse != *grid && !says_rows && even && !open {
-        let rest = |u, v| reference_position(&tried, &coarse, u, v);
+        let rest = |node| place_of(&tried, &coarse, node);
         let forecast = trial::run(&tried, &motion, coarse, &rest, arrays, state, place)?;
         if forecast.ratio >= REPEAT_BELOW {
             return Ok(forecast);

@@ -14,8 +14,9 @@ use crate::number::real::Real;
 use crate::sampling::SMALLEST_STEP;
 use crate::scenario::{DropBy, Impactor, Motion, Scenario};
 use crate::setup::assembly::assemble;
+use crate::setup::numbers::Positions;
 use crate::state::{State, StateMemory};
-use crate::step::{Cells, Critical, advance_once};
+use crate::step::{Cells, Critical, SolidCells, advance_once};
 
 /// What a trial has found.
 #[derive(Clone, Copy, Debug)]
@@ -56,7 +57,7 @@ pub(crate) fn prepare(scenario: &mut Scenario) -> TrialMotion {
     motion
 }
 
-/// Runs the trial `scenario`, whose impactor moves by `motion`, on its `grid`, whose nodes rest at `position(u, v)`, m, with
+/// Runs the trial `scenario`, whose impactor moves by `motion`, on its `grid`, whose nodes rest at `position([u, v, w])`, m, with
 /// the constants in `place`, which the model itself will take.
 ///
 /// # Errors
@@ -66,14 +67,14 @@ pub(crate) fn run(
     scenario: &Scenario,
     motion: &TrialMotion,
     grid: Grid,
-    position: &dyn Fn(usize, usize) -> [Real; 2],
+    position: Positions,
     arrays: &mut ModelArrays,
     state: &mut StateMemory,
     place: &mut Option<Constants>,
 ) -> Result<Forecast, ModelError> {
     let constants = assemble(scenario, grid, position, arrays, place)?;
     let arrays = arrays.first(&constants.size)?;
-    let at_rest = Cells::new(constants, &arrays).limit_at_rest();
+    let at_rest = limit_at_rest(constants, &arrays);
     let mut trial = Trial { smallest: at_rest, stretch: 1.0, constants };
     trial.constants.set_step(FOLLOWED * at_rest, 1);
     State::new(&trial.model(&arrays), state.lend())?;
@@ -86,6 +87,16 @@ pub(crate) fn run(
         }
     }
     Ok(Forecast { ratio: trial.smallest / at_rest, stretch: trial.stretch })
+}
+
+/// Largest step that is stable at rest, s, of the model in `arrays`.
+pub(super) fn limit_at_rest(constants: &Constants, arrays: &ModelArrays) -> Real {
+    if !constants.grid.is_solid() {
+        return Cells::new(constants, arrays).limit_at_rest();
+    }
+    let nodes = arrays.nodes.get(..constants.size.model_nodes).unwrap_or_default();
+    let model = Model::view(constants, nodes, arrays.cells, arrays.hoops);
+    SolidCells::at_rest(&model).limit()
 }
 
 /// A trial on its way.
@@ -131,10 +142,20 @@ impl Trial<'_> {
         Ok(())
     }
 
+    /// The cell whose limit is the smallest, if it is below the smallest so far.
+    fn critical(&self, arrays: &ModelArrays, state: &mut StateMemory) -> Option<Critical> {
+        let bound = self.smallest * self.smallest;
+        if self.constants.grid.is_solid() {
+            let model = self.model(arrays);
+            let view = State::view(&model, state.lend()).ok()?;
+            return SolidCells::of(&model, &view).critical(bound);
+        }
+        Cells::new(self.constants, arrays).critical(&|block| state.cells.get(block), bound)
+    }
+
     /// Looks at all cells, and at what the monitor may have found; goes on with a smaller step where the limit has fallen.
-    fn look(&mut self, arrays: &ModelArrays, state: &StateMemory, stopped: Option<StepError>) {
-        let found =
-            Cells::new(self.constants, arrays).critical(&|block| state.cells.get(block), self.smallest * self.smallest);
+    fn look(&mut self, arrays: &ModelArrays, state: &mut StateMemory, stopped: Option<StepError>) {
+        let found = self.critical(arrays, state);
         if let Some(Critical { limit_squared, stretch, .. }) = found {
             (self.smallest, self.stretch) = (math::sqrt(limit_squared), stretch);
         }

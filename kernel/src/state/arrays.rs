@@ -6,7 +6,7 @@ use crate::mesh::Grid;
 use crate::model::{Model, NodeArrays, split_row, take};
 use crate::number::real::Real;
 use crate::number::vector::Simd;
-use crate::state::{Scalars, StateMemory, StateNodes, corners};
+use crate::state::{Scalars, SolidState, StateMemory, StateNodes, corners};
 use crate::tensor::deviator::Deviator;
 
 /// The changing part of a simulation.
@@ -51,7 +51,8 @@ impl<'a> State<'a> {
     #[inline(always)]
     pub fn view(model: &Model, memory: StateMemory<'a>) -> Result<Self, MemoryError> {
         let size = &model.constants.size;
-        let lengths = NodeArrays::new(&model.constants.grid, &model.constants.outline);
+        let constants = model.constants;
+        let lengths = NodeArrays::new(&constants.grid, &constants.outline, constants.solid_history_packs);
         let given = memory.nodes.len();
         let mut nodes = take(memory.nodes, size.state_nodes, "state nodes")?;
         let nodes = StateNodes::of(&lengths, |n| split_row(&mut nodes, n));
@@ -87,6 +88,13 @@ impl<'a> State<'a> {
     /// row are padding and stay at zero.
     pub fn displacement_mut(&mut self) -> [&mut [Real]; 2] {
         self.nodes.displacement.each_mut().map(|row| &mut **row)
+    }
+
+    /// Displacements of the nodes of a solid along z, m, then velocities half a step back, m/s, to be changed; nothing of a section.
+    pub fn along_z_mut(&mut self, model: &Model) -> [&mut [Real]; 2] {
+        let constants = model.constants;
+        let solid = SolidState::of(&constants.grid, constants.solid_history_packs, self.nodes.solid);
+        [solid.displacement, solid.velocity]
     }
 
     /// Velocities of the nodes half a step back, m/s, laid out alike.

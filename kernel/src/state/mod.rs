@@ -10,6 +10,7 @@ mod pair;
 mod sampler;
 mod scalars;
 mod snapshot;
+mod solid;
 mod view;
 
 pub use arrays::State;
@@ -22,4 +23,7 @@ pub(crate) use pair::{Pair, PairedNode};
 pub use sampler::{Forces, Sample, Sampler};
 pub use scalars::Scalars;
 pub use snapshot::{restore, save, snapshot_size, state_digest, write_words};
+#[cfg(feature = "threads")]
+pub(crate) use solid::subtract_from_row;
+pub(crate) use solid::{SolidState, SolidView, solid_corners, subtract_solid_force};
 pub use view::{StateContent, StateView};

@@ -1,11 +1,12 @@
 //! The next impact on the anvil as the last one left it.
 
-use crate::element::recover;
+use crate::element::{recover, recover_solid};
 use crate::error::{ParameterError, StepError};
 use crate::material::MaterialModel;
+use crate::mesh::TETRAHEDRA;
 use crate::model::Model;
 use crate::number::real::Real;
-use crate::state::{Scalars, State};
+use crate::state::{Scalars, SolidState, State};
 
 /// Longest rest, s.
 const LONGEST_REST: Real = 1e9;
@@ -35,9 +36,12 @@ impl State<'_> {
             let step = if rest > constants.dt { rest } else { constants.dt };
             self.recover_layer(model, place, &MaterialModel::new(&layer.material, step));
         }
+        let solid = core::mem::take(&mut self.nodes.solid);
         for row in self.nodes.all() {
             row.fill(0.0);
         }
+        self.nodes.solid = solid;
+        SolidState::of(&constants.grid, constants.solid_history_packs, self.nodes.solid).stand_still();
         *self.scalars = Scalars::start(model);
         Ok(())
     }
@@ -45,11 +49,26 @@ impl State<'_> {
     /// Lets one layer rest for the time that is the step of `laws`.
     fn recover_layer(&mut self, model: &Model, layer: usize, laws: &MaterialModel) {
         let (grid, axisymmetric) = (&model.constants.grid, model.constants.grid.axisymmetric);
+        if grid.is_solid() {
+            return self.recover_solid_layer(model, layer, laws);
+        }
         let share = (2 * model.constants.n_history_entry()).max(1);
         let entries = self.viscous.chunks_exact_mut(share).map(Some).chain(core::iter::repeat_with(|| None));
         for (block, (history, entries)) in self.cells.iter_mut().zip(entries).enumerate() {
             if grid.layer_of_block(block) == layer {
                 recover(laws, axisymmetric, history, entries.unwrap_or_default());
+            }
+        }
+    }
+
+    /// The same in a solid.
+    fn recover_solid_layer(&mut self, model: &Model, layer: usize, laws: &MaterialModel) {
+        let (grid, packs) = (&model.constants.grid, model.constants.solid_history_packs.max(1));
+        let histories = SolidState::of(grid, packs, self.nodes.solid).history;
+        for (index, history) in histories.chunks_exact_mut(packs).enumerate() {
+            let ([row, _], _) = grid.solid_place(index / TETRAHEDRA);
+            if grid.layer_of_row(row) == layer {
+                recover_solid(laws, history);
             }
         }
     }

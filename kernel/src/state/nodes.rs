@@ -24,13 +24,15 @@ pub(crate) struct StateNodes<R> {
     /// Of every interface that is not bonded, from the core, the nodes above it, then those below it: a [`super::Pair`] for
     /// each column.
     pub pairs: R,
+    /// What only a solid has: [`super::SolidState`].
+    pub solid: R,
 }
 
 impl<R> StateNodes<R> {
     /// The arrays that `row` gives by their `lengths`, in the order of storage; none if there is one that it does not give.
     #[inline(always)]
     pub(crate) fn of(lengths: &NodeArrays, mut row: impl FnMut(usize) -> Option<R>) -> Option<Self> {
-        let NodeArrays { nodes: n, surface, rounding, pairs } = *lengths;
+        let NodeArrays { nodes: n, surface, rounding, pairs, solid } = *lengths;
         Some(Self {
             displacement: [row(n)?, row(n)?],
             velocity: [row(n)?, row(n)?],
@@ -38,13 +40,15 @@ impl<R> StateNodes<R> {
             contact: [row(surface)?, row(surface)?],
             rounding: row(rounding)?,
             pairs: row(pairs)?,
+            solid: row(solid)?,
         })
     }
 
     /// Every array, in the order of storage.
-    pub(crate) fn all(&mut self) -> [&mut R; 10] {
-        let Self { displacement: [a, b], velocity: [c, d], force: [e, f], contact: [g, h], rounding, pairs } = self;
-        [a, b, c, d, e, f, g, h, rounding, pairs]
+    pub(crate) fn all(&mut self) -> [&mut R; 11] {
+        let Self { displacement: [a, b], velocity: [c, d], force: [e, f], contact: [g, h], rounding, pairs, solid } =
+            self;
+        [a, b, c, d, e, f, g, h, rounding, pairs, solid]
     }
 }
 
@@ -59,6 +63,7 @@ impl StateNodes<&mut [Real]> {
             contact: self.contact.each_ref().map(|row| &**row),
             rounding: &*self.rounding,
             pairs: &*self.pairs,
+            solid: &*self.solid,
         }
     }
 
@@ -82,12 +87,12 @@ impl StateNodes<&mut [Real]> {
 }
 
 /// Numbers at the nodes of a row of cells of a block.
-type Span = [Real; LANES + 1];
+pub(super) type Span = [Real; LANES + 1];
 /// Two numbers at the nodes below and above the cells of a block.
 pub(crate) type Rows<'r> = [[&'r Span; 2]; 2];
 
 #[inline(always)]
-fn span(row: &[Real], start: usize) -> &Span {
+pub(super) fn span(row: &[Real], start: usize) -> &Span {
     row.get(start..).and_then(|tail| tail.first_chunk()).unwrap_or(&[0.0; LANES + 1])
 }
 
@@ -109,7 +114,7 @@ pub(crate) fn corners<S: Simd>(simd: S, chunk: usize, rows: &Rows) -> Corners<S:
 /// Subtracts from the numbers of a row of nodes at the left ends of the cells of a block, then at the right ends, which are
 /// one place on. Without a store between: a processor is late to read what two stores have just written in parts.
 #[inline(always)]
-fn subtract_ends<S: Simd>(simd: S, row: &mut [Real], start: usize, left: &Pack, right: &Pack) {
+pub(super) fn subtract_ends<S: Simd>(simd: S, row: &mut [Real], start: usize, left: &Pack, right: &Pack) {
     let Some(span) = row.get_mut(start..).and_then(|tail| tail.first_chunk_mut::<{ LANES + 1 }>()) else { return };
     let [lane @ .., last] = span;
     let mut before = simd.splat(0.0);

@@ -4,7 +4,7 @@ use crate::element::CellHistory;
 use crate::error::MemoryError;
 use crate::model::{Model, NodeArrays};
 use crate::number::real::Real;
-use crate::state::{Scalars, State, StateNodes};
+use crate::state::{Scalars, SolidView, State, StateNodes};
 use crate::tensor::deviator::Deviator;
 
 /// A state to read from.
@@ -75,7 +75,7 @@ impl<'a> StateView<'a> {
     /// Too little memory.
     pub fn new(model: &Model, scalars: &'a Scalars, content: StateContent<'a>) -> Result<Self, MemoryError> {
         let (constants, size) = (model.constants, &model.constants.size);
-        let lengths = NodeArrays::new(&constants.grid, &constants.outline);
+        let lengths = NodeArrays::new(&constants.grid, &constants.outline, constants.solid_history_packs);
         let mut nodes = content.nodes;
         let row = |n| {
             let (row, rest) = nodes.split_at_checked(n)?;
@@ -101,6 +101,14 @@ impl<'a> StateView<'a> {
     /// Total force on each node in the last step, N: contact and friction minus internal forces.
     pub fn force(&self) -> [&'a [Real]; 2] {
         self.nodes.force
+    }
+
+    /// What a solid has along z: displacement, m, velocity half a step back, m/s, and force of the last step, N, of the nodes, then
+    /// the friction force of the face on the surface nodes, N. Nothing in a section.
+    pub fn along_z(&self, model: &Model) -> [&'a [Real]; 4] {
+        let constants = model.constants;
+        let solid = SolidView::of(&constants.grid, constants.solid_history_packs, self.nodes.solid);
+        [solid.displacement, solid.velocity, solid.force, solid.friction]
     }
 
     /// Normal force of the face on each surface node in the last step, N, then its friction force outwards, by column.

@@ -10,9 +10,11 @@ use crate::model::Model;
 use crate::number::instruction_set::InstructionSet;
 use crate::number::pack::{LANES, Pack, ZERO, sum};
 use crate::number::real::Real;
-use crate::number::vector::{Scalar, Simd, Vector, Work};
-use crate::state::{ContactWork, Forces, Rows, State, StateNodes, StepWork, corners};
+use crate::number::vector::{Scalar, Simd, Work};
+use crate::state::{Rows, State, StepWork, corners};
 use crate::step::monitor;
+use crate::step::motion::{measure, move_nodes};
+use crate::step::solid_advance;
 use crate::tensor::deviator::Deviator;
 
 /// Advances `state` by one step of `model.constants.dt`: central difference, from the positions at n and the velocities
@@ -81,6 +83,9 @@ pub(crate) fn advance_once(
     state: &mut State,
     input: &StepInput,
 ) -> Result<(), StepError> {
+    if model.constants.grid.is_solid() {
+        return solid_advance::advance(set, model, state, input);
+    }
     set.run(Advance { model, state, input })
 }
 
@@ -222,59 +227,4 @@ fn first_inverted(model: &Model, state: &State) -> StepError {
         })
     });
     StepError::Inverted { element: found.unwrap_or_default(), time: model.constants.time(state.scalars.step_index) }
-}
-
-/// Moves the nodes under their forces; returns the kinetic energy of the section at the forces, from the velocities on both
-/// sides, and after their impulse.
-#[inline(always)]
-fn move_nodes<S: Simd>(simd: S, model: &Model, state: &mut State) -> [Real; 2] {
-    let dt = model.constants.dt;
-    let (fixed, nodes) = (&model.nodes, &mut state.nodes);
-    let StateNodes { displacement: [ux, uy], velocity: [vx, vy], force: [fx, fy], .. } = nodes;
-    let along_x = move_along(simd, dt, [fixed.nodal_mass, fixed.inverse_mass_x], fx, vx, ux);
-    let along_y = move_along(simd, dt, [fixed.nodal_mass, fixed.inverse_mass_y], fy, vy, uy);
-    [along_x[0] + along_y[0], along_x[1] + along_y[1]]
-}
-
-#[inline(always)]
-fn move_along<S: Simd>(
-    simd: S,
-    dt: Real,
-    [mass, inverse_mass]: [&[Real]; 2],
-    force: &[Real],
-    velocity: &mut [Real],
-    displacement: &mut [Real],
-) -> [Real; 2] {
-    let mut double_kinetic = [ZERO; 2];
-    let fixed = mass.as_chunks().0.iter().zip(inverse_mass.as_chunks().0).zip(force.as_chunks().0);
-    let moving = velocity.as_chunks_mut().0.iter_mut().zip(displacement.as_chunks_mut().0);
-    for (((mass, inverse_mass), force), (velocity, displacement)) in fixed.zip(moving) {
-        for chunk in 0..LANES / S::WIDTH {
-            let before = simd.load(velocity, chunk);
-            let after = before + (simd.load(inverse_mass, chunk) * simd.load(force, chunk)).mul_scalar(dt);
-            simd.store(after, velocity, chunk);
-            simd.store(simd.load(displacement, chunk) + after.mul_scalar(dt), displacement, chunk);
-            let momentum = simd.load(mass, chunk) * after;
-            simd.add(momentum * before, &mut double_kinetic[0], chunk);
-            simd.add(momentum * after, &mut double_kinetic[1], chunk);
-        }
-    }
-    double_kinetic.map(|lane| 0.5 * sum(&lane))
-}
-
-/// Records the forces of the step and what the laboratory would read.
-#[inline(always)]
-fn measure(model: &Model, state: &mut State, face: &ContactWork, core: &ContactWork, velocity_before: Real) {
-    let constants = &model.constants;
-    let scalars = &mut state.scalars;
-    scalars.force = Forces {
-        contact: constants.symmetry_factor * face.normal_force,
-        core_reaction: constants.symmetry_factor * core.normal_force,
-    };
-    let velocity = [velocity_before, scalars.impactor.velocity_half];
-    let depth = scalars.impactor.deformation();
-    scalars.metrics.take_step(constants, scalars.step_index, scalars.force.contact, velocity, depth);
-    if let Some(sample) = scalars.sampler.take(constants, &scalars.force, scalars.impactor.position) {
-        scalars.metrics.take_sample(&sample, constants.scenario.measurement.force_threshold);
-    }
 }

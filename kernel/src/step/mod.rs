@@ -1,11 +1,21 @@
 //! One explicit step, and the limit of its length.
 
 mod advance;
+mod critical;
 mod monitor;
+mod motion;
+mod solid_advance;
+mod solid_forces;
+mod solid_stable_step;
+#[cfg(feature = "threads")]
+mod solid_threads;
 mod stable_step;
+mod window;
 
 pub(crate) use advance::advance_once;
 pub use advance::{step, step_along, step_with, steps};
-pub use monitor::MONITOR_PERIOD;
+pub(crate) use critical::Critical;
+pub(crate) use solid_stable_step::SolidCells;
+pub(crate) use stable_step::Cells;
 pub use stable_step::critical_time_step;
-pub(crate) use stable_step::{Cells, Critical};
+pub use window::MONITOR_PERIOD;

@@ -9,13 +9,7 @@ use crate::number::real::Real;
 use crate::number::vector::Simd;
 use crate::state::{EnergyBalance, State};
 use crate::step::stable_step::{critical_time_step, is_unstable};
-
-/// The monitor visits every cell at least once in this many steps. At the study's speeds a stretch changes by some
-/// hundredths in that time.
-pub const MONITOR_PERIOD: usize = 64;
-
-/// The fewest cells that it visits in a step: on a small mesh, all cells have their turn sooner.
-const MIN_GROUP: usize = 4;
+use crate::step::window::MonitorWindow;
 
 /// Compares the step with the current limit of this step's share of the cells, as the internal forces have found them: the
 /// same number in every step, so that all have had their turn after [`MONITOR_PERIOD`] steps at most.
@@ -42,42 +36,10 @@ pub(crate) fn check<S: Simd>(simd: S, model: &Model, state: &State) -> Result<()
     Ok(())
 }
 
-/// The cells that a step visits: groups of neighbours.
-struct MonitorWindow {
-    /// Cells of a group, a divisor of [`LANES`].
-    group: usize,
-    /// The first group.
-    first: usize,
-    /// Number of groups.
-    count: usize,
-    /// Groups of the mesh, after the last of which comes the first.
-    of: usize,
-}
-
-impl MonitorWindow {
-    /// Of the step `step_index`, for a mesh of so many `cells`, padding included.
-    fn new(cells: usize, step_index: u64) -> Self {
-        let each = cells.div_ceil(MONITOR_PERIOD);
-        let (group, count, of) = if each > MIN_GROUP {
-            (LANES, each.div_ceil(LANES), cells / LANES)
-        } else {
-            (MIN_GROUP, 1, cells / MIN_GROUP)
-        };
-        let first = step_index % of.div_ceil(count).max(1) as u64;
-        Self { group, first: first as usize * count, count, of }
-    }
-
-    /// The first cell of the group `turn`.
-    fn cell(&self, turn: usize) -> usize {
-        let place = self.first + turn;
-        self.group * if place < self.of { place } else { place - self.of }
-    }
-}
-
 /// The error of the cell with the smallest limit.
 #[cold]
 #[inline(never)]
-fn failure(model: &Model, state: &State) -> StepError {
+pub(super) fn failure(model: &Model, state: &State) -> StepError {
     let (limit, element) = critical_time_step(model, state);
     let constants = &model.constants;
     StepError::Unstable { element, time: constants.time(state.scalars.step_index), limit, step: constants.dt }
@@ -135,23 +97,5 @@ mod tests {
         }
         // Nothing but round-off is at hand.
         assert!(!grows(&balance(-1e-20, 0.0), -1e-20));
-    }
-
-    #[test]
-    fn the_monitor_visits_every_cell_in_its_period() {
-        for blocks in 1..300 {
-            let cells = blocks * LANES;
-            for start in [0, 1, 12_345] {
-                let mut visits = [0; 300 * LANES];
-                for step in start..start + MONITOR_PERIOD as u64 {
-                    let share = MonitorWindow::new(cells, step);
-                    for cell in (0..share.count).map(|turn| share.cell(turn)) {
-                        assert_eq!(cell / LANES, (cell + share.group - 1) / LANES);
-                        visits[cell..cell + share.group].iter_mut().for_each(|visits| *visits += 1);
-                    }
-                }
-                assert!(visits[..cells].iter().all(|visits| *visits > 0), "{cells} cells from step {start}");
-            }
-        }
     }
 }

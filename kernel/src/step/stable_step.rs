@@ -19,6 +19,8 @@ use crate::number::pack::{LANES, ZERO};
 use crate::number::real::Real;
 use crate::number::vector::{Simd, Vector, Work};
 use crate::state::State;
+use crate::step::critical::Critical;
+use crate::step::solid_stable_step::SolidCells;
 use crate::tensor::kinematics::Kinematics;
 use crate::tensor::stretch::{IsochoricStretch, largest_in_plane};
 
@@ -26,6 +28,10 @@ use crate::tensor::stretch::{IsochoricStretch, largest_in_plane};
 /// sets it.
 #[inline(never)]
 pub fn critical_time_step(model: &Model, state: &State) -> (Real, u32) {
+    if model.constants.grid.is_solid() {
+        let critical = SolidCells::of(model, state).critical(Real::MAX);
+        return critical.map_or((Real::INFINITY, 0), |found| (math::sqrt(found.limit_squared), found.element));
+    }
     let cells = Cells { constants: model.constants, cells: model.cells, hoops: model.hoops };
     let critical = cells.critical(&|block| state.cells.get(block), Real::MAX);
     critical.map_or((Real::INFINITY, 0), |found| (math::sqrt(found.limit_squared), found.element))
@@ -36,17 +42,6 @@ pub(crate) struct Cells<'m> {
     pub constants: &'m Constants,
     pub cells: &'m [CellConstants],
     pub hoops: &'m [HoopConstants],
-}
-
-/// The cell with the smallest limit.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Critical {
-    /// Square of its largest stable step, s2.
-    pub limit_squared: Real,
-    /// Its first triangle.
-    pub element: u32,
-    /// The smallest principal stretch of its triangles in the section.
-    pub stretch: Real,
 }
 
 impl<'m> Cells<'m> {

@@ -44,12 +44,6 @@ impl Deviator<Real> {
 }
 
 impl<V: Vector> Deviator<V> {
-    /// Half of the double contraction a : b.
-    #[inline(always)]
-    pub fn half_contract(&self, other: &Self) -> V {
-        self.mean * other.mean + self.difference * other.difference + self.shear * other.shear
-    }
-
     /// The `chunk`-th vectors of a lane of tensors.
     #[inline(always)]
     pub fn load<S: Simd<Vector = V>>(simd: S, deviator: &Deviator, chunk: usize) -> Self {
@@ -67,10 +61,33 @@ impl<V: Vector> Deviator<V> {
         simd.store(self.difference, &mut deviator.difference, chunk);
         simd.store(self.shear, &mut deviator.shear, chunk);
     }
+}
+
+/// What the deviatoric laws ask of a deviator, be it of a section or of a solid.
+pub trait Deviatoric<V>: Copy + Add<Output = Self> + Sub<Output = Self> {
+    /// The same number in every component of the basis.
+    fn uniform(value: V) -> Self;
+
+    /// Half of the double contraction a : b.
+    fn half_contract(&self, other: &Self) -> V;
 
     /// Every component times `factor`.
+    fn scaled(&self, factor: V) -> Self;
+}
+
+impl<V: Vector> Deviatoric<V> for Deviator<V> {
     #[inline(always)]
-    pub fn scaled(&self, factor: V) -> Self {
+    fn uniform(value: V) -> Self {
+        Self { mean: value, difference: value, shear: value }
+    }
+
+    #[inline(always)]
+    fn half_contract(&self, other: &Self) -> V {
+        self.mean * other.mean + self.difference * other.difference + self.shear * other.shear
+    }
+
+    #[inline(always)]
+    fn scaled(&self, factor: V) -> Self {
         Self { mean: factor * self.mean, difference: factor * self.difference, shear: factor * self.shear }
     }
 }

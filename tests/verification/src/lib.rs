@@ -15,6 +15,7 @@ pub mod problems;
 pub mod relaxation;
 pub mod row;
 pub mod scenes;
+pub mod solid;
 pub mod statics;
 pub mod table;
 pub mod tolerance;

@@ -93,7 +93,7 @@ pub fn stack(samples: &mut Samples) -> Scenario {
     let mut unit = || 0.5 * (1.0 + samples.number());
     let impactor = &mut scenario.impactor;
     let third = match scenario.geometry.formulation {
-        Formulation::PlaneStrain => FaceShape::Bar,
+        Formulation::PlaneStrain | Formulation::Solid => FaceShape::Bar,
         Formulation::Axisymmetric => FaceShape::Sphere,
     };
     impactor.shape = [FaceShape::Round, FaceShape::Rectangular, third][(3.0 * unit()) as usize % 3];

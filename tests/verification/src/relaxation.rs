@@ -22,7 +22,7 @@ pub fn press_slowly(simulation: &mut Simulation, depth: f64, travel: f64, decay:
                 let part = (time / travel).min(1.0);
                 // No jump of velocity at either end.
                 let position = -depth * part * part * (3.0 - 2.0 * part);
-                damp(state, 1.0 - dt / decay);
+                damp(model, state, 1.0 - dt / decay);
                 step(model, state, &StepInput { driven_position: Some(position), ..StepInput::default() })
                     .expect("a step");
             }
@@ -32,10 +32,12 @@ pub fn press_slowly(simulation: &mut Simulation, depth: f64, travel: f64, decay:
 }
 
 /// Scales all velocities.
-pub fn damp(state: &mut State, factor: f64) {
+pub fn damp(model: &Model, state: &mut State, factor: f64) {
     for velocity in state.velocity_mut().into_iter().flatten() {
         *velocity *= factor;
     }
+    let [_, along_z] = state.along_z_mut(model);
+    along_z.iter_mut().for_each(|velocity| *velocity *= factor);
 }
 
 /// Adds an acceleration field to all nodes for one step, m/s2.

@@ -35,5 +35,6 @@ pub fn name(formulation: Formulation) -> &'static str {
     match formulation {
         Formulation::PlaneStrain => "plane strain",
         Formulation::Axisymmetric => "axisymmetric",
+        Formulation::Solid => "solid",
     }
 }

@@ -3,6 +3,9 @@
 /// Closed forms evaluated by the element at prescribed corner positions: round-off of some hundred operations.
 pub const CLOSED_FORM: f64 = 1e-11;
 
+/// The same in a solid, whose strains are sums of products of three components, over the shear modulus.
+pub const SOLID_CLOSED_FORM: f64 = 1e-10;
+
 /// P against central differences of W with a step of 10^-5: the next order is its square times a third derivative of
 /// some ten moduli, the round-off of W over the step about the same.
 pub const ENERGY_GRADIENT: f64 = 1e-8;

@@ -183,6 +183,13 @@ fn scenarios_are_told_with_the_parameter_to_blame() {
             Some("layers[1].law"),
             "layers[1].law is refused: expected a kernel that was built with its feature pads",
         ),
+        (
+            of(ScenarioError::NotInSolid { name: "impactor.shape".into(), expected: "round or rectangular" }),
+            Status::NotInSolid,
+            [NAN; 3],
+            Some("impactor.shape"),
+            "impactor.shape is refused: expected round or rectangular with geometry.formulation = solid",
+        ),
     ]);
     // A scenario that the model refuses is told as a scenario.
     assert_eq!(Failure::from(ModelError::Scenario(parameter.into())), parameter.into());

@@ -3,20 +3,31 @@
 use super::row::{Access, Row, choice, real};
 #[cfg(feature = "pads")]
 use crate::scenario::FaceShape;
+#[cfg(feature = "solid")]
+use crate::scenario::{Body, Ends, Symmetry};
 use crate::scenario::{DropBy, Formulation, Interface, MAX_LAYERS, Motion, Scenario, Section, Shape, StepBy};
 
 /// Geometry and impactor.
 pub(super) static TEST: &[Row<Scenario>] = &[
     choice!(0, geometry.shape: Shape, "layer on a round core, or a flat block on a flat core"),
-    choice!(1, geometry.formulation: Formulation, "kinematics of the section"),
-    choice!(2, geometry.section: Section, "half of the section with symmetry, or all of it"),
+    choice!(1, geometry.formulation: Formulation, "kinematics: a section in plane strain or turned about its centre line, or a solid in three dimensions"),
+    choice!(2, geometry.section: Section, "half of the section with symmetry, or all of it (not of a solid)"),
+    #[cfg(feature = "solid")]
+    choice!(60, geometry.body: Body, "what a solid makes of its section: drawn along z, or turned about its centre line"),
+    #[cfg(feature = "solid")]
+    choice!(
+        61, geometry.symmetry: Symmetry,
+        "part of a solid that is meshed: x >= 0 and z >= 0 with symmetry, z >= 0 with symmetry, or all of it"
+    ),
+    #[cfg(feature = "solid")]
+    choice!(62, geometry.ends: Ends, "ends of a solid prism: free, or held along z as a section in plane strain"),
     real!(3, geometry.core_radius, "m", (1e-3, 1.0), "radius of the rigid core (round shape)"),
     real!(
         4,
         geometry.length,
         "m",
         (1e-3, 10.0),
-        "largest out-of-plane thickness in plane strain (effective length of the layers)"
+        "largest out-of-plane thickness in plane strain (effective length of the layers), or length of a solid prism"
     ),
     real!(5, geometry.block_width, "m", (1e-4, 10.0), "full width, or diameter if axisymmetric (block shape)"),
     choice!(
@@ -53,7 +64,7 @@ pub(super) static TEST: &[Row<Scenario>] = &[
         impactor.offset,
         "m",
         (-1.0, 1.0),
-        "distance of the face's centre from the centre line, to the right (full section)"
+        "distance of the face's centre from the centre line, to the right (full section; half or full solid)"
     ),
     real!(10, impactor.gap, "m", (0.0, 1.0), "height of the face above the anvil at the start"),
     real!(11, impactor.gravity, "m/s2", (0.0, 100.0), "acceleration of gravity"),

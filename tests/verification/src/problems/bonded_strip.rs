@@ -24,7 +24,7 @@ const THICKNESS: f64 = 10e-3;
 pub fn reference(formulation: Formulation, shape_factor: f64) -> f64 {
     let young = 3.0 * SHEAR_MODULUS;
     let incompressible = match formulation {
-        Formulation::PlaneStrain => 4.0 / 3.0 * (1.0 + shape_factor.powi(2)),
+        Formulation::PlaneStrain | Formulation::Solid => 4.0 / 3.0 * (1.0 + shape_factor.powi(2)),
         Formulation::Axisymmetric => 1.0 + 2.0 * shape_factor.powi(2),
     };
     1.0 / (1.0 / incompressible + young / BULK_MODULUS)
@@ -33,7 +33,7 @@ pub fn reference(formulation: Formulation, shape_factor: f64) -> f64 {
 /// Half width or radius over thickness.
 fn half_width(formulation: Formulation, shape_factor: f64) -> f64 {
     match formulation {
-        Formulation::PlaneStrain => shape_factor,
+        Formulation::PlaneStrain | Formulation::Solid => shape_factor,
         Formulation::Axisymmetric => 2.0 * shape_factor,
     }
 }
@@ -76,7 +76,7 @@ pub fn apparent_modulus(formulation: Formulation, shape_factor: f64, n: usize) -
     let total: f64 = (0..=n_u).map(|u| -equilibrium.force[body.node(u, n)][1]).sum();
     let half = half_width(formulation, shape_factor) * THICKNESS;
     let area = match formulation {
-        Formulation::PlaneStrain => half * body.constants().scenario.geometry.length,
+        Formulation::PlaneStrain | Formulation::Solid => half * body.constants().scenario.geometry.length,
         Formulation::Axisymmetric => std::f64::consts::PI * half.powi(2),
     };
     total / (area * STRAIN * 3.0 * SHEAR_MODULUS)

@@ -29,7 +29,7 @@ pub fn stopping_distance(friction: f64, element_size: f64) -> [f64; 2] {
         };
         // Settle under gravity first.
         for _ in 0..(5e-3 / dt) as usize {
-            damp(state, 1.0 - dt / 0.5e-3);
+            damp(model, state, 1.0 - dt / 0.5e-3);
             advance(state);
         }
         let start = centre(model, state);

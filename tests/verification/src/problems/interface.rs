@@ -31,13 +31,13 @@ pub fn series_springs(formulation: Formulation, interface: LayerInterface) -> f6
     // Young's modulus, and that of plane strain, of a shear and a bulk modulus.
     let modulus = |g: f64, k: f64| match formulation {
         Formulation::Axisymmetric => 9.0 * k * g / (3.0 * k + g),
-        Formulation::PlaneStrain => 4.0 * g * (g + 3.0 * k) / (3.0 * k + 4.0 * g),
+        Formulation::PlaneStrain | Formulation::Solid => 4.0 * g * (g + 3.0 * k) / (3.0 * k + 4.0 * g),
     };
     let mut scenario = stack(20e-3, [(heights[0], soft), (heights[1], hard)], interface);
     scenario.geometry.formulation = formulation;
     let area = match formulation {
         Formulation::Axisymmetric => std::f64::consts::PI * 10e-3 * 10e-3,
-        Formulation::PlaneStrain => 20e-3 * scenario.geometry.length,
+        Formulation::PlaneStrain | Formulation::Solid => 20e-3 * scenario.geometry.length,
     };
     let depth = 1e-4 * (heights[0] + heights[1]);
     let compliance = (heights[0] / modulus(1e6, bulk * 1e6) + heights[1] / modulus(4e6, bulk * 4e6)) / area;
@@ -135,7 +135,7 @@ pub fn sliding_slab(friction: f64, element_size: f64) -> [f64; 2] {
             step(model, state, &input).expect("a step");
         };
         for _ in 0..(5e-3 / dt) as usize {
-            damp(state, 1.0 - dt / 0.5e-3);
+            damp(model, state, 1.0 - dt / 0.5e-3);
             advance(state);
         }
         let start = slab(model, state);

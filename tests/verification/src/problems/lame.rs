@@ -34,7 +34,7 @@ pub struct Errors {
 fn exact(formulation: Formulation, nu: f64, r: f64) -> [f64; 3] {
     let young = 2.0 * SHEAR_MODULUS * (1.0 + nu);
     match formulation {
-        Formulation::PlaneStrain => {
+        Formulation::PlaneStrain | Formulation::Solid => {
             let scale = PRESSURE * INNER.powi(2) / (OUTER.powi(2) - INNER.powi(2));
             let ratio = (OUTER / r).powi(2);
             let displacement = scale * (1.0 + nu) / young * r * (1.0 - 2.0 * nu + ratio);
@@ -87,7 +87,7 @@ fn load_edge(load: &mut Field, formulation: Formulation, edge: [(usize, [f64; 2]
     let normal = [-(b[1] - a[1]), b[0] - a[0]];
     for (node, x, other) in [(edge[0].0, a[0], b[0]), (edge[1].0, b[0], a[0])] {
         let share = match formulation {
-            Formulation::PlaneStrain => 0.5,
+            Formulation::PlaneStrain | Formulation::Solid => 0.5,
             Formulation::Axisymmetric => 2.0 * PI * (2.0 * x + other) / 6.0,
         };
         for i in 0..2 {

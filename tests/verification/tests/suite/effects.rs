@@ -58,6 +58,13 @@ fn scenarios() -> Vec<(&'static str, Scenario)> {
         ("impactor.rail_damping", 5.0),
     ];
     let bar = [("impactor.shape", 3.0), ("impactor.face_diameter", 0.05), ("impactor.face_length", 0.08)];
+    let solid = [
+        ("geometry.formulation", 2.0),
+        ("geometry.shape", 1.0),
+        ("geometry.length", 0.02),
+        ("geometry.block_width", 0.02),
+        ("silicone.law", 0.0),
+    ];
     let pad = [
         ("layers.count", 2.0),
         ("layers[1].thickness", 5e-3),
@@ -87,6 +94,7 @@ fn scenarios() -> Vec<(&'static str, Scenario)> {
         ("rectangular face on rails", with(&rectangular)),
         ("bar", with(&bar)),
         ("pad", with(&pad)),
+        ("solid", with(&solid)),
         ("driven", with(&[("impactor.motion", 1.0)])),
         (
             "prescribed",

@@ -43,12 +43,12 @@ fn check(formulation: Formulation, section: Section, cells: usize) {
     let mut simulation = Simulation::new(&scenario).expect("a legal block");
     let force = press_slowly(&mut simulation, STRAIN * HEIGHT, 2e-3, 0.5e-3);
     let widening = match formulation {
-        PlaneStrain => POISSONS_RATIO / (1.0 - POISSONS_RATIO) * STRAIN,
+        PlaneStrain | Formulation::Solid => POISSONS_RATIO / (1.0 - POISSONS_RATIO) * STRAIN,
         Axisymmetric => POISSONS_RATIO * STRAIN,
     };
     let half_width = HALF_WIDTH * (1.0 + widening);
     let area = match formulation {
-        PlaneStrain => 2.0 * half_width * LENGTH,
+        PlaneStrain | Formulation::Solid => 2.0 * half_width * LENGTH,
         Axisymmetric => PI * half_width * half_width,
     };
     let what = format!("{formulation:?}, {section:?}");

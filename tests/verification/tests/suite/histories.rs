@@ -29,7 +29,7 @@ fn waypoints() -> impl Strategy<Value = Vec<Waypoint>> {
 /// and where it turns into the axis: there is no rotation but that of this shear.
 fn gradient(formulation: Formulation, [a, b, c, angle]: Waypoint) -> Gradient {
     match formulation {
-        Formulation::PlaneStrain => product(rotation(angle), [[a.exp(), c], [c, b.exp()]]),
+        Formulation::PlaneStrain | Formulation::Solid => product(rotation(angle), [[a.exp(), c], [c, b.exp()]]),
         Formulation::Axisymmetric => [[a.exp(), 0.0], [angle / 7.0, b.exp()]],
     }
 }

@@ -30,6 +30,7 @@ mod single;
 mod slider;
 mod small_strain;
 mod softening;
+mod solid;
 mod stability;
 mod tear;
 mod viscoelastic;

@@ -88,7 +88,7 @@ impl Body {
         let volume = |a: [f64; 2], b: [f64; 2], c: [f64; 2]| {
             let area = 0.5 * double_area(a, b, c);
             match self.scenario.geometry.formulation {
-                Formulation::PlaneStrain => area * self.scenario.geometry.length,
+                Formulation::PlaneStrain | Formulation::Solid => area * self.scenario.geometry.length,
                 Formulation::Axisymmetric => area * 2.0 * std::f64::consts::PI * (a[0] + b[0] + c[0]) / 3.0,
             }
         };

@@ -12,7 +12,7 @@ fn displacement_and_stress() {
     for (formulation, nu) in CASES {
         let errors = CELLS.map(|n| errors(formulation, nu, n));
         let least = match formulation {
-            Formulation::PlaneStrain => SECOND_ORDER,
+            Formulation::PlaneStrain | Formulation::Solid => SECOND_ORDER,
             Formulation::Axisymmetric => LAME_SPHERE_STRESS_ORDER,
         };
         let finest = errors[CELLS.len() - 1];

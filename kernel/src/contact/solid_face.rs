@@ -1,0 +1,243 @@
+//! Contact and friction between the surface nodes of a solid and the face.
+//!
+//! As under a face that is round or has edges in the section ([`crate::contact::rounded_face`]), with a third direction: the face is
+//! flat over a disc or a rectangle and rounded beyond it, and the forces along its normal leave every touching node on it at the
+//! end of the step. Friction stops a node along the face within the limit of Coulomb's law.
+
+use crate::contact::friction::limited_vector;
+use crate::contact::rounded_face::depth;
+use crate::contact::solid_node::{SolidNodes, across, dot};
+use crate::impactor::{FaceContact, Prediction};
+use crate::model::{Constants, Model, SOLID_TOUCH_FIELDS};
+use crate::number::math;
+use crate::number::real::Real;
+use crate::scenario::{FaceShape, Outline};
+use crate::state::{ContactWork, SolidState, State, StateNodes};
+
+/// As many as in [`crate::contact::face`].
+const PASSES: usize = 4;
+
+/// Adds the contact forces to the forces of the surface nodes and returns what they did.
+#[inline(never)]
+pub(crate) fn contact(model: &Model, state: &mut State, prediction: &Prediction) -> ContactWork {
+    let (constants, impactor) = (model.constants, &mut state.scalars.impactor);
+    let StateNodes { displacement: [ux, uy], velocity: [vx, vy], force: [fx, fy], contact, rounding, solid, .. } =
+        &mut state.nodes;
+    let solid = SolidState::of(&constants.grid, constants.solid_history_packs, solid);
+    let nodes = SolidNodes::new(model, [ux, uy, solid.displacement], [vx, vy, solid.velocity], [fx, fy, solid.force]);
+    let mut surface = Surface { constants, nodes, touches: rounding.as_chunks_mut().0 };
+    surface.find_depths(prediction.position);
+    let smooth = surface.settle(prediction, 0.0);
+    let shear = surface.rub(smooth, prediction.velocity_half + smooth / constants.dt);
+    let rise = surface.settle(prediction, shear);
+    let normal_force = surface.press(rise) + shear;
+    let before = impactor.velocity_half;
+    let rail_force = impactor.advance(model, prediction, prediction.position + rise, normal_force);
+    let face = 0.5 * (before + impactor.velocity_half);
+    let [contact_dissipation, frictional_dissipation] = surface.work(face);
+    surface.show(contact, solid.friction);
+    ContactWork { normal_force, contact_dissipation, frictional_dissipation, rail_force }
+}
+
+/// The nodes at the surface and the sum of their friction along the face, N, under a face that would be at `position`, m.
+struct Touching<'t, 's> {
+    surface: &'t Surface<'s>,
+    shear: Real,
+    position: Real,
+}
+
+impl FaceContact for Touching<'_, '_> {
+    fn height(&self, free: Real) -> Real {
+        self.position + self.surface.rise(free - self.position, self.shear)
+    }
+}
+
+/// The nodes at the surface.
+struct Surface<'s> {
+    constants: &'s Constants,
+    nodes: SolidNodes<'s>,
+    touches: &'s mut [[Real; SOLID_TOUCH_FIELDS]],
+}
+
+/// A node that touches the face, or may.
+#[derive(Clone, Copy)]
+struct Touch {
+    /// Depth in the face at the end of a step without contact, m.
+    depth: Real,
+    /// Direction out of the face.
+    out: [Real; 3],
+    /// Friction along the face, N.
+    friction: [Real; 3],
+    /// kg; 0 in padding.
+    mass: Real,
+}
+
+impl Touch {
+    fn of([depth, x, y, z, fx, fy, fz, mass]: [Real; SOLID_TOUCH_FIELDS]) -> Self {
+        Self { depth, out: [x, y, z], friction: [fx, fy, fz], mass }
+    }
+
+    fn numbers(&self) -> [Real; SOLID_TOUCH_FIELDS] {
+        let ([x, y, z], [fx, fy, fz]) = (self.out, self.friction);
+        [self.depth, x, y, z, fx, fy, fz, self.mass]
+    }
+
+    /// The force that leaves the node on a face that has risen by `rise`, m, at the end of a step of `dt`, s; 0 away from it.
+    fn force(&self, rise: Real, dt: Real) -> Real {
+        math::max(0.0, self.mass * (self.depth + self.out[1] * rise)) / (dt * dt)
+    }
+}
+
+/// Depth of a point in the face and the direction out of it there, for a point `x` and `z` m beside its centre and `y` m above its
+/// lowest point.
+fn depth_in_face(constants: &Constants, [x, y, z]: [Real; 3]) -> (Real, [Real; 3]) {
+    let (outline, impactor) = (&constants.outline, &constants.scenario.impactor);
+    // From the flat part.
+    let beyond = match impactor.shape {
+        FaceShape::Round | FaceShape::Sphere => {
+            let radius = math::sqrt(x * x + z * z);
+            if radius <= outline.flat { [0.0; 2] } else { [x, z].map(|way| way * (1.0 - outline.flat / radius)) }
+        }
+        FaceShape::Rectangular | FaceShape::Bar => {
+            [past(x, outline.flat), past(z, constants.scenario.face_flat_length(outline))]
+        }
+    };
+    if impactor.shape == FaceShape::Bar && beyond[1] != 0.0 {
+        return (FAR_AWAY, [0.0, -1.0, 0.0]);
+    }
+    let distance = math::sqrt(beyond[0] * beyond[0] + beyond[1] * beyond[1]);
+    let [depth, aside, down] = depth(&Outline { flat: 0.0, ..*outline }, distance, y);
+    if distance > 0.0 {
+        (depth, [aside * (beyond[0] / distance), -down, aside * (beyond[1] / distance)])
+    } else {
+        (depth, [0.0, -down, 0.0])
+    }
+}
+
+/// No depth at all, m.
+const FAR_AWAY: Real = -1e30;
+
+/// The way from the nearest place that is `half` or less beside the centre.
+fn past(place: Real, half: Real) -> Real {
+    let beyond = math::max(0.0, math::abs(place) - half);
+    if place < 0.0 { -beyond } else { beyond }
+}
+
+impl Surface<'_> {
+    /// Index of the first surface node.
+    fn first(&self) -> usize {
+        let grid = &self.constants.grid;
+        (grid.node_rows() - 1) * grid.plane()
+    }
+
+    /// How deep every node is at the end of a step without contact, in a face at `height`, m.
+    fn find_depths(&mut self, height: Real) {
+        let (constants, first) = (self.constants, self.first());
+        for (place, numbers) in self.touches.iter_mut().enumerate() {
+            let Some(node) = self.nodes.node(first + place) else { continue };
+            let velocity = node.next_velocity(constants.dt);
+            let [x, y, z] = core::array::from_fn(|i| node.position[i] + constants.dt * velocity[i]);
+            let beside = [x - constants.scenario.impactor.offset, y - (constants.top_height + height), z];
+            let (depth, out) = depth_in_face(constants, beside);
+            *numbers = Touch { depth, out, friction: [0.0; 3], mass: node.mass }.numbers();
+        }
+    }
+
+    /// By how much the contact raises the face, m, with the upward friction `shear` on it, N.
+    fn settle(&self, prediction: &Prediction, shear: Real) -> Real {
+        let touching = Touching { surface: self, shear, position: prediction.position };
+        prediction.settle(self.constants, &touching) - prediction.position
+    }
+
+    /// By how much the contact raises a face, m, that would rise by `free` without it and without the vertical force `shear`, N; as
+    /// in [`crate::contact::rounded_face`].
+    fn rise(&self, free: Real, shear: Real) -> Real {
+        let constants = self.constants;
+        let mass = constants.moved_mass() / constants.symmetry_factor;
+        let start = free + shear * (constants.dt * constants.dt) / mass;
+        let mut rise = start;
+        for _ in 0..PASSES {
+            let (mut masses, mut moments) = (0.0, 0.0);
+            for touch in self.touches.iter().map(|numbers| Touch::of(*numbers)) {
+                let down = -touch.out[1];
+                if touch.depth > down * rise {
+                    masses += touch.mass * down * down;
+                    moments += touch.mass * down * (touch.depth - down * start);
+                }
+            }
+            rise = start + moments / (mass + masses);
+        }
+        rise
+    }
+
+    /// Finds the friction on the nodes under a face that has risen by `rise`, m, and moves at `velocity`, m/s; returns its
+    /// upward part on the face, N.
+    fn rub(&mut self, rise: Real, velocity: Real) -> Real {
+        let (dt, first) = (self.constants.dt, self.first());
+        let coefficient = self.constants.scenario.face.friction_coefficient;
+        let mut total = 0.0;
+        for (place, numbers) in self.touches.iter_mut().enumerate() {
+            let mut touch = Touch::of(*numbers);
+            let limit = coefficient * touch.force(rise, dt);
+            if limit <= 0.0 {
+                continue;
+            }
+            let Some(node) = self.nodes.node(first + place) else { continue };
+            let [x, y, z] = node.next_velocity(dt);
+            let stick = across(&[x, y - velocity, z], &touch.out).map(|sliding| -touch.mass * sliding / dt);
+            touch.friction = limited_vector(stick, limit);
+            total -= touch.friction[1];
+            *numbers = touch.numbers();
+        }
+        total
+    }
+
+    /// Adds the forces on the nodes under a face that has risen by `rise`, m, and keeps the normal one in the place of the depth;
+    /// returns the upward part of the normal ones on the face, N.
+    fn press(&mut self, rise: Real) -> Real {
+        let (dt, first) = (self.constants.dt, self.first());
+        let mut total = 0.0;
+        for (place, numbers) in self.touches.iter_mut().enumerate() {
+            let mut touch = Touch::of(*numbers);
+            let normal = touch.force(rise, dt);
+            if normal > 0.0 {
+                let force = core::array::from_fn(|i| normal * touch.out[i] + touch.friction[i]);
+                self.nodes.add_force(first + place, force);
+                total -= normal * touch.out[1];
+            } else {
+                touch.friction = [0.0; 3];
+            }
+            touch.depth = normal;
+            *numbers = touch.numbers();
+        }
+        total
+    }
+
+    /// The energy that the normal forces take over their impulse, J, then that of friction, from a face whose mean velocity is
+    /// `face`, m/s.
+    fn work(&self, face: Real) -> [Real; 2] {
+        let (dt, first) = (self.constants.dt, self.first());
+        let mut total = [0.0; 2];
+        for (place, touch) in self.touches.iter().map(|numbers| Touch::of(*numbers)).enumerate() {
+            if touch.depth <= 0.0 {
+                continue;
+            }
+            let Some(node) = self.nodes.node(first + place) else { continue };
+            let after = node.next_velocity(dt);
+            let mut mean: [Real; 3] = core::array::from_fn(|i| 0.5 * (node.velocity[i] + after[i]));
+            mean[1] -= face;
+            total[0] -= dt * touch.depth * dot(&mean, &touch.out);
+            total[1] -= dt * dot(&touch.friction, &mean);
+        }
+        total
+    }
+
+    /// Leaves the forces on the nodes downwards, along x and along z, N.
+    fn show(&self, [down, along_x]: &mut [&mut [Real]; 2], along_z: &mut [Real]) {
+        let places = down.iter_mut().zip(along_x.iter_mut()).zip(along_z);
+        for (touch, ((down, x), z)) in self.touches.iter().map(|numbers| Touch::of(*numbers)).zip(places) {
+            let [fx, fy, fz]: [Real; 3] = core::array::from_fn(|i| touch.depth * touch.out[i] + touch.friction[i]);
+            (*down, *x, *z) = (-fy, fx, fz);
+        }
+    }
+}

@@ -1,0 +1,33 @@
+//! Where the nodes of a solid rest.
+
+use crate::mesh::Grid;
+use crate::mesh::columns::half_angle;
+use crate::mesh::section::{height_over_core, reference_position};
+use crate::mesh::slices::on_disc;
+use crate::number::math;
+use crate::number::real::Real;
+use crate::scenario::{Body, Scenario, Shape};
+
+/// Position of the node in column `u`, row `v` and slice `w` at rest, m: x outwards, y upwards, z along the axis of a prism.
+pub fn solid_position(scenario: &Scenario, grid: &Grid, [u, v, w]: [usize; 3]) -> [Real; 3] {
+    let number = w.abs_diff(grid.centre_w);
+    let along = if w < grid.centre_w { -grid.slices.z(number) } else { grid.slices.z(number) };
+    match scenario.geometry.body {
+        Body::Prism => {
+            let [x, y] = reference_position(scenario, grid, u, v);
+            [x, y, along]
+        }
+        Body::Revolved => {
+            let [cos, sin, part] = on_disc(grid.across(u), along);
+            let depth = height_over_core(scenario, grid, v);
+            let [radius, y] = match scenario.geometry.shape {
+                Shape::Round => {
+                    let (radius, angle) = (scenario.geometry.core_radius + depth, half_angle(scenario) * part);
+                    [radius * math::sin(angle), radius * math::cos(angle)]
+                }
+                Shape::Block => [scenario.half_block_width() * part, depth],
+            };
+            [radius * cos, y, radius * sin]
+        }
+    }
+}

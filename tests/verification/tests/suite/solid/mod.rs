@@ -1,0 +1,6 @@
+//! The solid: its element, its limit of the step, and what it has in common with the section.
+
+mod element;
+mod limits;
+mod section;
+mod state;
