@@ -8,4 +8,5 @@ mod node_row;
 mod pairing;
 pub(crate) mod rigid_core;
 mod rounded_face;
+mod segments;
 pub mod surface;

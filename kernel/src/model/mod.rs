@@ -9,5 +9,5 @@ pub use constants::Constants;
 pub use memory::ModelMemory;
 pub(crate) use memory::{ModelArrays, split_row, take};
 pub use size::Size;
-pub(crate) use size::{MODEL_NODE_FIELDS, NodeArrays, PAIR_FIELDS};
+pub(crate) use size::{END_FIELDS, MODEL_NODE_FIELDS, NodeArrays, PAIR_PACKS};
 pub use view::Model;

@@ -2,6 +2,7 @@
 
 use crate::error::ModelError;
 use crate::mesh::Grid;
+use crate::number::pack::LANES;
 use crate::scenario::{Outline, Scenario};
 
 /// Numbers per node in a model: height of rest, inverse masses along x and y, mass, and x of rest.
@@ -13,8 +14,10 @@ pub(crate) const SURFACE_FIELDS: usize = 2;
 /// Numbers per surface node under a face that is round or has edges: depth in it, its direction there, and the node's mass.
 pub(crate) const ROUNDING_FIELDS: usize = 4;
 
-/// Numbers of a node that may touch the layer across an interface: see [`crate::state::Pair`].
-pub(crate) const PAIR_FIELDS: usize = 16;
+/// Numbers for each pack of nodes that may touch the layer across an interface: see [`crate::state::PairRow`].
+pub(crate) const PAIR_PACKS: usize = 14;
+/// Numbers for each of these nodes as an end of segments, and of one pack more.
+pub(crate) const END_FIELDS: usize = 4;
 
 /// Lengths of the arrays of the nodes of a state.
 #[derive(Clone, Copy, Debug)]
@@ -32,10 +35,16 @@ pub(crate) struct NodeArrays {
 impl NodeArrays {
     /// Those of a mesh under a face of this outline.
     pub fn new(grid: &Grid, outline: &Outline) -> Self {
+        let stride = grid.stride();
         let rounding =
             if outline.radius > 0.0 || !grid.has_even_surface() { ROUNDING_FIELDS * grid.stride() } else { 0 };
         let sides = 2 * grid.layer_open.iter().filter(|open| **open).count();
-        Self { nodes: grid.n_node(), surface: grid.stride(), rounding, pairs: sides * PAIR_FIELDS * grid.stride() }
+        Self {
+            nodes: grid.n_node(),
+            surface: grid.stride(),
+            rounding,
+            pairs: sides * (PAIR_PACKS * stride + END_FIELDS * (stride + LANES)),
+        }
     }
 
     /// Numbers of all.
