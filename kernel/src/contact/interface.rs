@@ -2,119 +2,262 @@
 //!
 //! Each node of either row is paired with the segment of the other one that it is over, which it follows as it slides. The forces
 //! are Lagrange multipliers of the forward increment, as those of [`crate::contact::face`]: at the end of the step no node is
-//! inside its segment, and one that sticks does not slide. Pairs share nodes, so the forces are found by passes over them in
-//! the order of their columns, each pair bringing its own condition about (projected Gauss-Seidel; Jean 1999, Comput. Methods
-//! Appl. Mech. Eng. 177, 235), from the forces of the last step. Rows that lie on each other node by node are done after one
-//! pass. What a force does to a node, its opposite does to the ends of the segment, by the node's place over it: momentum is
+//! inside its segment, and one that sticks does not slide. Pairs share nodes, so the forces are found by passes over them, from
+//! the forces of the last step: over those of one row at once, then over those of the other. A row that all of its nodes hold
+//! up alike is done after one pass: the resistance of a pair is that against such a load, which a node of the other row shares
+//! among the pairs that are on it (the splitting of masses; Tonge, Benevolenski and Voroshilov 2012, ACM Trans. Graph. 31, 105).
+//! What a force does to a node, its opposite does to the ends of the segment, by the node's place over it: momentum is
 //! kept whatever the number of passes.
 
-use crate::contact::pairing::{Row, Side, ends, exert, relative_velocity};
+use crate::contact::friction::limited;
+use crate::contact::pairing::Side;
+use crate::contact::segments::{take, under};
 use crate::features::PADS;
 use crate::model::Model;
-use crate::number::math;
+use crate::number::pack::{LANES, Pack, ZERO, sum};
 use crate::number::real::Real;
+use crate::number::vector::{Simd, Vector};
 use crate::scenario::{LayerInterface, MAX_LAYERS};
-use crate::state::{ContactWork, Pair, State, StateNodes};
+use crate::state::{
+    ContactWork, FORCE, MOBILITY, NORMAL, OPENING, PairPack, PairRow, RESISTANCE, State, StateNodes, columns,
+    columns_mut,
+};
 
 /// Passes over the pairs. Each leaves a part of a change of the forces, most where light nodes lie between heavy ones, and the
-/// next step goes on from there. With one, layers have shaken themselves apart; with two, nodes were up to 4 % of a thin cell
-/// inside the other layer, in drops on random stacks (`tests/verification/src/plausible.rs`).
-const PASSES: usize = 6;
+/// next step goes on from there. With too few, thin layers shake between heavier ones, and nodes get into them
+/// (`tests/verification/src/plausible.rs`).
+const PASSES: usize = 4;
 
 /// Adds the forces between layers to those of the nodes, and says what they take over their impulse.
 #[inline(always)]
-pub(crate) fn press(model: &Model, state: &mut State) -> ContactWork {
-    if PADS && !state.nodes.pairs.is_empty() { press_all(model, &mut state.nodes) } else { ContactWork::default() }
+pub(crate) fn press<S: Simd>(simd: S, model: &Model, state: &mut State) -> ContactWork {
+    if PADS && !state.nodes.pairs.is_empty() {
+        press_all(simd, model, &mut state.nodes)
+    } else {
+        ContactWork::default()
+    }
 }
 
-#[inline(never)]
-fn press_all(model: &Model, nodes: &mut StateNodes<&mut [Real]>) -> ContactWork {
-    let (pairs, mut work) = (core::mem::take(&mut nodes.pairs), ContactWork::default());
-    for mut interface in Interface::all(model, pairs) {
-        interface.press(model, nodes, &mut work);
+#[inline(always)]
+fn press_all<S: Simd>(simd: S, model: &Model, nodes: &mut StateNodes<&mut [Real]>) -> ContactWork {
+    let (constants, mut work) = (model.constants, ContactWork::default());
+    let (stride, pairs) = (constants.grid.stride(), core::mem::take(&mut nodes.pairs));
+    let mut rows = pairs.chunks_exact_mut(PairRow::numbers(stride).max(1));
+    for layer in 1..MAX_LAYERS {
+        let (Some(sides), Some(upper)) = (Side::both(constants, layer), constants.scenario.layers.get(layer)) else {
+            continue;
+        };
+        let coefficient = match upper.interface {
+            LayerInterface::Frictional => upper.friction_coefficient,
+            LayerInterface::Separating | LayerInterface::Bonded => 0.0,
+        };
+        let mut row = || PairRow::of(rows.next()?, stride, constants.grid.n_u + 1);
+        if let (Some(above), Some(below)) = (row(), row()) {
+            Interface { simd, sides, rows: [above, below], coefficient }.press(model, nodes, &mut work);
+        }
     }
     nodes.pairs = pairs;
     work
 }
 
 /// An interface that is not bonded, and the pairs of the nodes above and below it.
-struct Interface<'p> {
+struct Interface<'p, S> {
+    simd: S,
     sides: [Side; 2],
-    rows: [&'p mut Row; 2],
-    friction_coefficient: Real,
+    rows: [PairRow<'p>; 2],
+    /// Of friction.
+    coefficient: Real,
 }
 
-impl<'p> Interface<'p> {
-    /// The interfaces whose pairs are `pairs`, from the core.
-    fn all(model: &Model, pairs: &'p mut [Real]) -> impl Iterator<Item = Self> {
-        let constants = model.constants;
-        let mut rows = pairs.as_chunks_mut().0.chunks_exact_mut(constants.grid.stride().max(1));
-        (1..MAX_LAYERS).filter_map(move |layer| {
-            let sides = Side::both(constants, layer)?;
-            let upper = constants.scenario.layers.get(layer)?;
-            let friction_coefficient = match upper.interface {
-                LayerInterface::Frictional => upper.friction_coefficient,
-                LayerInterface::Separating | LayerInterface::Bonded => 0.0,
-            };
-            Some(Self { sides, rows: [rows.next()?, rows.next()?], friction_coefficient })
-        })
-    }
-
-    /// Does something with every pair and the row of its segment, the nodes above the interface before those below it.
+impl<S: Simd> Interface<'_, S> {
     #[inline(always)]
-    fn each(&mut self, mut act: impl FnMut(&Side, usize, &mut Pair, &mut Row)) {
-        let ([upper, lower], [above, below]) = (&self.sides, &mut self.rows);
-        visit(upper, upper.columns(), above, below, &mut act);
-        visit(lower, lower.columns(), below, above, &mut act);
-    }
-
     fn press(&mut self, model: &Model, nodes: &mut StateNodes<&mut [Real]>, work: &mut ContactWork) {
-        for (side, row) in self.sides.iter().zip(&mut self.rows) {
-            side.gather(model, nodes, row);
+        let ([upper, lower], [above, below], simd) = (&self.sides, &mut self.rows, self.simd);
+        upper.gather(simd, model, nodes, above);
+        lower.gather(simd, model, nodes, below);
+        upper.find(simd, above, below);
+        lower.find(simd, below, above);
+        for pull in above.pull.iter_mut().chain(&mut below.pull) {
+            pull.fill(0.0);
         }
-        let coefficient = self.friction_coefficient;
-        self.each(|side, column, pair, other| side.find(column, pair, other));
+        resist(simd, above, below);
+        resist(simd, below, above);
+        hold(simd, above, below);
+        hold(simd, below, above);
         for _ in 0..PASSES {
-            self.each(|side, column, pair, other| touch(side.segment(column, pair), pair, other, coefficient));
+            touch(simd, above, below, self.coefficient);
+            touch(simd, below, above, self.coefficient);
         }
-        for (side, row) in self.sides.iter().zip(&mut self.rows) {
-            side.scatter(nodes, row);
-        }
+        settle(simd, above, below);
+        settle(simd, below, above);
+        upper.scatter(simd, model, nodes, above);
+        lower.scatter(simd, model, nodes, below);
         let dt = model.constants.dt;
-        self.each(|side, column, pair, other| {
-            let Some([left, right]) = ends(other, side.segment(column, pair)) else { return };
-            let [apart, sliding] = relative_velocity(pair, [left, right]);
-            work.contact_dissipation -= dt * (pair.pressing * apart);
-            work.frictional_dissipation -= dt * (pair.rubbing * sliding);
-        });
+        for [pressed, rubbed] in [power(simd, above, below), power(simd, below, above)] {
+            work.contact_dissipation -= dt * pressed;
+            work.frictional_dissipation -= dt * rubbed;
+        }
     }
 }
 
-/// Does something with every pair of a row and the `other` row.
+/// Turns what [`Side::find`] has left for the resistance of each pair of `own`, 1 where the node is over a segment, into it: one
+/// over what a force moves the node by and, as far as it is its share, the neighbours.
 #[inline(always)]
-fn visit(
-    side: &Side,
-    columns: impl Iterator<Item = usize>,
-    own: &mut Row,
-    other: &mut Row,
-    act: &mut impl FnMut(&Side, usize, &mut Pair, &mut Row),
+fn resist<S: Simd>(simd: S, own: &mut PairRow, other: &mut PairRow) {
+    for pack in own.packs.iter() {
+        take(simd, pack, &[-1.0; LANES], other.pull[0]);
+    }
+    // Nodes on the centre line, which are fixed across it, count as if they were not: nothing moves them that way.
+    for (i, pack) in other.packs.iter().enumerate() {
+        let Some(load) = columns_mut(other.pull[0], i) else { continue };
+        for chunk in 0..LANES / S::WIDTH {
+            simd.store(simd.load(load, chunk) * simd.load(&pack[MOBILITY[1]], chunk), load, chunk);
+        }
+    }
+    let (zero, one) = (simd.splat(0.0), simd.splat(1.0));
+    for pack in own.packs.iter_mut() {
+        let shared = under(simd, pack, other.pull[0]);
+        for chunk in 0..LANES / S::WIDTH {
+            let mobility = simd.load(&pack[MOBILITY[1]], chunk) + simd.load(&shared, chunk);
+            let found = mobility.select_greater(zero, one / mobility, zero);
+            let there = simd.load(&pack[RESISTANCE], chunk);
+            simd.store(there.select_greater(zero, found, zero), &mut pack[RESISTANCE], chunk);
+        }
+    }
+    other.pull[0].fill(0.0);
+}
+
+/// Begins with the forces of the last step.
+#[inline(always)]
+fn hold<S: Simd>(simd: S, own: &mut PairRow, other: &mut PairRow) {
+    for (i, pack) in own.packs.iter().enumerate() {
+        push(simd, i, pack, &mut own.velocity, &mut other.pull, [&pack[FORCE[0]], &pack[FORCE[1]]]);
+    }
+    follow(simd, other);
+}
+
+/// Brings about the conditions of all pairs of `own`, by forces along their normals and across them: neither changes what the
+/// other does.
+#[inline(always)]
+fn touch<S: Simd>(simd: S, own: &mut PairRow, other: &mut PairRow, coefficient: Real) {
+    let zero = simd.splat(0.0);
+    for (i, pack) in own.packs.iter_mut().enumerate() {
+        let (moved, mut changes) = (relative_velocity(simd, i, pack, &own.velocity, &other.velocity), [ZERO; 2]);
+        for chunk in 0..LANES / S::WIDTH {
+            let [apart, sliding] = [simd.load(&moved[0], chunk), simd.load(&moved[1], chunk)];
+            let resistance = simd.load(&pack[RESISTANCE], chunk);
+            let before = [simd.load(&pack[FORCE[0]], chunk), simd.load(&pack[FORCE[1]], chunk)];
+            let pressing = zero.max(before[0] - resistance * (simd.load(&pack[OPENING], chunk) + apart));
+            let rubbing = limited(before[1] - resistance * sliding, pressing.mul_scalar(coefficient));
+            simd.store(pressing - before[0], &mut changes[0], chunk);
+            simd.store(rubbing - before[1], &mut changes[1], chunk);
+            simd.store(pressing, &mut pack[FORCE[0]], chunk);
+            simd.store(rubbing, &mut pack[FORCE[1]], chunk);
+        }
+        push(simd, i, pack, &mut own.velocity, &mut other.pull, [&changes[0], &changes[1]]);
+    }
+    follow(simd, other);
+}
+
+/// Velocity of the nodes of pack `i` relative to what is under them, along the normal and to the right of it, m/s.
+#[inline(always)]
+fn relative_velocity<S: Simd>(
+    simd: S,
+    i: usize,
+    pack: &PairPack,
+    velocity: &[&mut [Real]; 2],
+    beneath: &[&mut [Real]; 2],
+) -> [Pack; 2] {
+    let (beneath, mut moved) = ([under(simd, pack, beneath[0]), under(simd, pack, beneath[1])], [ZERO; 2]);
+    let [Some(x), Some(y)] = [columns(velocity[0], i), columns(velocity[1], i)] else { return moved };
+    for chunk in 0..LANES / S::WIDTH {
+        let (x, y) =
+            (simd.load(x, chunk) - simd.load(&beneath[0], chunk), simd.load(y, chunk) - simd.load(&beneath[1], chunk));
+        let normal = [simd.load(&pack[NORMAL[0]], chunk), simd.load(&pack[NORMAL[1]], chunk)];
+        simd.store(x * normal[0] + y * normal[1], &mut moved[0], chunk);
+        simd.store(x * normal[1] - y * normal[0], &mut moved[1], chunk);
+    }
+    moved
+}
+
+/// Forces along the normals of a pack and to the right of them as those of x and y, N.
+#[inline(always)]
+fn turned<S: Simd>(simd: S, pack: &PairPack, [pressing, rubbing]: [&Pack; 2]) -> [Pack; 2] {
+    let mut force = [ZERO; 2];
+    for chunk in 0..LANES / S::WIDTH {
+        let [x, y] = [simd.load(&pack[NORMAL[0]], chunk), simd.load(&pack[NORMAL[1]], chunk)];
+        let [along, across] = [simd.load(pressing, chunk), simd.load(rubbing, chunk)];
+        simd.store(along * x + across * y, &mut force[0], chunk);
+        simd.store(along * y - across * x, &mut force[1], chunk);
+    }
+    force
+}
+
+/// Changes the velocities of the nodes of pack `i` by forces along the normals and to the right of them, N, and pulls at what is
+/// under them by the opposites.
+#[inline(always)]
+fn push<S: Simd>(
+    simd: S,
+    i: usize,
+    pack: &PairPack,
+    velocity: &mut [&mut [Real]; 2],
+    pull: &mut [&mut [Real]; 2],
+    force: [&Pack; 2],
 ) {
-    for column in columns {
-        let Some(memory) = own.get_mut(column) else { continue };
-        let mut pair = Pair::load(memory);
-        act(side, column, &mut pair, other);
-        pair.store(memory);
+    let force = turned(simd, pack, force);
+    for axis in 0..2 {
+        take(simd, pack, &force[axis], pull[axis]);
+        let Some(velocity) = columns_mut(velocity[axis], i) else { continue };
+        for chunk in 0..LANES / S::WIDTH {
+            simd.add(simd.load(&pack[MOBILITY[axis]], chunk) * simd.load(&force[axis], chunk), velocity, chunk);
+        }
     }
 }
 
-/// Brings about the conditions of a pair, by forces along its normal and across it: neither changes what the other does.
+/// Lets the nodes follow what pulls at them.
 #[inline(always)]
-fn touch(segment: usize, pair: &mut Pair, other: &mut Row, coefficient: Real) {
-    let Some([left, right]) = ends(other, segment) else { return };
-    let [apart, sliding] = relative_velocity(pair, [left, right]);
-    let pressing = math::max(0.0, pair.pressing - pair.resistance * (pair.opening + apart));
-    let (stick, limit) = (pair.rubbing - pair.resistance * sliding, coefficient * pressing);
-    let rubbing = if stick > limit { limit } else { math::max(-limit, stick) };
-    exert(pair, [left, right], pressing - pair.pressing, rubbing - pair.rubbing);
-    (pair.pressing, pair.rubbing) = (pressing, rubbing);
+fn follow<S: Simd>(simd: S, row: &mut PairRow) {
+    for (i, pack) in row.packs.iter().enumerate() {
+        for axis in 0..2 {
+            let (Some(velocity), Some(pull)) = (columns_mut(row.velocity[axis], i), columns_mut(row.pull[axis], i))
+            else {
+                continue;
+            };
+            for chunk in 0..LANES / S::WIDTH {
+                simd.add(simd.load(&pack[MOBILITY[axis]], chunk) * simd.load(pull, chunk), velocity, chunk);
+            }
+            *pull = ZERO;
+        }
+    }
+}
+
+/// Pulls at the nodes of `own` and at what is under them by all of the forces.
+#[inline(always)]
+fn settle<S: Simd>(simd: S, own: &mut PairRow, other: &mut PairRow) {
+    for (i, pack) in own.packs.iter().enumerate() {
+        let force = turned(simd, pack, [&pack[FORCE[0]], &pack[FORCE[1]]]);
+        for axis in 0..2 {
+            take(simd, pack, &force[axis], other.pull[axis]);
+            let Some(pull) = columns_mut(own.pull[axis], i) else { continue };
+            for chunk in 0..LANES / S::WIDTH {
+                simd.add(simd.load(&force[axis], chunk), pull, chunk);
+            }
+        }
+    }
+}
+
+/// What the forces of the pairs of `own` do to their relative velocities, W: along the normals, then friction.
+#[inline(always)]
+fn power<S: Simd>(simd: S, own: &PairRow, other: &PairRow) -> [Real; 2] {
+    let mut work = [ZERO; 2];
+    for (i, pack) in own.packs.iter().enumerate() {
+        let moved = relative_velocity(simd, i, pack, &own.velocity, &other.velocity);
+        for kind in 0..2 {
+            for chunk in 0..LANES / S::WIDTH {
+                let force = simd.load(&pack[FORCE[kind]], chunk);
+                simd.add(force * simd.load(&moved[kind], chunk), &mut work[kind], chunk);
+            }
+        }
+    }
+    [sum(&work[0]), sum(&work[1])]
 }

@@ -8,6 +8,7 @@ mod node_row;
 mod pairing;
 pub(crate) mod rigid_core;
 mod rounded_face;
+mod segments;
 pub(crate) mod solid_core;
 pub(crate) mod solid_face;
 mod solid_node;

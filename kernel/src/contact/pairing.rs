@@ -1,15 +1,21 @@
 //! Which segment a node at an interface is over, and how both move.
 
-use core::ops::{Range, RangeInclusive};
+use core::ops::Range;
 
-use crate::contact::node::{Node, add_force};
-use crate::model::{Constants, Model, PAIR_FIELDS};
-use crate::number::math;
+use crate::contact::node_row::NodeRow;
+use crate::contact::segments::{are_abreast, line_up, neighbours};
+use crate::model::{Constants, Model};
+use crate::number::pack::{LANES, Pack, ZERO};
 use crate::number::real::Real;
+use crate::number::vector::{Simd, Vector};
 use crate::scenario::Section;
-use crate::state::{Pair, PairedNode, StateNodes};
+use crate::state::{
+    ABREAST, FORCE, LEFT, MOBILITY, NORMAL, OPENING, PART, PairPack, PairRow, RESISTANCE, SHIFT, StateNodes, WEIGHT,
+    columns, columns_mut,
+};
 
-/// A node this part of a segment beside the last one still touches it.
+/// A node this part of a segment within its end, or beside it, is held by that end alone: so that of a row that sticks all
+/// stay over segments next to each other, and so that the last one holds what stands at its edge.
 const BESIDE: Real = 0.01;
 
 /// A node deeper inside than this part of the segment has come around the end of the row and is not pushed out.
@@ -18,14 +24,11 @@ const DEEPEST: Real = 0.5;
 /// A node that has come around the end of a row is pushed out by at most this part of a segment in a step.
 const PUSHED_OUT: Real = 1e-3;
 
-/// The pairs of a row of nodes, by column, in memory.
-pub(super) type Row = [[Real; PAIR_FIELDS]];
-
 /// One row of nodes at an interface and the row of segments that it may touch.
 #[derive(Clone, Debug)]
 pub(super) struct Side {
-    /// First node of the row.
-    first: usize,
+    /// Row of the nodes from the core.
+    row: usize,
     /// Columns of cells of the layer of the nodes.
     cells: Range<usize>,
     /// Columns of cells of that of the segments.
@@ -42,11 +45,11 @@ impl Side {
     /// The nodes above the interface below `layer` and those below it; none if it is bonded.
     pub fn both(constants: &Constants, layer: usize) -> Option<[Self; 2]> {
         let grid = &constants.grid;
-        let [below, above] = grid.interface_rows(layer)?.map(|row| row * grid.stride());
+        let [below, above] = grid.interface_rows(layer)?;
         let [of_below, of_above] = [grid.columns_of(layer.checked_sub(1)?), grid.columns_of(layer)];
         let mirrored = constants.scenario.geometry.section == Section::Half;
-        let side = |first, cells: &Range<usize>, segments: &Range<usize>, upwards| Self {
-            first,
+        let side = |row, cells: &Range<usize>, segments: &Range<usize>, upwards| Self {
+            row,
             cells: cells.clone(),
             segments: segments.clone(),
             upwards,
@@ -56,108 +59,163 @@ impl Side {
         Some([side(above, &of_above, &of_below, 1.0), side(below, &of_below, &of_above, -1.0)])
     }
 
-    /// Columns of the nodes.
-    pub fn columns(&self) -> RangeInclusive<usize> {
-        self.cells.start..=self.cells.end
-    }
-
-    /// Column of the segment of `pair`, of the node of `column`: one of those that are there.
-    #[inline(always)]
-    pub fn segment(&self, column: usize, pair: &Pair) -> usize {
-        let wanted = column.saturating_add_signed(pair.shift as isize);
-        wanted.max(self.segments.start).min(self.segments.end.saturating_sub(1))
-    }
-
     /// Takes the nodes as they are at the start of a step, with the forces so far.
-    pub fn gather(&self, model: &Model, nodes: &StateNodes<&mut [Real]>, row: &mut Row) {
-        for column in self.columns() {
-            let (Some(memory), Some(node)) = (row.get_mut(column), Node::of(model, nodes, self.first + column)) else {
-                continue;
-            };
-            let mut pair = Pair::load(memory);
-            let mobility = node.inverse_mass.map(|inverse| self.dt * inverse);
-            let velocity = node.next_velocity(self.dt);
-            pair.node = PairedNode { position: node.position, velocity, mobility, force: [0.0; 2] };
-            pair.store(memory);
+    #[inline(always)]
+    pub fn gather<S: Simd>(&self, simd: S, model: &Model, nodes: &mut StateNodes<&mut [Real]>, row: &mut PairRow) {
+        let StateNodes { displacement, velocity, force, .. } = nodes;
+        let Some(nodes) = NodeRow::of(model, self.row, displacement, velocity, force) else { return };
+        for axis in 0..2 {
+            let of_nodes = nodes.inverse_mass[axis].iter().zip(nodes.velocity[axis]).zip(&*nodes.force[axis]);
+            let places = nodes.reference[axis].iter().zip(nodes.displacement[axis]);
+            for (i, (((inverse_mass, before), force), (rest, moved))) in of_nodes.zip(places).enumerate() {
+                let Some(pack) = row.packs.get_mut(i) else { continue };
+                let (Some(velocity), Some(position)) =
+                    (columns_mut(row.velocity[axis], i), columns_mut(row.pull[axis], i))
+                else {
+                    continue;
+                };
+                for chunk in 0..LANES / S::WIDTH {
+                    let inverse_mass = simd.load(inverse_mass, chunk);
+                    let change = (inverse_mass * simd.load(force, chunk)).mul_scalar(self.dt);
+                    simd.store(simd.load(before, chunk) + change, velocity, chunk);
+                    simd.store(inverse_mass.mul_scalar(self.dt), &mut pack[MOBILITY[axis]], chunk);
+                    simd.store(simd.load(rest, chunk) + simd.load(moved, chunk), position, chunk);
+                }
+            }
         }
     }
 
     /// Adds the forces across the interface to those of the nodes, and leaves the means of their velocities over them.
-    pub fn scatter(&self, nodes: &mut StateNodes<&mut [Real]>, row: &mut Row) {
-        for column in self.columns() {
-            let (Some(memory), index) = (row.get_mut(column), self.first + column) else { continue };
-            let mut pair = Pair::load(memory);
-            add_force(nodes, index, pair.node.force);
-            for (mean, before) in pair.node.velocity.iter_mut().zip(&nodes.velocity) {
-                *mean = 0.5 * (*mean + before.get(index).copied().unwrap_or_default());
-            }
-            pair.store(memory);
-        }
-    }
-
-    /// Finds where the node of `column` is over the other row at the start of a step, and begins with the forces of the last one.
-    ///
-    /// It goes on to the next segment where it was found beside the last one a step ago, in which it slides by far less than a
-    /// segment.
     #[inline(always)]
-    pub fn find(&self, column: usize, pair: &mut Pair, other: &mut Row) {
-        let (last, Range { start, end }) = (self.segment(column, pair), self.segments.clone());
-        let segment = if pair.part < 0.0 && last > start {
-            last - 1
-        } else if pair.part > 1.0 && last + 1 < end {
-            last + 1
-        } else {
-            last
-        };
-        pair.shift = segment as Real - column as Real;
-        let Some([left, right]) = ends(other, segment) else { return };
-        let (a, b) = (PairedNode::of(left), PairedNode::of(right));
-        let along = [b.position[0] - a.position[0], b.position[1] - a.position[1]];
-        let from = [pair.node.position[0] - a.position[0], pair.node.position[1] - a.position[1]];
-        let inverse_length = 1.0 / math::sqrt(along[0] * along[0] + along[1] * along[1]);
-        let direction = [along[0] * inverse_length, along[1] * inverse_length];
-        pair.part = (from[0] * direction[0] + from[1] * direction[1]) * inverse_length;
-        pair.normal = [-self.upwards * direction[1], self.upwards * direction[0]];
-        let distance = from[0] * pair.normal[0] + from[1] * pair.normal[1];
-        let depth = -distance * inverse_length;
-        let beside = (segment == start && !self.mirrored && pair.part < -BESIDE)
-            || (segment + 1 == end && pair.part > 1.0 + BESIDE)
-            || depth > DEEPEST;
-        pair.opening = if depth > PUSHED_OUT { -PUSHED_OUT / inverse_length } else { distance } / self.dt;
-        if beside {
-            (pair.resistance, pair.pressing, pair.rubbing) = (0.0, 0.0, 0.0);
-            return;
+    pub fn scatter<S: Simd>(&self, simd: S, model: &Model, nodes: &mut StateNodes<&mut [Real]>, row: &mut PairRow) {
+        let StateNodes { displacement, velocity, force, .. } = nodes;
+        let Some(nodes) = NodeRow::of(model, self.row, displacement, velocity, force) else { return };
+        for (axis, force) in nodes.force.into_iter().enumerate() {
+            for (i, (force, before)) in force.iter_mut().zip(nodes.velocity[axis]).enumerate() {
+                let (Some(pull), Some(mean)) = (columns(row.pull[axis], i), columns_mut(row.velocity[axis], i)) else {
+                    continue;
+                };
+                for chunk in 0..LANES / S::WIDTH {
+                    simd.add(simd.load(pull, chunk), force, chunk);
+                    let twice = simd.load(mean, chunk) + simd.load(before, chunk);
+                    simd.store(twice.mul_scalar(0.5), mean, chunk);
+                }
+            }
         }
-        // Nodes on the centre line, which are fixed across it, count as if they were not: nothing moves them that way.
-        let [of_left, of_right] = pair.weights();
-        let mobility = pair.node.mobility[1] + of_left * of_left * a.mobility[1] + of_right * of_right * b.mobility[1];
-        pair.resistance = if mobility > 0.0 { 1.0 / mobility } else { 0.0 };
-        exert(pair, [left, right], pair.pressing, pair.rubbing);
+    }
+
+    /// Finds where the nodes of `own` are over the other row at the start of a step, whose positions are in the place of what
+    /// pulls at them.
+    #[inline(always)]
+    pub fn find<S: Simd>(&self, simd: S, own: &mut PairRow, other: &PairRow) {
+        for (i, pack) in own.packs.iter_mut().enumerate() {
+            self.follow_segments(simd, i, pack);
+            let [Some(x), Some(y)] = [columns(own.pull[0], i), columns(own.pull[1], i)] else { continue };
+            let (mut x_ends, mut y_ends) = ([ZERO; 2], [ZERO; 2]);
+            let [ax, bx] = neighbours(pack, other.pull[0], &mut x_ends);
+            let [ay, by] = neighbours(pack, other.pull[1], &mut y_ends);
+            for chunk in 0..LANES / S::WIDTH {
+                let node = [simd.load(x, chunk), simd.load(y, chunk)];
+                let left = [simd.load(ax, chunk), simd.load(ay, chunk)];
+                let right = [simd.load(bx, chunk), simd.load(by, chunk)];
+                self.locate(simd, chunk, i, pack, &[node, left, right]);
+            }
+            if !are_abreast(&pack[LEFT]) {
+                line_up(pack);
+            }
+        }
+    }
+
+    /// Goes on to the next segment where a node was found beside the last one a step ago, in which it slides by far less than a
+    /// segment: of those that are there.
+    #[inline(always)]
+    fn follow_segments<S: Simd>(&self, simd: S, i: usize, pack: &mut PairPack) {
+        let (zero, one) = (simd.splat(0.0), simd.splat(1.0));
+        let first = simd.splat(self.segments.start as Real);
+        let last = simd.splat(self.segments.end.saturating_sub(1) as Real);
+        for chunk in 0..LANES / S::WIDTH {
+            let column = simd.load(&COLUMNS, chunk).add_scalar((i * LANES) as Real);
+            let part = simd.load(&pack[PART], chunk);
+            let on = part.select_greater(simd.splat(1.0 + BESIDE), one, zero);
+            let step = simd.splat(-BESIDE).select_greater(part, zero - one, on);
+            let wanted = (column + simd.load(&pack[SHIFT], chunk)).max(first);
+            let held = wanted.select_greater(last, last, wanted);
+            let next = (held + step).max(first);
+            let next = next.select_greater(last, last, next);
+            simd.store(next, &mut pack[LEFT], chunk);
+            simd.store(next - column, &mut pack[SHIFT], chunk);
+        }
+        pack[ABREAST][0] = if are_abreast(&pack[LEFT]) { 1.0 } else { 0.0 };
+    }
+
+    /// Where the nodes of a part of pack `i` are over their segments from `a` to `b`.
+    #[inline(always)]
+    fn locate<S: Simd>(
+        &self,
+        simd: S,
+        chunk: usize,
+        i: usize,
+        pack: &mut PairPack,
+        [node, a, b]: &[[S::Vector; 2]; 3],
+    ) {
+        let (zero, one) = (simd.splat(0.0), simd.splat(1.0));
+        let along = [b[0] - a[0], b[1] - a[1]];
+        let from = [node[0] - a[0], node[1] - a[1]];
+        let inverse_length = one / (along[0] * along[0] + along[1] * along[1]).square_root();
+        let direction = [along[0] * inverse_length, along[1] * inverse_length];
+        let part = (from[0] * direction[0] + from[1] * direction[1]) * inverse_length;
+        let normal = [direction[1].mul_scalar(-self.upwards), direction[0].mul_scalar(self.upwards)];
+        let distance = from[0] * normal[0] + from[1] * normal[1];
+        let depth = zero - distance * inverse_length;
+        let pushed = simd.splat(-PUSHED_OUT) / inverse_length;
+        let opening = depth.select_greater(simd.splat(PUSHED_OUT), pushed, distance) / simd.splat(self.dt);
+        let over = self.over(simd, chunk, i, pack, part, depth);
+        let (near, far) = (simd.splat(BESIDE), simd.splat(1.0 - BESIDE));
+        let right = part.select_greater(far, one, part.select_greater(near, part, zero));
+        for (field, value) in [
+            (PART, part),
+            (NORMAL[0], normal[0]),
+            (NORMAL[1], normal[1]),
+            (OPENING, opening),
+            (WEIGHT[0], one - right),
+            (WEIGHT[1], right),
+            (RESISTANCE, one),
+            (FORCE[0], simd.load(&pack[FORCE[0]], chunk)),
+            (FORCE[1], simd.load(&pack[FORCE[1]], chunk)),
+        ] {
+            // What is not over a segment has no number there either.
+            let kept = if field == PART { over[0] } else { over[1] };
+            simd.store(kept.select_greater(zero, value, zero), &mut pack[field], chunk);
+        }
+    }
+
+    /// 1 where there is a node, 0 elsewhere; then where it is over its segment and not past an end of the row.
+    #[inline(always)]
+    fn over<S: Simd>(
+        &self,
+        simd: S,
+        chunk: usize,
+        i: usize,
+        pack: &PairPack,
+        part: S::Vector,
+        depth: S::Vector,
+    ) -> [S::Vector; 2] {
+        let (zero, one) = (simd.splat(0.0), simd.splat(1.0));
+        let (column, segment) =
+            (simd.load(&COLUMNS, chunk).add_scalar((i * LANES) as Real), simd.load(&pack[LEFT], chunk));
+        let there = simd.splat(self.cells.start as Real).select_greater(column, zero, one);
+        let there = column.select_greater(simd.splat(self.cells.end as Real), zero, there);
+        let mut over = depth.select_greater(simd.splat(DEEPEST), zero, there);
+        if !self.mirrored {
+            let first = segment.select_greater(simd.splat(self.segments.start as Real), zero, one);
+            let past = simd.splat(-BESIDE).select_greater(part, first, zero);
+            over = past.select_greater(zero, zero, over);
+        }
+        let last = simd.splat(self.segments.end as Real - 1.5).select_greater(segment, zero, one);
+        let past = part.select_greater(simd.splat(1.0 + BESIDE), last, zero);
+        [there, past.select_greater(zero, zero, over)]
     }
 }
 
-/// Both ends of a segment, in the row of its nodes.
-#[inline(always)]
-pub(super) fn ends(row: &mut Row, segment: usize) -> Option<[&mut [Real; PAIR_FIELDS]; 2]> {
-    let [left, right] = row.get_mut(segment..)?.first_chunk_mut()?;
-    Some([left, right])
-}
-
-/// Velocity of the node of `pair` relative to the ends of its segment, along the normal and to the right of it, m/s.
-#[inline(always)]
-pub(super) fn relative_velocity(pair: &Pair, [left, right]: [&[Real; PAIR_FIELDS]; 2]) -> [Real; 2] {
-    let (a, b, [of_left, of_right]) = (PairedNode::of(left), PairedNode::of(right), pair.weights());
-    let along = |i: usize| pair.node.velocity[i] - of_left * a.velocity[i] - of_right * b.velocity[i];
-    let ([x, y], [normal_x, normal_y]) = ([along(0), along(1)], pair.normal);
-    [x * normal_x + y * normal_y, x * normal_y - y * normal_x]
-}
-
-/// Adds forces to the node of `pair`, N, along the normal and to the right of it, and their opposites to the ends of its segment.
-#[inline(always)]
-pub(super) fn exert(pair: &mut Pair, [left, right]: [&mut [Real; PAIR_FIELDS]; 2], pressing: Real, rubbing: Real) {
-    let ([x, y], [of_left, of_right]) = (pair.normal, pair.weights());
-    let force = [pressing * x + rubbing * y, pressing * y - rubbing * x];
-    pair.node.push(1.0, force);
-    PairedNode::push_in(left, -of_left, force);
-    PairedNode::push_in(right, -of_right, force);
-}
+/// Columns of the first pack.
+const COLUMNS: Pack = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0];

@@ -33,8 +33,10 @@ pub fn internal_force<S: Simd>(
 ) -> Corners<S::Vector> {
     if block.laws.is_plain() {
         plain_force(simd, chunk, block, displacement, history, viscous, energy)
+    } else if block.laws.elastic.is_compressible() {
+        whole_force::<S, true>(simd, chunk, block, displacement, history, viscous, energy)
     } else {
-        whole_force(simd, chunk, block, displacement, history, viscous, energy)
+        whole_force::<S, false>(simd, chunk, block, displacement, history, viscous, energy)
     }
 }
 
@@ -56,12 +58,20 @@ pub(crate) fn plain_force<S: Simd>(
     let [(a, first), (b, second)] = deviatoric_stress(simd, chunk, block, &kinematics, history, viscous);
     add_energies(simd, chunk, block, [first, second], energy);
     let means = [pressure * kinematics[0].jacobian, pressure * kinematics[1].jacobian];
-    nodal_forces(simd, chunk, block, &edges, &kinematics, [(a, means[0]), (b, means[1])])
+    let inverse = inverse_jacobians(&kinematics);
+    nodal_forces(simd, chunk, block, &edges, &kinematics, inverse, [(a, means[0]), (b, means[1])])
 }
 
-/// [`internal_force`] of a compressible law, or of one that softens.
+/// 1/J as the cube of J^(-1/3), which isochoric laws need as well.
 #[inline(always)]
-pub(crate) fn whole_force<S: Simd>(
+fn inverse_jacobians<V: Vector>([k, l]: &[Kinematics<V>; 2]) -> [V; 2] {
+    let [k, l] = [k.inverse_cbrt_j, l.inverse_cbrt_j];
+    [k * k * k, l * l * l]
+}
+
+/// [`internal_force`] of a law that is `COMPRESSIBLE`, or softens; a copy for each, so that one carries nothing of the other.
+#[inline(always)]
+pub(crate) fn whole_force<S: Simd, const COMPRESSIBLE: bool>(
     simd: S,
     chunk: usize,
     block: &Block,
@@ -73,19 +83,24 @@ pub(crate) fn whole_force<S: Simd>(
     let edges = triangle_edges(simd, simd.load(&block.constants.diagonal, chunk), displacement);
     let kinematics = kinematics(simd, chunk, block, displacement, &edges);
     mark_inverted(simd, chunk, &kinematics, energy);
-    let [first, second] = whole_stress(simd, chunk, block, &kinematics, history, viscous);
-    let mut means = [first.mean, second.mean];
-    if !block.laws.elastic.is_compressible() {
+    let [first, second] = whole_stress::<S, COMPRESSIBLE>(simd, chunk, block, &kinematics, history, viscous);
+    let (one, mut means, inverse) = (simd.splat(1.0), [first.mean, second.mean], inverse_jacobians(&kinematics));
+    if !COMPRESSIBLE {
         let pressure = mean_stress(simd, chunk, block, &kinematics, energy);
         means = [pressure * kinematics[0].jacobian, pressure * kinematics[1].jacobian];
     }
-    for (triangle, lost) in block.constants.triangle.iter().zip([first.softening_increment, second.softening_increment])
-    {
-        let volume = simd.load(&triangle.reference_volume, chunk);
-        simd.add(volume * lost, &mut energy.softening_increment, chunk);
+    if block.laws.softening.active() {
+        for (triangle, lost) in
+            block.constants.triangle.iter().zip([first.softening_increment, second.softening_increment])
+        {
+            let volume = simd.load(&triangle.reference_volume, chunk);
+            simd.add(volume * lost, &mut energy.softening_increment, chunk);
+        }
     }
     add_energies(simd, chunk, block, [first.density, second.density], energy);
-    nodal_forces(simd, chunk, block, &edges, &kinematics, [(first.deviator, means[0]), (second.deviator, means[1])])
+    let inverse = if COMPRESSIBLE { [one / kinematics[0].jacobian, one / kinematics[1].jacobian] } else { inverse };
+    let stresses = [(first.deviator, means[0]), (second.deviator, means[1])];
+    nodal_forces(simd, chunk, block, &edges, &kinematics, inverse, stresses)
 }
 
 /// Adds the energies of both triangles of each cell.
@@ -111,13 +126,16 @@ fn nodal_forces<S: Simd>(
     block: &Block,
     edges: &[Edges<S::Vector>; 2],
     kinematics: &[Kinematics<S::Vector>; 2],
+    inverse_jacobian: [S::Vector; 2],
     stresses: [(Deviator<S::Vector>, S::Vector); 2],
 ) -> Corners<S::Vector> {
     let [k, l] = kinematics;
-    let stress = [
-        spatial_stress(simd, chunk, block, 0, k, &stresses[0]),
-        spatial_stress(simd, chunk, block, 1, l, &stresses[1]),
+    let [a, b] = &block.constants.triangle;
+    let scale = [
+        simd.load(&a.reference_volume, chunk) * inverse_jacobian[0],
+        simd.load(&b.reference_volume, chunk) * inverse_jacobian[1],
     ];
+    let stress = [spatial_stress(block, scale[0], k, &stresses[0]), spatial_stress(block, scale[1], l, &stresses[1])];
     let [of_first, of_second] = &block.constants.triangle;
     let edges = [
         edge_forces(simd, chunk, of_first, &edges[0], &stress[0]),
@@ -253,21 +271,16 @@ fn mean_stress<S: Simd>(
     block.laws.volumetric.stress(mean)
 }
 
-/// Components 11, 22 and 12 of V/J tau in the section of triangle `t` of each cell, J, with tau = R T R^T; in rings with
+/// Components 11, 22 and 12 of V/J tau in the section of a triangle of each cell, J, from V/J, with tau = R T R^T; in rings with
 /// the J of the section.
 #[inline(always)]
-fn spatial_stress<S: Simd>(
-    simd: S,
-    chunk: usize,
+fn spatial_stress<V: Vector>(
     block: &Block,
-    t: usize,
-    k: &Kinematics<S::Vector>,
-    (deviator, mean): &(Deviator<S::Vector>, S::Vector),
-) -> [S::Vector; 3] {
-    let volume = simd.load(&block.constants.triangle[t].reference_volume, chunk);
-    // 1/J is the cube of J^(-1/3).
-    let cube = volume * (k.inverse_cbrt_j * k.inverse_cbrt_j * k.inverse_cbrt_j);
-    let scale = if block.hoop.is_some() { k.hoop * cube } else { cube };
+    scale: V,
+    k: &Kinematics<V>,
+    (deviator, mean): &(Deviator<V>, V),
+) -> [V; 3] {
+    let scale = if block.hoop.is_some() { k.hoop * scale } else { scale };
     let section = scale * (deviator.mean.mul_scalar(SQRT_THIRD) + *mean);
     let (difference, shear) = (scale * deviator.difference, scale * deviator.shear);
     let [cos, sin] = k.rotation_2theta;

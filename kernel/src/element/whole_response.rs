@@ -25,9 +25,9 @@ pub(crate) struct WholeResponse<V> {
     pub softening_increment: V,
 }
 
-/// Stresses and energies of the two triangles of each cell; advances their history.
+/// Stresses and energies of the two triangles of each cell, of a law that is compressible or not; advances their history.
 #[inline(always)]
-pub(crate) fn whole_stress<S: Simd>(
+pub(crate) fn whole_stress<S: Simd, const COMPRESSIBLE: bool>(
     simd: S,
     chunk: usize,
     block: &Block,
@@ -47,21 +47,26 @@ pub(crate) fn whole_stress<S: Simd>(
     ];
     let springs = spring_stress(simd, chunk, &laws.slider, &strain_increment, [&mut *a, &mut *b]);
     let (terms, [mut first, mut second]) = ExtraHistory::split(laws, entries);
-    let elastic = elastic_stress(simd, laws, kinematics, axisymmetric);
+    let elastic = elastic_stress::<S, COMPRESSIBLE>(simd, laws, kinematics, axisymmetric);
     let softened =
         [soften(simd, chunk, laws, &elastic[0], &mut first), soften(simd, chunk, laws, &elastic[1], &mut second)];
     let deviators = [elastic[0].deviator.scaled(softened[0].factor), elastic[1].deviator.scaled(softened[1].factor)];
     let overstress = viscous_stress(simd, chunk, laws, &deviators, &strain_increment, [&mut *a, &mut *b], terms);
-    let means = [
-        mean_stress(simd, chunk, laws, softened[0].factor * elastic[0].mean, &mut first),
-        mean_stress(simd, chunk, laws, softened[1].factor * elastic[1].mean, &mut second),
-    ];
+    let mut means = [[simd.splat(0.0); 2]; 2];
+    if COMPRESSIBLE {
+        means = [
+            mean_stress(simd, chunk, laws, softened[0].factor * elastic[0].mean, &mut first),
+            mean_stress(simd, chunk, laws, softened[1].factor * elastic[1].mean, &mut second),
+        ];
+    }
     let mut density = [
         EnergyDensity::new(simd, softened[0].stored, &overstress[0], &deviators[0], &strain_increment[0], &springs[0]),
         EnergyDensity::new(simd, softened[1].stored, &overstress[1], &deviators[1], &strain_increment[1], &springs[1]),
     ];
-    density[0].add_viscous(means[0][1] * kinematics[0].volume_increment(simd, &before[0], axisymmetric));
-    density[1].add_viscous(means[1][1] * kinematics[1].volume_increment(simd, &before[1], axisymmetric));
+    if COMPRESSIBLE && laws.prony.n_term() > 0 {
+        density[0].add_viscous(means[0][1] * kinematics[0].volume_increment(simd, &before[0], axisymmetric));
+        density[1].add_viscous(means[1][1] * kinematics[1].volume_increment(simd, &before[1], axisymmetric));
+    }
     let stress = [overstress[0].total + springs[0].stress, overstress[1].total + springs[1].stress];
     let [first, second] = density;
     let mut response = [
@@ -93,15 +98,14 @@ impl<V: Vector> WholeResponse<V> {
 
 /// Long-term stress and energy of both triangles of each cell, before any softening.
 #[inline(always)]
-fn elastic_stress<S: Simd>(
+fn elastic_stress<S: Simd, const COMPRESSIBLE: bool>(
     simd: S,
     laws: &MaterialModel,
     kinematics: &[Kinematics<S::Vector>; 2],
     axisymmetric: bool,
 ) -> [WholeStress<S::Vector>; 2] {
-    if laws.elastic.is_compressible() {
-        let [k, l] = kinematics;
-        return [laws.elastic.whole_stress(simd, k, axisymmetric), laws.elastic.whole_stress(simd, l, axisymmetric)];
+    if COMPRESSIBLE {
+        return laws.elastic.whole_stress(simd, kinematics, axisymmetric);
     }
     let [first, second] = laws.elastic.stress(simd, kinematics, axisymmetric);
     let mean = simd.splat(0.0);
@@ -133,7 +137,7 @@ fn soften<S: Simd>(
     }
 }
 
-/// Mean stress of one triangle of each cell with its overstress, from that of its elasticity, Pa, and the mean of the
+/// Mean stress of a compressible law in one triangle of each cell with its overstress, from that of its elasticity, Pa, and the mean of the
 /// overstress over the step; advances its history.
 #[inline(always)]
 fn mean_stress<S: Simd>(
@@ -145,7 +149,7 @@ fn mean_stress<S: Simd>(
 ) -> [S::Vector; 2] {
     // A compressible law with Prony terms has the entry.
     match extra.numbers.first_mut() {
-        Some(numbers) if laws.elastic.is_compressible() && laws.prony.n_term() > 0 => {
+        Some(numbers) if laws.prony.n_term() > 0 => {
             let increment = elastic - simd.load(&numbers.mean, chunk);
             simd.store(elastic, &mut numbers.mean, chunk);
             let [before, after] = laws.prony.update_mean(simd, chunk, increment, extra.means);

@@ -130,19 +130,19 @@ macro_rules! laws {
                 response
             }
 
-            /// Stress and energy of a compressible law of neighbouring triangles; without `axisymmetric`, U33 = 1. Nothing of
-            /// an isochoric law.
+            /// Stress and energy of a compressible law of `N` neighbouring triangles each; without `axisymmetric`, U33 = 1.
+            /// Nothing of an isochoric law.
             #[inline(always)]
-            pub fn whole_stress<S: Simd>(
+            pub fn whole_stress<S: Simd, const N: usize>(
                 &self,
                 simd: S,
-                kinematics: &Kinematics<S::Vector>,
+                kinematics: &[Kinematics<S::Vector>; N],
                 axisymmetric: bool,
-            ) -> WholeStress<S::Vector> {
+            ) -> [WholeStress<S::Vector>; N] {
                 match self {
                     $(Self::$law(law) => by_kind!(
                         $kind,
-                        { let _ = (law, kinematics, axisymmetric); WholeStress::none(simd) },
+                        { let _ = (law, kinematics, axisymmetric); [WholeStress::none(simd); N] },
                         law.response(simd, kinematics, axisymmetric)
                     ),)+
                 }
@@ -303,6 +303,7 @@ impl Elastic {
     pub fn strain_energy_density(&self, stretch: &IsochoricStretch) -> Real {
         let kinematics = Kinematics::of_isochoric(Scalar, stretch);
         let [(_, energy)] = self.stress(Scalar, &[kinematics], true);
-        if self.is_compressible() { self.whole_stress(Scalar, &kinematics, true).energy } else { energy }
+        let [whole] = self.whole_stress(Scalar, &[kinematics], true);
+        if self.is_compressible() { whole.energy } else { energy }
     }
 }

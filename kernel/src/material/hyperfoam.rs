@@ -56,28 +56,26 @@ impl Term {
 /// What is below this counts as a beta of 0: the difference is below the last digit of any stress.
 const NO_BETA: Real = 1e-20;
 
-/// Logarithms of the stretches of a triangle, to the base of 2.
-struct Logs<V> {
-    /// l1 / l2 in the section.
-    ratio: V,
-    /// l1 l2.
-    section: V,
-    /// l3; none where that is 1.
-    out: Option<V>,
-    /// J.
-    volume: V,
+/// Logarithms of the stretches of `N` triangles, to the base of 2.
+struct Logs<V, const N: usize> {
+    /// Of l1 and l2 in the section, the larger first.
+    section: [[V; 2]; N],
+    /// Of l3; none where that is 1.
+    out: Option<[[V; 1]; N]>,
+    /// Of J.
+    volume: [V; N],
 }
 
 /// Powers of one term less 1.
-struct Powers<V> {
-    /// Mean of l1^alpha and l2^alpha.
-    section: V,
-    /// Half of the difference of l1^alpha and l2^alpha.
-    difference: V,
-    /// l3^alpha; none where that is 1.
-    out: Option<V>,
+struct Powers<V, const N: usize> {
+    /// l1^alpha and l2^alpha.
+    section: [[V; 2]; N],
+    /// l3^alpha.
+    out: [[V; 1]; N],
     /// J^(-alpha beta).
-    volume: V,
+    volume: [[V; 1]; N],
+    /// (J^(-alpha beta) - 1) / beta, or its limit.
+    volume_energy: [V; N],
 }
 
 impl Hyperfoam {
@@ -102,66 +100,65 @@ impl Hyperfoam {
 
     /// Logarithms of the principal stretches, of which those in the section are `radius` from their mean.
     #[inline(always)]
-    fn logs<S: Simd>(
+    fn logs<S: Simd, const N: usize>(
         &self,
         simd: S,
-        kinematics: &Kinematics<S::Vector>,
-        radius: S::Vector,
+        kinematics: &[Kinematics<S::Vector>; N],
+        radius: &[S::Vector; N],
         axisymmetric: bool,
-    ) -> Logs<S::Vector> {
-        let mean = kinematics.mean;
+    ) -> Logs<S::Vector, N> {
         let [stretch, jacobian] = self.largest_log;
-        let ratio = power::log2_of_quotient(simd, mean + radius, mean - radius, radius + radius);
-        let whole = power::log2(simd, kinematics.jacobian);
-        let (mut section, mut out) = (whole, None);
+        let (mut section, mut out) = ([[simd.splat(0.0); 2]; N], [[simd.splat(1.0)]; N]);
+        for i in 0..N {
+            section[i] = [kinematics[i].mean + radius[i], kinematics[i].mean - radius[i]];
+            out[i] = [kinematics[i].hoop];
+        }
+        section = power::log2_of_all(simd, section);
         if axisymmetric {
-            let log = power::log2(simd, kinematics.hoop);
-            (section, out) = (whole - log, Some(limited(simd, log, stretch)));
+            out = power::log2_of_all(simd, out);
         }
-        Logs {
-            ratio: limited(simd, ratio, stretch),
-            section: limited(simd, section, stretch),
-            out,
-            volume: limited(simd, whole, jacobian),
+        let mut volume = *radius;
+        for i in 0..N {
+            let [longer, shorter] = section[i];
+            let whole = longer + shorter;
+            volume[i] = limited(simd, if axisymmetric { whole + out[i][0] } else { whole }, jacobian);
+            section[i] = [limited(simd, longer, stretch), limited(simd, shorter, stretch)];
+            out[i] = [limited(simd, out[i][0], stretch)];
         }
+        Logs { section, out: if axisymmetric { Some(out) } else { None }, volume }
     }
 }
 
 impl Term {
-    /// Powers of the stretches; `square` is that of half the difference of those in the section.
+    /// Powers of the stretches.
     #[inline(always)]
-    fn powers<S: Simd>(&self, simd: S, logs: &Logs<S::Vector>, square: S::Vector) -> Powers<S::Vector> {
-        let zero = simd.splat(0.0);
-        let [section, _] = power::exp2_of_both_signs(logs.section.mul_scalar(0.5 * self.alpha));
-        let [longer, shorter] = power::exp2_of_both_signs(logs.ratio.mul_scalar(0.5 * self.alpha));
-        let (longer, shorter) = (longer.exp2_m1, shorter.exp2_m1);
+    fn powers<S: Simd, const N: usize>(&self, simd: S, logs: &Logs<S::Vector, N>) -> Powers<S::Vector, N> {
+        let (zero, mut section) = (simd.splat(0.0), logs.section);
+        let (mut out, mut volume, mut volume_energy) = ([[zero]; N], [[zero]; N], [zero; N]);
+        for i in 0..N {
+            section[i] = [section[i][0].mul_scalar(self.alpha), section[i][1].mul_scalar(self.alpha)];
+        }
         // No closure: those need not be inlined.
-        let mut out = None;
-        if let Some(log) = logs.out {
-            out = Some(power::exp2_of_both_signs(log.mul_scalar(self.alpha))[0].exp2_m1);
+        if let Some(logs) = &logs.out {
+            for i in 0..N {
+                out[i] = [logs[i][0].mul_scalar(self.alpha)];
+            }
+            out = power::exp2_m1_of_all(out);
         }
-        // -2 e^y (cosh(alpha x) - 1) and 2 e^y sinh(alpha x).
-        let spread = simd.splat(TINY_SQUARE).select_greater(square, zero, section.whole * (longer * shorter));
-        Powers {
-            section: section.exp2_m1 - spread.mul_scalar(0.5),
-            difference: (section.whole * (longer - shorter)).mul_scalar(0.5),
-            out,
-            volume: if self.beta > NO_BETA {
-                power::exp2_of_both_signs(logs.volume.mul_scalar(-self.alpha * self.beta))[0].exp2_m1
-            } else {
-                zero
-            },
-        }
-    }
-
-    /// (J^(-alpha beta) - 1) / beta.
-    #[inline(always)]
-    fn volume_energy<V: Vector>(&self, logs: &Logs<V>, powers: &Powers<V>) -> V {
         if self.beta > NO_BETA {
-            powers.volume.mul_scalar(1.0 / self.beta)
+            for i in 0..N {
+                volume[i] = [logs.volume[i].mul_scalar(-self.alpha * self.beta)];
+            }
+            volume = power::exp2_m1_of_all(volume);
+            for i in 0..N {
+                volume_energy[i] = volume[i][0].mul_scalar(1.0 / self.beta);
+            }
         } else {
-            logs.volume.mul_scalar(-self.alpha * LN_2)
+            for i in 0..N {
+                volume_energy[i] = logs.volume[i].mul_scalar(-self.alpha * LN_2);
+            }
         }
+        Powers { section: power::exp2_m1_of_all(section), out, volume, volume_energy }
     }
 }
 
@@ -269,35 +266,32 @@ impl CompressibleLaw for Hyperfoam {
     }
 
     #[inline(always)]
-    fn response<S: Simd>(
+    fn response<S: Simd, const N: usize>(
         &self,
         simd: S,
-        kinematics: &Kinematics<S::Vector>,
+        kinematics: &[Kinematics<S::Vector>; N],
         axisymmetric: bool,
-    ) -> WholeStress<S::Vector> {
+    ) -> [WholeStress<S::Vector>; N] {
         let zero = simd.splat(0.0);
-        let Kinematics { difference, shear, .. } = *kinematics;
-        let square = difference * difference + shear * shear;
-        // Never zero, so that the quotient by the radius has its limit. Nothing else may see what is added.
-        let radius = square.add_scalar(TINY_SQUARE).square_root();
-        let logs = self.logs(simd, kinematics, radius, axisymmetric);
-        let (mut step, mut slope, mut mean, mut energy) = (zero, zero, zero, zero);
-        for term in &self.terms {
-            if term.factor == 0.0 {
-                continue;
-            }
-            let powers = term.powers(simd, &logs, square);
-            let (double, out) = (powers.section + powers.section, powers.out.unwrap_or(zero));
-            let sum = if axisymmetric { double + out } else { double };
-            step = step + (if axisymmetric { powers.section - out } else { powers.section }).mul_scalar(term.factor);
-            slope = slope + powers.difference.mul_scalar(term.factor);
-            mean = mean + (sum.mul_scalar(THIRD) - powers.volume).mul_scalar(term.factor);
-            energy = energy + (sum + term.volume_energy(&logs, &powers)).mul_scalar(term.factor / term.alpha);
+        let (mut radius, mut sums) =
+            ([zero; N], [Sums { section: [zero; 2], out: zero, volume: zero, energy: zero }; N]);
+        for i in 0..N {
+            radius[i] = radius_of(&kinematics[i]);
         }
-        let slope = slope / radius;
-        let deviator =
-            Deviator { mean: step.mul_scalar(SQRT_THIRD), difference: slope * difference, shear: slope * shear };
-        WholeStress { deviator, mean, energy }
+        let logs = self.logs(simd, kinematics, &radius, axisymmetric);
+        for term in &self.terms {
+            if term.factor != 0.0 {
+                let powers = term.powers(simd, &logs);
+                for i in 0..N {
+                    sums[i].add(term, &powers, i, axisymmetric);
+                }
+            }
+        }
+        let mut stress = [WholeStress::none(simd); N];
+        for i in 0..N {
+            stress[i] = sums[i].stress(&kinematics[i], radius[i]);
+        }
+        stress
     }
 
     #[inline(always)]
@@ -355,29 +349,81 @@ impl CompressibleLaw for Hyperfoam {
     /// The tangents are 2 mu l_i^alpha, summed, and 2 mu beta J^(-alpha beta).
     #[inline(always)]
     fn principal_tangent<S: Simd>(&self, simd: S, kinematics: &Kinematics<S::Vector>) -> PrincipalTangent<S::Vector> {
-        let Kinematics { mean, difference, shear, .. } = *kinematics;
-        let square = difference * difference + shear * shear;
-        let radius = square.add_scalar(TINY_SQUARE).square_root();
-        let logs = self.logs(simd, kinematics, radius, true);
-        let mut tangent = PrincipalTangent::none(simd);
+        let (radius, mean) = (radius_of(kinematics), kinematics.mean);
+        let logs = self.logs(simd, &[*kinematics], &[radius], true);
+        let (mut tangent, mut alike) = (PrincipalTangent::none(simd), simd.splat(0.0));
         for term in &self.terms {
             if term.factor == 0.0 {
                 continue;
             }
-            let powers = term.powers(simd, &logs, square);
-            let out = powers.out.unwrap_or(powers.section);
-            let lengths = [powers.section + powers.difference, powers.section - powers.difference, out];
-            for (i, length) in lengths.into_iter().enumerate() {
+            let Powers { section: [[longer, shorter]], out: [[out]], volume: [[volume]], volume_energy: [of_volume] } =
+                term.powers(simd, &logs);
+            for (i, length) in [longer, shorter, out].into_iter().enumerate() {
                 tangent.own[i] = tangent.own[i] + length.add_scalar(1.0).mul_scalar(2.0 * term.mu);
-                tangent.stress[i] = tangent.stress[i] + (length - powers.volume).mul_scalar(term.factor);
+                tangent.stress[i] = tangent.stress[i] + (length - volume).mul_scalar(term.factor);
             }
-            tangent.turning = tangent.turning + powers.difference.mul_scalar(0.5 * term.factor);
-            tangent.common = tangent.common + powers.volume.add_scalar(1.0).mul_scalar(2.0 * term.mu * term.beta);
-            let sum = powers.section + powers.section + out + term.volume_energy(&logs, &powers);
-            tangent.energy = tangent.energy + sum.mul_scalar(term.factor / term.alpha);
+            tangent.turning = tangent.turning + (longer - shorter).mul_scalar(0.25 * term.factor);
+            alike = alike + longer.add_scalar(1.0).mul_scalar(term.mu);
+            tangent.common = tangent.common + volume.add_scalar(1.0).mul_scalar(2.0 * term.mu * term.beta);
+            tangent.energy = tangent.energy + (longer + shorter + out + of_volume).mul_scalar(term.factor / term.alpha);
         }
-        tangent.turning = tangent.turning / (radius * mean);
+        // Of nearly equal stretches the difference says nothing.
+        let limit = alike / (mean * mean);
+        tangent.turning = radius.select_greater(mean.mul_scalar(ALIKE), tangent.turning / (radius * mean), limit);
         tangent
+    }
+}
+
+/// Stretches in the section whose difference is below this part of them count as equal where a tangent is formed.
+const ALIKE: Real = if cfg!(feature = "single") { 1e-3 } else { 1e-6 };
+
+/// Half of the difference of the principal stretches in the section. Never zero, so that the quotient by it has its limit; no
+/// stretch sees what is added.
+#[inline(always)]
+fn radius_of<V: Vector>(kinematics: &Kinematics<V>) -> V {
+    let Kinematics { difference, shear, .. } = *kinematics;
+    (difference * difference + shear * shear).add_scalar(TINY_SQUARE).square_root()
+}
+
+/// Sums over the terms, Pa: of the powers times 2 mu / alpha, and the energy.
+#[derive(Clone, Copy)]
+struct Sums<V> {
+    section: [V; 2],
+    out: V,
+    volume: V,
+    energy: V,
+}
+
+impl<V: Vector> Sums<V> {
+    /// Adds a term of triangle `i`.
+    #[inline(always)]
+    fn add<const N: usize>(&mut self, term: &Term, powers: &Powers<V, N>, i: usize, axisymmetric: bool) {
+        let ([longer, shorter], [out], [volume]) = (powers.section[i], powers.out[i], powers.volume[i]);
+        let mut whole = longer + shorter;
+        self.section[0] = self.section[0] + longer.mul_scalar(term.factor);
+        self.section[1] = self.section[1] + shorter.mul_scalar(term.factor);
+        if axisymmetric {
+            whole = whole + out;
+            self.out = self.out + out.mul_scalar(term.factor);
+        }
+        if term.beta > NO_BETA {
+            self.volume = self.volume + volume.mul_scalar(term.factor);
+        }
+        self.energy = self.energy + (whole + powers.volume_energy[i]).mul_scalar(term.factor / term.alpha);
+    }
+
+    /// Deviator and mean of the stress of a triangle whose stretches are `radius` from their mean.
+    #[inline(always)]
+    fn stress(&self, kinematics: &Kinematics<V>, radius: V) -> WholeStress<V> {
+        let [longer, shorter] = self.section;
+        let slope = (longer - shorter).mul_scalar(0.5) / radius;
+        let (double, out) = (longer + shorter, self.out);
+        let deviator = Deviator {
+            mean: (double.mul_scalar(0.5) - out).mul_scalar(SQRT_THIRD),
+            difference: slope * kinematics.difference,
+            shear: slope * kinematics.shear,
+        };
+        WholeStress { deviator, mean: (double + out).mul_scalar(THIRD) - self.volume, energy: self.energy }
     }
 }
 

@@ -77,13 +77,13 @@ pub trait CompressibleLaw: HyperelasticLaw {
     /// Bulk modulus at rest, Pa.
     fn bulk_modulus(&self) -> Real;
 
-    /// Stress and W of neighbouring triangles; without `axisymmetric`, U33 = 1.
-    fn response<S: Simd>(
+    /// Stress and W of `N` neighbouring triangles each; without `axisymmetric`, U33 = 1.
+    fn response<S: Simd, const N: usize>(
         &self,
         simd: S,
-        kinematics: &Kinematics<S::Vector>,
+        kinematics: &[Kinematics<S::Vector>; N],
         axisymmetric: bool,
-    ) -> WholeStress<S::Vector>;
+    ) -> [WholeStress<S::Vector>; N];
 
     /// Stress and W of neighbouring tetrahedra.
     fn solid_response<S: Simd>(

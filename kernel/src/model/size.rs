@@ -18,8 +18,10 @@ pub(crate) const ROUNDING_FIELDS: usize = 4;
 /// The same of a solid: see [`crate::contact`].
 pub(crate) const SOLID_TOUCH_FIELDS: usize = 8;
 
-/// Numbers of a node that may touch the layer across an interface: see [`crate::state::Pair`].
-pub(crate) const PAIR_FIELDS: usize = 16;
+/// Numbers for each pack of nodes that may touch the layer across an interface: see [`crate::state::PairRow`].
+pub(crate) const PAIR_PACKS: usize = 14;
+/// Numbers for each of these nodes as an end of segments, and of one pack more.
+pub(crate) const END_FIELDS: usize = 4;
 
 /// Lengths of the arrays of the nodes of a state.
 #[derive(Clone, Copy, Debug)]
@@ -39,6 +41,7 @@ pub(crate) struct NodeArrays {
 impl NodeArrays {
     /// Those of a mesh under a face of this outline.
     pub fn new(grid: &Grid, outline: &Outline, history_packs: usize) -> Self {
+        let stride = grid.stride();
         let rounding =
             if outline.radius > 0.0 || !grid.has_even_surface() { ROUNDING_FIELDS * grid.stride() } else { 0 };
         // Under a solid every face counts as one with edges.
@@ -49,7 +52,7 @@ impl NodeArrays {
             nodes: grid.n_node(),
             surface: grid.plane(),
             rounding,
-            pairs: sides * PAIR_FIELDS * grid.stride(),
+            pairs: sides * (PAIR_PACKS * stride + END_FIELDS * (stride + LANES)),
             solid,
         }
     }

@@ -18,6 +18,26 @@ pub fn log2<S: Simd>(simd: S, a: S::Vector) -> S::Vector {
     exponent + log2_of_ratio((a - power) / (a + power))
 }
 
+/// [`log2`] of many numbers, of the same bits: side by side, so that none waits and each constant is fetched once.
+#[inline(always)]
+pub fn log2_of_all<S: Simd, const M: usize, const N: usize>(simd: S, a: [[S::Vector; M]; N]) -> [[S::Vector; M]; N] {
+    let (one, mut exponents, mut ratios, mut squares) = (simd.splat(1.0), a, a, a);
+    for i in 0..N {
+        for j in 0..M {
+            let [exponent, power] = a[i][j].binary_exponent(one);
+            let ratio = (a[i][j] - power) / (a[i][j] + power);
+            (exponents[i][j], ratios[i][j], squares[i][j]) = (exponent, ratio, ratio * ratio);
+        }
+    }
+    let sums = polynomials(squares, &LOG2);
+    for i in 0..N {
+        for j in 0..M {
+            exponents[i][j] = exponents[i][j] + ratios[i][j] * sums[i][j];
+        }
+    }
+    exponents
+}
+
 /// Binary logarithm of a / b for normal positive numbers, given `difference` = a - b; as [`log2`], whose error it has
 /// however near to each other a and b are, if `difference` is exact.
 #[inline(always)]
@@ -62,6 +82,56 @@ pub fn exp2_of_both_signs<V: Vector>(x: V) -> [Power<V>; 2] {
         Power { whole: power + more, exp2_m1: power.add_scalar(-1.0) + more },
         Power { whole: inverse + further, exp2_m1: inverse.add_scalar(-1.0) + further },
     ]
+}
+
+/// 2^x - 1 of many numbers as [`exp2_of_both_signs`] gives it, of the same bits: side by side, so that none waits and each
+/// constant is fetched once.
+#[inline(always)]
+pub fn exp2_m1_of_all<V: Vector, const M: usize, const N: usize>(x: [[V; M]; N]) -> [[V; M]; N] {
+    let (mut powers, mut fractions, mut squares) = (x, x, x);
+    for i in 0..N {
+        for j in 0..M {
+            let rounded = x[i][j].add_scalar(ROUNDING);
+            let fraction = x[i][j] - rounded.add_scalar(-ROUNDING);
+            let [power, _] = rounded.powers_of_two();
+            (powers[i][j], fractions[i][j], squares[i][j]) = (power, fraction, fraction * fraction);
+        }
+    }
+    let (odd, even) = (polynomials(squares, &SINH), polynomials(squares, &COSH));
+    for i in 0..N {
+        for j in 0..M {
+            let more = powers[i][j] * (squares[i][j] * even[i][j] + fractions[i][j] * odd[i][j]);
+            powers[i][j] = powers[i][j].add_scalar(-1.0) + more;
+        }
+    }
+    powers
+}
+
+/// [`polynomial`] of many numbers.
+#[inline(always)]
+fn polynomials<V: Vector, const M: usize, const N: usize, const C: usize>(
+    x: [[V; M]; N],
+    coefficients: &[Real; C],
+) -> [[V; M]; N] {
+    let mut sums = x;
+    for i in 0..N {
+        for j in 0..M {
+            sums[i][j] = x[i][j].mul_scalar(coefficients[C - 1]);
+        }
+    }
+    for k in 2..C {
+        for i in 0..N {
+            for j in 0..M {
+                sums[i][j] = sums[i][j].add_scalar(coefficients[C - k]) * x[i][j];
+            }
+        }
+    }
+    for i in 0..N {
+        for j in 0..M {
+            sums[i][j] = sums[i][j].add_scalar(coefficients[0]);
+        }
+    }
+    sums
 }
 
 /// Horner's scheme, from the coefficient of 1 on.
@@ -128,6 +198,7 @@ mod tests {
         for size in sizes(f64::from(LARGEST_EXPONENT)).filter(|size| *size < 0.5) {
             for a in [size, 1.0 / size] {
                 assert_close(log2(Scalar, a), libm::log2(f64::from(a)), STATED[0], a);
+                assert_eq!(log2_of_all(Scalar, [[a, 1.0 + a]]), [[log2(Scalar, a), log2(Scalar, 1.0 + a)]]);
             }
         }
     }
@@ -158,6 +229,7 @@ mod tests {
             }
             let [power, inverse] = found;
             assert_eq!(exp2_of_both_signs(-x), [inverse, power]);
+            assert_eq!(exp2_m1_of_all([[x], [-x]]), [[power.exp2_m1], [inverse.exp2_m1]]);
         }
     }
 

@@ -14,6 +14,8 @@ mod chosen {
     pub type Real = f64;
     /// Its bits.
     pub type Bits = u64;
+    /// The same, with a sign.
+    pub type SignedBits = i64;
 
     /// Relative difference that rounding may leave between two quotients that should be equal.
     pub const SAME: Real = 1e-9;
@@ -115,6 +117,8 @@ mod chosen {
     pub type Real = f32;
     /// Its bits.
     pub type Bits = u32;
+    /// The same, with a sign.
+    pub type SignedBits = i32;
 
     /// Relative difference that rounding may leave between two quotients that should be equal.
     pub const SAME: Real = 1e-6;

@@ -7,7 +7,7 @@ use core::ops::{Add, Div, Mul, Sub};
 
 use crate::number::math;
 use crate::number::pack::{LANES, Pack, ZERO};
-use crate::number::real::{self, Bits, FRACTION_BITS, Real};
+use crate::number::real::{self, Bits, FRACTION_BITS, Real, SignedBits};
 
 /// The bits of 1.
 const ONE: Bits = (1.0 as Real).to_bits();
@@ -23,6 +23,12 @@ const BIASED_INTEGERS: Real = INTEGERS + (ONE >> FRACTION_BITS) as Real;
 
 /// What rounds a smaller number to an integer when it is added: the integer stands in the low bits of the sum.
 pub const ROUNDING: Real = 1.5 * INTEGERS;
+
+/// The whole number `x`, far below [`ROUNDING`]: without the look at its size that a conversion takes.
+#[inline(always)]
+pub fn small_integer(x: Real) -> isize {
+    (x + ROUNDING).to_bits().wrapping_sub(ROUNDING.to_bits()) as SignedBits as isize
+}
 
 /// Numbers of neighbouring cells.
 ///

@@ -108,7 +108,7 @@ impl<'a> Triangle<'a> {
 
     /// Mean of the Kirchhoff stress of a compressible law before any tear, Pa.
     fn whole_mean(&self, model: &Model, state: &StateView<'a>) -> Option<Real> {
-        let elastic = self.laws.elastic.whole_stress(Scalar, &self.kinematics()?, true);
+        let [elastic] = self.laws.elastic.whole_stress(Scalar, &[self.kinematics()?], true);
         let Some((numbers, means)) = self.extra(model, state)?.split_first() else { return Some(elastic.mean) };
         let mut mean = elastic.mean;
         if self.laws.softening.active() {

@@ -19,7 +19,10 @@ pub(crate) use energy::{ContactWork, ENERGY_WORDS, SOFTENING_WORDS, StepWork};
 pub use memory::StateMemory;
 pub use metrics::Metrics;
 pub(crate) use nodes::{Rows, StateNodes, corners};
-pub(crate) use pair::{Pair, PairedNode};
+pub(crate) use pair::{
+    ABREAST, FORCE, LEFT, MOBILITY, NORMAL, OPENING, PART, PairPack, PairRow, RESISTANCE, SHIFT, WEIGHT, columns,
+    columns_mut,
+};
 pub use sampler::{Forces, Sample, Sampler};
 pub use scalars::Scalars;
 pub use snapshot::{restore, save, snapshot_size, state_digest, write_words};

@@ -21,8 +21,8 @@ pub(crate) struct StateNodes<R> {
     /// Of every surface node under a face that is round or has edges, its depth in it at the end of the step without contact,
     /// m, the direction out of the face, to the right and downwards, and its mass, kg.
     pub rounding: R,
-    /// Of every interface that is not bonded, from the core, the nodes above it, then those below it: a [`super::Pair`] for
-    /// each column.
+    /// Of every interface that is not bonded, from the core, the nodes above it, then those below it: a [`super::PairRow`]
+    /// each.
     pub pairs: R,
     /// What only a solid has: [`super::SolidState`].
     pub solid: R,

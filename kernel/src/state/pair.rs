@@ -1,101 +1,75 @@
-//! A node at an interface and the segment of the other layer that it may touch.
+//! The nodes at an interface and the segments of the other layer that they may touch.
 
-use crate::model::PAIR_FIELDS;
-use crate::number::math;
+use crate::model::{END_FIELDS, PAIR_PACKS};
+use crate::number::pack::{LANES, Pack};
 use crate::number::real::Real;
 
-/// A node at an interface between two layers, and the segment of the other one's row of nodes that it is over. What a step
-/// starts from is that it follows the segment and the forces; all else is of one step.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Pair {
-    /// Column of the segment less that of the node, a whole number.
-    pub shift: Real,
-    /// Where the node is over the segment: 0 at its left end, 1 at its right end, and beyond where it is beside it.
-    pub part: Real,
-    /// Force on the node along the normal, N, never negative.
-    pub pressing: Real,
-    /// Friction on the node, N, to the right of the normal.
-    pub rubbing: Real,
-    /// Direction out of the segment.
-    pub normal: [Real; 2],
-    /// Distance from the segment at the start of the step over the step, m/s; negative inside.
-    pub opening: Real,
-    /// Force over the change of the relative velocity that it brings about, kg/s; 0 where the node is beside the other layer.
-    pub resistance: Real,
-    /// What the node moves by.
-    pub node: PairedNode,
+/// Numbers of a node at an interface and of the segment of the other one's row of nodes that it is over, each for neighbouring
+/// columns. What a step starts from is which segments they follow, and the forces; all else is of one step. Columns without
+/// a node have zeros.
+pub(crate) type PairPack = [Pack; PAIR_PACKS];
+
+/// Column of the segment less that of the node, a whole number.
+pub(crate) const SHIFT: usize = 0;
+/// Where the node is over the segment: 0 at its left end, 1 at its right end, and beyond where it is beside it.
+pub(crate) const PART: usize = 1;
+/// Force on the node along the normal, N, never negative, then friction, to the right of the normal.
+pub(crate) const FORCE: [usize; 2] = [2, 3];
+/// Direction out of the segment, x before y.
+pub(crate) const NORMAL: [usize; 2] = [4, 5];
+/// Distance from the segment at the start of the step over the step, m/s; negative inside.
+pub(crate) const OPENING: usize = 6;
+/// Force over the change of the relative velocity that it brings about, kg/s; 0 where the node is beside the other layer.
+pub(crate) const RESISTANCE: usize = 7;
+/// How much of what is on the node is on the left one and on the right one of two neighbours of the other row; nothing where it
+/// is beside.
+pub(crate) const WEIGHT: [usize; 2] = [8, 9];
+/// Column of the left one, which may be the one before the first.
+pub(crate) const LEFT: usize = 10;
+/// In the first place, 1 where those of the pack follow each other as its nodes do.
+pub(crate) const ABREAST: usize = 11;
+/// Step over mass of the node, s/kg, x before y; 0 where fixed.
+pub(crate) const MOBILITY: [usize; 2] = [12, 13];
+
+/// A row of nodes at an interface between two layers.
+pub(crate) struct PairRow<'s> {
+    /// The nodes and their segments.
+    pub packs: &'s mut [PairPack],
+    /// Velocities of the nodes with the forces so far, m/s; when they are all known, their means over them. A pack of columns
+    /// before the first comes first, here and below.
+    pub velocity: [&'s mut [Real]; 2],
+    /// Forces that have not changed the velocities yet, N. Until the pairs are found, the positions at the start of the step, m.
+    pub pull: [&'s mut [Real]; 2],
 }
 
-/// A node at an interface, in one step; x before y.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct PairedNode {
-    /// At the start of the step, m.
-    pub position: [Real; 2],
-    /// With the forces so far, m/s; when they are all known, its mean over them.
-    pub velocity: [Real; 2],
-    /// Step over mass, s/kg; 0 where fixed.
-    pub mobility: [Real; 2],
-    /// Across the interface so far, N.
-    pub force: [Real; 2],
-}
-
-impl Pair {
-    /// The pair in memory.
-    #[inline(always)]
-    pub fn load(memory: &[Real; PAIR_FIELDS]) -> Self {
-        let [shift, part, pressing, rubbing, a, b, opening, resistance, node @ ..] = memory;
-        let node = PairedNode::load(node);
-        let (shift, part, pressing, rubbing) = (*shift, *part, *pressing, *rubbing);
-        Self { shift, part, pressing, rubbing, normal: [*a, *b], opening: *opening, resistance: *resistance, node }
+impl<'s> PairRow<'s> {
+    /// How many numbers a row has in memory, for a row of nodes of `stride`.
+    pub const fn numbers(stride: usize) -> usize {
+        PAIR_PACKS * stride + END_FIELDS * (stride + LANES)
     }
 
-    /// The same, for memory.
+    /// The row of `count` nodes in `memory`; none if it is too short.
     #[inline(always)]
-    pub fn store(&self, memory: &mut [Real; PAIR_FIELDS]) {
-        let Self { shift, part, pressing, rubbing, normal: [a, b], opening, resistance, node } = *self;
-        let PairedNode { position: [c, d], velocity: [e, f], mobility: [g, h], force: [i, j] } = node;
-        *memory = [shift, part, pressing, rubbing, a, b, opening, resistance, c, d, e, f, g, h, i, j];
-    }
-
-    /// How much of what is on the node is on the left and on the right end of its segment.
-    #[inline(always)]
-    pub fn weights(&self) -> [Real; 2] {
-        let right = if self.part > 1.0 { 1.0 } else { math::max(0.0, self.part) };
-        [1.0 - right, right]
+    pub fn of(memory: &'s mut [Real], stride: usize, count: usize) -> Option<Self> {
+        let (packs, rest) = memory.split_at_mut_checked(PAIR_PACKS * stride)?;
+        let mut rest = rest.chunks_exact_mut(stride + LANES);
+        let mut next = || rest.next();
+        Some(Self {
+            packs: packs.as_chunks_mut().0.as_chunks_mut().0.get_mut(..count.div_ceil(LANES))?,
+            velocity: [next()?, next()?],
+            pull: [next()?, next()?],
+        })
     }
 }
 
-impl PairedNode {
-    /// The node in the memory of its pair.
-    #[inline(always)]
-    fn load([c, d, e, f, g, h, i, j]: &[Real; PAIR_FIELDS / 2]) -> Self {
-        Self { position: [*c, *d], velocity: [*e, *f], mobility: [*g, *h], force: [*i, *j] }
-    }
+/// Numbers of the columns of pack `i` in a row with a pack before the first.
+#[inline(always)]
+pub(crate) fn columns(row: &[Real], i: usize) -> Option<&Pack> {
+    row.as_chunks().0.get(i + 1)
+}
 
-    /// The same, of the memory of a whole pair.
-    #[inline(always)]
-    pub fn of(memory: &[Real; PAIR_FIELDS]) -> Self {
-        let [_, _, _, _, _, _, _, _, node @ ..] = memory;
-        Self::load(node)
-    }
-
-    /// Adds a force, N, times a weight.
-    #[inline(always)]
-    pub fn push(&mut self, weight: Real, [x, y]: [Real; 2]) {
-        let ([velocity_x, velocity_y], [force_x, force_y]) = (&mut self.velocity, &mut self.force);
-        *velocity_x += self.mobility[0] * (weight * x);
-        *velocity_y += self.mobility[1] * (weight * y);
-        *force_x += weight * x;
-        *force_y += weight * y;
-    }
-
-    /// The same, of the memory of a whole pair.
-    #[inline(always)]
-    pub fn push_in(memory: &mut [Real; PAIR_FIELDS], weight: Real, force: [Real; 2]) {
-        let mut node = Self::of(memory);
-        node.push(weight, force);
-        let Self { velocity: [e, f], force: [i, j], .. } = node;
-        let [_, _, _, _, _, _, _, _, _, _, velocity_x, velocity_y, _, _, force_x, force_y] = memory;
-        (*velocity_x, *velocity_y, *force_x, *force_y) = (e, f, i, j);
-    }
+/// The same, to be changed.
+#[inline(always)]
+pub(crate) fn columns_mut(row: &mut [Real], i: usize) -> Option<&mut Pack> {
+    row.as_chunks_mut().0.get_mut(i + 1)
 }

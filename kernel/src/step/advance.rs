@@ -111,7 +111,7 @@ fn advance<S: Simd>(simd: S, model: &Model, state: &mut State, input: &StepInput
     internal_forces(simd, model, state, &mut energy)?;
     monitor::check(simd, model, state)?;
     let core = rigid_core::react(simd, model, state);
-    let interfaces = interface::press(model, state);
+    let interfaces = interface::press(simd, model, state);
     let prediction = state.scalars.impactor.predict(model, input, state.scalars.step_index);
     let before = state.scalars.impactor.velocity_half;
     let face = face::contact(simd, model, state, &prediction);
@@ -157,12 +157,19 @@ fn internal_forces<S: Simd>(
         let rows = state.nodes.rows(nodes);
         // Written twice, so that a copy knows whether it is axisymmetric and need not ask all over the element; processors
         // without vectors have less room for it.
-        let force = if !block.laws.is_plain() {
-            block_force::<S, WHOLE>(simd, &block, &rows, history, viscous, energy)
-        } else if S::WIDTH == 1 || block.hoop.is_some() {
-            block_force::<S, PLAIN>(simd, &block, &rows, history, viscous, energy)
+        let in_plane = S::WIDTH > 1 && block.hoop.is_none();
+        let force = if block.laws.is_plain() {
+            if in_plane {
+                block_force::<S, PLAIN>(simd, &Block { hoop: None, ..block }, &rows, history, viscous, energy)
+            } else {
+                block_force::<S, PLAIN>(simd, &block, &rows, history, viscous, energy)
+            }
+        } else if !block.laws.elastic.is_compressible() {
+            block_force::<S, SOFTENING>(simd, &block, &rows, history, viscous, energy)
+        } else if in_plane {
+            block_force::<S, COMPRESSIBLE>(simd, &Block { hoop: None, ..block }, &rows, history, viscous, energy)
         } else {
-            block_force::<S, PLAIN>(simd, &Block { hoop: None, ..block }, &rows, history, viscous, energy)
+            block_force::<S, COMPRESSIBLE>(simd, &block, &rows, history, viscous, energy)
         };
         state.nodes.subtract_force(simd, nodes, &force);
         // The next block follows in the row, or begins the next one.
@@ -177,13 +184,15 @@ fn internal_forces<S: Simd>(
 }
 
 /// A law that is isochoric and does not soften.
-const PLAIN: bool = true;
-/// Any other.
-const WHOLE: bool = false;
+const PLAIN: u8 = 0;
+/// One that is isochoric and softens.
+const SOFTENING: u8 = 1;
+/// One that is not isochoric.
+const COMPRESSIBLE: u8 = 2;
 
-/// Internal forces on the corners of the cells of a block, N, by the forces of a law that is [`PLAIN`] or not.
+/// Internal forces on the corners of the cells of a block, N, by the forces of one of these kinds of law.
 #[inline(always)]
-fn block_force<S: Simd, const IS_PLAIN: bool>(
+fn block_force<S: Simd, const KIND: u8>(
     simd: S,
     block: &Block,
     rows: &Rows,
@@ -198,10 +207,12 @@ fn block_force<S: Simd, const IS_PLAIN: bool>(
         let (rows, history) = (black_box(rows), black_box(&mut *history));
         let block = &Block { constants: black_box(block.constants), ..*block };
         let displacement = corners(simd, chunk, rows);
-        let of_chunk = if IS_PLAIN {
-            element::plain_force(simd, chunk, block, &displacement, history, viscous, energy)
-        } else {
-            element::whole_force(simd, chunk, block, &displacement, history, viscous, energy)
+        let of_chunk = match KIND {
+            PLAIN => element::plain_force(simd, chunk, block, &displacement, history, viscous, energy),
+            COMPRESSIBLE => {
+                element::whole_force::<S, true>(simd, chunk, block, &displacement, history, viscous, energy)
+            }
+            _ => element::whole_force::<S, false>(simd, chunk, block, &displacement, history, viscous, energy),
         };
         for corner in 0..4 {
             for i in 0..2 {

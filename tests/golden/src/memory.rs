@@ -7,7 +7,7 @@ use softanvil_kernel::{Constants, ModelMemory, Scalars, StateMemory};
 
 /// Blocks of cells of the largest mesh: the full section.
 const BLOCKS: usize = 30;
-/// Nodes of the largest mesh, padding included.
+/// Nodes of the largest mesh, padding included. A smaller mesh with an interface has more numbers a node.
 const NODES: usize = 336;
 /// Most viscous terms of a layer.
 const TERMS: usize = 3;
@@ -21,7 +21,7 @@ pub struct Memory {
     model_cells: [CellConstants; BLOCKS],
     model_hoops: [HoopConstants; BLOCKS],
     scalars: Scalars,
-    state_nodes: [Real; 8 * NODES],
+    state_nodes: [Real; 10 * NODES],
     state_cells: [CellHistory; BLOCKS],
     state_viscous: [Deviator; 2 * TERMS * BLOCKS],
 }
@@ -35,7 +35,7 @@ impl Memory {
             model_cells: [CellConstants::ZERO; BLOCKS],
             model_hoops: [HoopConstants::ZERO; BLOCKS],
             scalars: Scalars::BLANK,
-            state_nodes: [0.0; 8 * NODES],
+            state_nodes: [0.0; 10 * NODES],
             state_cells: [CellHistory::REST; BLOCKS],
             state_viscous: [Deviator::ZERO; 2 * TERMS * BLOCKS],
         }

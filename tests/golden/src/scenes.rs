@@ -1,10 +1,14 @@
 //! The table of scenes. The drops of the study follow the preset; every other scene states its own numbers, so that it
 //! changes only with the mathematics.
 
+#[cfg(feature = "pads")]
+use softanvil_kernel::material::Hyperfoam;
 use softanvil_kernel::material::{
     Coefficients, ElasticLaw, Material, Moduli, MooneyRivlin, NeoHookean, Ogden, VolumetricBy, VolumetricLaw, Yeoh,
 };
 use softanvil_kernel::number::real::Real;
+#[cfg(feature = "pads")]
+use softanvil_kernel::scenario::LayerInterface;
 use softanvil_kernel::scenario::{DropBy, Formulation, Interface, Layer, Motion, Section, StepBy};
 use softanvil_kernel::{Constants, Scenario, StepInput, preset};
 
@@ -76,6 +80,8 @@ pub static SCENES: &[Scene] = &[
         pull,
         "full section, face off centre, core with friction, external force"
     ),
+    #[cfg(feature = "pads")]
+    scene!("pad", pad, nothing, "a foam that softens, with two terms and one Prony term, slides on Mooney-Rivlin"),
 ];
 
 impl Scene {
@@ -171,6 +177,30 @@ fn two_layers() -> Scenario {
     let _ = scenario.add_layer(Layer::new("skin", 1.5e-3, skin));
     scenario.time.step = 1.25e-6;
     scenario.time.duration = 4e-3;
+    scenario
+}
+
+#[cfg(feature = "pads")]
+/// The pad is narrower than the layer under it, and smoother than the face.
+fn pad() -> Scenario {
+    let mut scenario = base(rubber());
+    scenario.layers[0].thickness = 12e-3;
+    let foam = Material {
+        density: 120.0,
+        prony_g: [0.3, 0.0, 0.0, 0.0, 0.0],
+        prony_tau: [2e-3, 1.0, 1.0, 1.0, 1.0],
+        softening_r: 1.5,
+        softening_m: 2e3,
+        softening_beta: 0.2,
+        ..rubber().with(Hyperfoam::new([0.2e6, 0.05e6, 0.0], [8.0, -2.0, 4.0], [0.05, 0.2, 0.0]))
+    };
+    // There is room for a second layer.
+    let _ = scenario.add_layer(Layer {
+        width: 0.14,
+        interface: LayerInterface::Frictional,
+        friction_coefficient: 0.1,
+        ..Layer::new("pad", 8e-3, foam)
+    });
     scenario
 }
 
