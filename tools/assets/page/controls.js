@@ -10,10 +10,36 @@ const make = (name, properties = {}, ...children) => {
   return made;
 };
 
+/** Plausible coefficients of each law, and how many layers there can be: from the kernel. */
+const materials = { laws: {}, most_layers: 1 };
+
+/** A law with plausible coefficients, instead of those that were given with another; none if it is taken back. */
+function giveLaw({ given }, layer, law) {
+  for (const field of new Set(Object.values(materials.laws).flatMap(Object.keys))) given.delete(`layers[${layer}].${field}`);
+  for (const [field, value] of Object.entries(materials.laws[law] ?? {})) given.set(`layers[${layer}].${field}`, String(value));
+}
+
+/** One more layer on a drop that has so many: a pad of foam. */
+function padded(drop, layers) {
+  if (layers >= materials.most_layers) return;
+  const pad = { thickness: "0.01", density: "100", law: "hyperfoam" };
+  drop.given.set("layers.count", String(layers + 1));
+  for (const [field, value] of Object.entries(pad)) drop.given.set(`layers[${layers}].${field}`, value);
+  giveLaw(drop, layers, pad.law);
+}
+
+/** One layer less. */
+function bare(drop, layers) {
+  if (layers < 2) return;
+  for (const name of [...drop.given.keys()]) if (name.startsWith(`layers[${layers - 1}].`)) drop.given.delete(name);
+  drop.given.set("layers.count", String(layers - 1));
+}
+
 class Controls {
   /** In `place`, from the kernel's `table`; `changed` is called when the chosen drop asks for something else. */
   constructor(place, table, changed) {
     Object.assign(this, { place, table, changed, fields: new Map(), built: "" });
+    Object.assign(materials, { laws: table.laws, most_layers: table.most_layers });
     this.rows = new Map(table.parameters.map(row => [row.name, row]));
     this.search = document.getElementById("search");
     this.search.oninput = () => this.filter();
@@ -114,26 +140,7 @@ class Controls {
     const { given } = chosen();
     if (text === null) given.delete(row.name);
     else given.set(row.name, text.trim());
-    if (row.field === "law") this.giveLaw(row.layer, text);
-    this.changed();
-  }
-
-  /** A law with plausible coefficients, instead of those that were given with another. */
-  giveLaw(layer, law) {
-    const { given } = chosen(), examples = Object.values(this.table.laws);
-    for (const field of new Set(examples.flatMap(example => Object.keys(example)))) given.delete(`layers[${layer}].${field}`);
-    for (const [field, value] of Object.entries(this.table.laws[law] ?? {})) given.set(`layers[${layer}].${field}`, String(value));
-  }
-
-  /** One more layer on top: a pad of foam. */
-  addLayer() {
-    const { given, data } = chosen(), layer = data.scenario.layers.length;
-    if (layer >= this.table.most_layers) return;
-    given.set("layers.count", String(layer + 1));
-    given.set(`layers[${layer}].thickness`, "0.01");
-    given.set(`layers[${layer}].density`, "100");
-    given.set(`layers[${layer}].law`, "hyperfoam");
-    this.giveLaw(layer, "hyperfoam");
+    if (row.field === "law") giveLaw(chosen(), row.layer, text);
     this.changed();
   }
 

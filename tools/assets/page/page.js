@@ -79,9 +79,12 @@ function changed() {
   simulate(drop, since);
 }
 
-function add(asked) {
+/** One more drop, changed by `change`. */
+function add(asked, change = () => {}) {
   if (drops.length >= MOST_DROPS) return;
-  drops.push(newDrop(asked));
+  const drop = newDrop(asked);
+  change(drop);
+  drops.push(drop);
   shown.drop = drops.length - 1;
   changed();
 }
@@ -111,7 +114,10 @@ function listen() {
   element("compare").onchange = () => {
     const preset = element("compare").value;
     element("compare").value = "";
-    if (preset === "copy") add({ ...askedOf(chosen()) });
+    const layers = chosen().data?.scenario.layers.length ?? 1, copy = askedOf(chosen());
+    if (preset === "copy") add(copy);
+    else if (preset === "padded") add(copy, drop => padded(drop, layers));
+    else if (preset === "bare") add(copy, drop => bare(drop, layers));
     else if (preset) add({ preset });
   };
   element("remove").onclick = () => {
@@ -119,7 +125,7 @@ function listen() {
     history.replaceState(null, "", "#" + toFragment());
     showAll();
   };
-  element("add-layer").onclick = () => controls.addLayer();
+  element("add-layer").onclick = () => { padded(chosen(), chosen().data?.scenario.layers.length ?? 1); changed(); };
   element("start-anew").onclick = () => { chosen().given.clear(); changed(); };
   element("stop").onclick = () => simulator.stop();
   element("toml").onclick = () => saveText("toml", "scenario.toml", "application/toml");
