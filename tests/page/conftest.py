@@ -50,7 +50,7 @@ def open_page(browser):
 
 def settle(page):
     """Waits until no drop is simulated any more."""
-    page.wait_for_function("drops.every(drop => !drop.busy)")
+    page.wait_for_function("drops.every(drop => drop.asked === 0)")
 
 
 def cli(*arguments):

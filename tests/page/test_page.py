@@ -200,7 +200,7 @@ def test_files_go_in(open_page, tmp_path):
     assert "measured.csv" in page.inner_text("#force-time .legend") and page.inner_text("#understood")
     (tmp_path / "nonsense.csv").write_text("no numbers\n")
     page.set_input_files("#file", tmp_path / "nonsense.csv")
-    page.wait_for_function("document.getElementById('status').textContent.includes('nonsense.csv')")
+    page.wait_for_function("document.getElementById('understood').textContent.includes('nonsense.csv')")
 
 
 @pytest.mark.parametrize("plot", ["force-time", "force-deformation", "energy"])

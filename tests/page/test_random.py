@@ -40,7 +40,7 @@ PLAY = """async sequences => {
         const made = 1 + Math.floor(3 * random());
         for (let k = 0; k < made; k++) one(actions)();
         const limit = performance.now() + 60;
-        do await new Promise(wait => setTimeout(wait, 4)); while (drops.some(drop => drop.busy) && performance.now() < limit);
+        do await new Promise(wait => setTimeout(wait, 4)); while (drops.some(drop => drop.asked) && performance.now() < limit);
         const text = [...document.querySelectorAll("#live, #drops")].map(part => part.innerText).join(" ");
         const found = text.match(/[^\\n]*(NaN|undefined|Infinity|\\[object)[^\\n]*/g) ?? [];
         // What a person has typed may say so: in a refusal, and in the name of the drop.

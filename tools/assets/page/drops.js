@@ -13,7 +13,7 @@ const ready = () => drops.filter(drop => drop.data);
 
 /** A drop of `asked` (preset, text of a scenario file, values given over both). */
 function newDrop({ preset = "study", toml = "", given = [], name = "" }, data = null) {
-  return { preset, toml, given: new Map(given), name, data, refusal: null, measured: null, busy: false };
+  return { preset, toml, given: new Map(given), name, data, refusal: null, measured: null, file: null, understood: "", asked: 0 };
 }
 
 const askedOf = drop => ({ preset: drop.preset, toml: drop.toml, given: [...drop.given] });

@@ -7,10 +7,10 @@ let kernel, simulator, controls, player, plots = [];
 
 /** Simulates a drop as it is asked for, and shows what came of it. */
 async function simulate(drop, since = performance.now()) {
-  drop.busy = true;
+  drop.asked++;
   waiting();
   const answer = await simulator.ask(drop, { kind: "drop", asked: askedOf(drop), label: drop.name || drop.preset });
-  drop.busy = false;
+  drop.asked--;
   waiting();
   if (answer === null || !drops.includes(drop)) return;
   if (answer.refused) drop.refusal = answer.refused;
@@ -27,13 +27,13 @@ async function lay(drop) {
   const answer = await simulator.ask("measured", { kind: "measured", asked: askedOf(drop), name, beside: drop.data.force_time }, bytes);
   if (!answer) return;
   drop.measured = answer.curve ? answer : null;
-  tell(answer.curve ? `${name} is shown over the force.` : answer.refused?.message ?? answer.failed);
+  drop.understood = answer.curve ? `${name} is drawn over the force.\n${answer.understood}` : answer.refused?.message ?? answer.failed;
 }
 
 let busySince = null;
 /** Says that a drop is simulated, when it takes long. */
 function waiting() {
-  const busy = drops.some(drop => drop.busy);
+  const busy = drops.some(drop => drop.asked);
   clearTimeout(busySince);
   if (busy) busySince = setTimeout(() => { element("busy").hidden = false; }, 400);
   else element("busy").hidden = true;
@@ -76,6 +76,7 @@ function showChoice() {
 function changed() {
   const since = window.event?.timeStamp ?? performance.now(), drop = chosen();
   history.replaceState(null, "", "#" + toFragment());
+  controls.show(drop);
   simulate(drop, since);
 }
 
@@ -108,7 +109,7 @@ async function saveText(kind, name, type) {
 
 function listen() {
   element("preset").onchange = () => {
-    Object.assign(chosen(), { preset: element("preset").value, toml: "", given: new Map(), name: "", measured: null, file: null });
+    Object.assign(chosen(), { preset: element("preset").value, toml: "", given: new Map(), name: "", measured: null, file: null, understood: "" });
     changed();
   };
   element("compare").onchange = () => {
@@ -175,7 +176,7 @@ async function start() {
   listen();
   const asked = fromFragment(location.hash);
   begin(asked.length ? asked : own.map(({ data, ...drop }) => newDrop(drop, data && unpack(data))));
-  while (!ready().length && drops.some(drop => drop.busy)) await new Promise(wait => setTimeout(wait, 20));
+  while (!ready().length && drops.some(drop => drop.asked)) await new Promise(wait => setTimeout(wait, 20));
   goToPeak();
   document.documentElement.dataset.ready = "";
 }

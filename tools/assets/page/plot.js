@@ -168,6 +168,7 @@ class Plot {
     const steps = { ArrowLeft: -0.05, ArrowDown: -0.05, ArrowRight: 0.05, ArrowUp: 0.05, PageDown: -0.5, PageUp: 0.5 };
     const ends = { Home: first, End: last };
     if (event.ctrlKey || event.altKey || event.metaKey) return;
+    this.hovered = null;
     if (event.key in steps) this.onTime(shown.time + steps[event.key]);
     else if (event.key in ends) this.onTime(ends[event.key]);
     else if (event.key === "+" || event.key === "=") this.zoomBy(0.5);

@@ -31,8 +31,7 @@ function showWords(shownDrops) {
   const about = shownDrops.flatMap(drop => drop.data.words.map(words => shownDrops.length > 1 ? `${labelOf(drop)}: ${words}` : words));
   document.getElementById("words").replaceChildren(...about.map(textContent => make("li", { textContent })));
   document.getElementById("about").textContent = chosen()?.data?.about ?? "";
-  const measured = chosen()?.measured;
-  document.getElementById("understood").textContent = measured?.understood ?? "";
+  document.getElementById("understood").textContent = chosen()?.understood ?? "";
 }
 
 /** What the plots show: pictures for the kernel, and legends. */
