@@ -6,7 +6,7 @@ use std::sync::atomic::AtomicBool;
 
 use clap::{Args, CommandFactory, Parser, Subcommand};
 
-use crate::commands::{calibrate, fit, fmu, golden, measure, protect, report, run, scenario, sweep, validate};
+use crate::commands::{calibrate, fit, fmu, golden, measure, page, protect, report, run, scenario, sweep, validate};
 use crate::failure::Failure;
 use crate::interrupt;
 
@@ -27,6 +27,7 @@ pub struct Cli {
 enum Command {
     Run(Box<run::Options>),
     Report(Box<report::OwnOptions>),
+    Page(page::Options),
     Measure(Box<measure::Options>),
     Protect(Box<protect::Options>),
     Validate(validate::Options),
@@ -58,6 +59,7 @@ impl Cli {
             None => report::carry_out(&self.report),
             Some(Command::Run(options)) => run::carry_out(options),
             Some(Command::Report(options)) => report::carry_out_own(options),
+            Some(Command::Page(options)) => page::carry_out(options),
             Some(Command::Measure(options)) => measure::carry_out(options),
             Some(Command::Protect(options)) => protect::carry_out(options),
             Some(Command::Validate(options)) => validate::carry_out(options),

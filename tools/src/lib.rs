@@ -3,7 +3,7 @@
 //! From top to bottom:
 //!
 //! 1. [`cli`] is the command line; each file of [`commands`] is one subcommand, [`failure`] how one ends badly.
-//! 2. [`report`] writes the report folder; [`plot`] and [`section`] draw, [`output`] prints and stores results, [`text`] has its
+//! 2. `report` writes the report folder, whose page is that of [`page`]; [`plot`] and [`section`] draw, [`output`] prints and stores results, [`text`] has its
 //!    numbers, lines and tables, [`files`] keeps half-written files away, and what others wrote.
 //! 3. [`sweep`] changes parameters of a drop; [`protect`] judges pads; [`paper`] has what the paper printed, which its `validation` compares with runs;
 //!    [`calibration`] searches, [`identification`] fits a material to test data, [`golden`] compares this machine with the
@@ -12,24 +12,35 @@
 //! 5. [`run`] simulates a drop and says whether its numbers are final; [`scenario_file`] and [`presets`] say which drop,
 //!    [`progress`] how far it is, [`interrupt`] when to end early.
 
+#[cfg(feature = "command-line")]
 pub mod calibration;
+#[cfg(feature = "command-line")]
 pub mod cli;
+#[cfg(feature = "command-line")]
 pub mod commands;
 pub mod failure;
+#[cfg(feature = "command-line")]
 pub mod files;
+#[cfg(feature = "command-line")]
 pub mod golden;
+#[cfg(feature = "command-line")]
 pub mod identification;
+#[cfg(feature = "command-line")]
 pub mod interrupt;
 pub mod measurement;
 pub mod output;
+pub mod page;
 pub mod paper;
 pub mod plot;
 pub mod presets;
 pub mod progress;
+#[cfg(feature = "command-line")]
 pub mod protect;
+#[cfg(feature = "command-line")]
 pub mod report;
 pub mod run;
 pub mod scenario_file;
 pub mod section;
+#[cfg(feature = "command-line")]
 pub mod sweep;
 pub mod text;

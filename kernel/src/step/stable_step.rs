@@ -80,8 +80,9 @@ impl Work for Search<'_, '_, '_> {
         for (index, cell) in cells.iter().enumerate() {
             let Some(history) = (self.history)(index) else { continue };
             let block = Block { laws: constants.laws_of(index), constants: cell, hoop: hoops.get(index) };
+            // One bound for the block: one for each chunk would differ with the width of the vectors.
+            let step_squared = simd.splat(bound);
             for chunk in 0..LANES / S::WIDTH {
-                let step_squared = simd.splat(bound);
                 let mut limits = ZERO;
                 if block.laws.elastic.is_compressible() {
                     let matrix = whole_matrix(simd, chunk, &block, history);

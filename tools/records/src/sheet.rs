@@ -4,6 +4,7 @@ mod assembly;
 mod head;
 mod notation;
 mod table;
+#[cfg(feature = "workbooks")]
 mod workbook;
 
 use super::ReadError;
@@ -16,6 +17,7 @@ pub use table::{Body, Layout, Row, Sheet};
 /// # Errors
 /// No table, or a line in it that is no row of numbers.
 pub fn parse(bytes: &[u8], layout: &Layout) -> Result<Sheet, ReadError> {
+    #[cfg(feature = "workbooks")]
     if softanvil_workbooks::is_workbook(bytes) {
         return workbook::parse(bytes, layout);
     }

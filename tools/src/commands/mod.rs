@@ -8,6 +8,7 @@ pub mod fmu;
 pub mod golden;
 pub mod measure;
 pub mod output_files;
+pub mod page;
 pub mod protect;
 pub mod reading_options;
 pub mod report;

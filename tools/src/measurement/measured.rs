@@ -39,10 +39,21 @@ impl Measured {
         }
         let bytes = std::fs::read(path).map_err(|error| format!("{} cannot be read: {error}", path.display()))?;
         let name = path.file_name().unwrap_or_default().to_string_lossy();
+        Self::understand(&name, &bytes, options, impactor).map_err(refuse)
+    }
+
+    /// Reads `bytes`, those of a file called `name`, likewise.
+    ///
+    /// # Errors
+    /// Bytes that cannot be understood, or in two ways, with the name.
+    pub fn of(name: &str, bytes: &[u8], options: &Options, impactor: &Impactor) -> Result<Self, String> {
+        Self::understand(name, bytes, options, impactor).map_err(|error| format!("{name}: {error}"))
+    }
+
+    fn understand(name: &str, bytes: &[u8], options: &Options, impactor: &Impactor) -> Result<Self, String> {
         let expected = expected(impactor);
-        let trace =
-            trace::read(&name, &bytes, options, expected.as_ref()).map_err(|error| refuse(error.to_string()))?;
-        let series = Series::resampled(&trace.times, &trace.forces).map_err(|error| refuse(error.to_string()))?;
+        let trace = trace::read(name, bytes, options, expected.as_ref()).map_err(|error| error.to_string())?;
+        let series = Series::resampled(&trace.times, &trace.forces).map_err(|error| error.to_string())?;
         let (deformation, filter, understood) = (trace.deformation, trace.filter, trace.understood);
         Ok(Self { series, deformation, filter, understood })
     }

@@ -51,6 +51,12 @@ pub fn is_its_model(scenario: &Scenario) -> bool {
         && [ours.mass, ours.face_diameter, ours.offset] == [its.mass, its.face_diameter, its.offset]
 }
 
+/// The case of the table that `scenario` is a drop of, if it is one.
+pub fn case_of(scenario: &Scenario) -> Option<&'static Case> {
+    let energy = 0.5 * scenario.impactor.mass * scenario.impactor.start_speed().powi(2);
+    is_its_model(scenario).then(|| TABLE_1.iter().find(|case| (case.energy - energy).abs() < 1e-9))?
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,5 +1,7 @@
 //! What every picture with axes has: its title, its grid with labels, its legend.
 
+use std::ops::Range;
+
 use plotters::chart::{ChartBuilder, ChartContext, SeriesLabelPosition};
 use plotters::coord::Shift;
 use plotters::drawing::{DrawingArea, IntoDrawingArea};
@@ -9,6 +11,7 @@ use plotters::style::{Color, IntoFont, ShapeStyle, TRANSPARENT, TextStyle};
 
 use super::axis::Axis;
 use super::error::PlotError;
+use super::look::Place;
 use super::style::*;
 
 /// A part of a picture.
@@ -41,16 +44,18 @@ pub fn row_of_panels<T>(panels: &[T], draw: impl Fn(&Area, &T) -> Result<(), Plo
     })
 }
 
-/// Writes the title on `area` and makes the axes below it, with a margin on the right.
+/// Writes the title on `area`, if it has any, and makes the axes below it, with a margin on the right.
 ///
 /// # Errors
 /// What the drawing library refuses.
 pub fn axes<'a>(area: &Area<'a>, title: &str, [x, y]: [Axis; 2], right: u32) -> Result<Chart<'a>, PlotError> {
-    let (strip, axes) = area.split_vertically(TITLE_AREA);
+    let (strip, axes) = area.split_vertically(if title.is_empty() { MARGIN } else { TITLE_AREA });
     let title_at = ((MARGIN + Y_LABEL_AREA) as i32, MARGIN as i32);
-    strip.draw(&Text::new(title.to_string(), title_at, text(TITLE_SIZE)))?;
+    if !title.is_empty() {
+        strip.draw(&Text::new(title.to_string(), title_at, text(TITLE_SIZE)))?;
+    }
     let chart = ChartBuilder::on(&axes)
-        .margin(MARGIN)
+        .margin(if title.is_empty() { 0 } else { MARGIN })
         .margin_top(0)
         .margin_right(right)
         .x_label_area_size(X_LABEL_AREA)
@@ -76,6 +81,19 @@ pub fn grid(chart: &mut Chart, style: ShapeStyle, [x, y]: [&str; 2]) -> Result<(
         .y_desc(y)
         .draw()?;
     Ok(())
+}
+
+/// Where the axes of `chart` are.
+pub fn place(chart: &Chart) -> Place {
+    let (x, y) = chart.plotting_area().get_pixel_range();
+    let pixels = |range: Range<i32>| [range.start, range.end].map(|unit| f64::from(unit) / f64::from(UNITS));
+    let [left_right, top_bottom] = [pixels(x), pixels(y)];
+    let (across, up) =
+        (chart.plotting_area().as_coord_spec().get_x_range(), chart.plotting_area().as_coord_spec().get_y_range());
+    Place {
+        pixels: [left_right, [top_bottom[1], top_bottom[0]]],
+        values: [[across.start, across.end], [up.start, up.end]],
+    }
 }
 
 /// The style of a grid under what is drawn.

@@ -1,5 +1,6 @@
 //! What the pictures show, in display units.
 
+use serde::{Deserialize, Serialize};
 use softanvil_kernel::state::Scalars;
 
 use super::shown::Shown;
@@ -10,6 +11,7 @@ use crate::run::Run;
 const MILLI: f64 = 1e3;
 
 /// One run in one picture.
+#[derive(Clone, Debug, Deserialize, Serialize)]
 pub struct Curve {
     /// What the legend calls it.
     pub label: String,
@@ -20,6 +22,8 @@ pub struct Curve {
 }
 
 /// A measured value in a picture.
+#[derive(Clone, Debug, Deserialize, Serialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Measured {
     /// A force whose time is not known, drawn as a line over this range.
     Level {

@@ -5,23 +5,30 @@ mod chart;
 pub mod curve;
 mod energy;
 mod error;
+#[cfg(feature = "command-line")]
 mod identification;
 mod lines;
+mod look;
 mod panel;
+#[cfg(feature = "command-line")]
 pub mod picture_format;
 mod shown;
+mod strokes;
 pub mod style;
 
 use plotters::chart::SeriesLabelPosition;
 
-pub use energy::{BROUGHT_IN, TERMS, Term, draw as energy, of_output};
+pub use energy::{BROUGHT_IN, Balance, TERMS, Term, draw as energy, of_output};
 pub use error::PlotError;
+#[cfg(feature = "command-line")]
 pub use identification::pictures as identification;
 pub use lines::{Line, draw as lines};
+pub use look::Bare;
 pub use shown::Shown;
 
 use crate::measurement::series::CONTACT_FORCE;
 use curve::Curve;
+use look::{Look, Place};
 use panel::Panel;
 use style::LEGEND_UPPER_LEFT;
 
@@ -67,28 +74,65 @@ pub fn force_time_and_deformation(shown: &[Shown]) -> Result<String, PlotError> 
 }
 
 fn time_panel<'a>(title: &'a str, shown: &[Shown]) -> Panel<'a> {
+    time_panel_of(title, curve::force_time(shown))
+}
+
+fn time_panel_of(title: &str, curves: Vec<Curve>) -> Panel<'_> {
     Panel {
         title,
         x_description: "time since contact (ms)",
         y_description: CONTACT_FORCE,
         measured_label: "experiment: peak",
         legend_at: SeriesLabelPosition::UpperRight,
-        curves: curve::force_time(shown),
+        curves,
     }
 }
 
 fn deformation_panel<'a>(title: &'a str, shown: &[Shown]) -> Panel<'a> {
+    deformation_panel_of(title, curve::force_deformation(shown))
+}
+
+fn deformation_panel_of(title: &str, curves: Vec<Curve>) -> Panel<'_> {
     Panel {
         title,
         x_description: "deformation (mm)",
         y_description: CONTACT_FORCE,
         measured_label: "experiment: maxima",
         legend_at: LEGEND_UPPER_LEFT,
-        curves: curve::force_deformation(shown),
+        curves,
     }
 }
 
 /// One picture of panels from left to right.
 fn draw(panels: &[Panel]) -> Result<String, PlotError> {
-    chart::row_of_panels(panels, panel::draw)
+    chart::row_of_panels(panels, |area, panel| panel::draw(area, panel, &Look::FILE).map(|_| ()))
+}
+
+/// A picture of a page.
+#[derive(Clone, Debug)]
+pub enum Picture {
+    /// Forces over time.
+    ForceTime(Vec<Curve>),
+    /// Forces over deformation.
+    ForceDeformation(Vec<Curve>),
+    /// Where the energy is.
+    Energy(Balance),
+}
+
+/// `picture` without title and legend, in so many pixels, with the part of its horizontal axis that `window` has.
+///
+/// # Errors
+/// What the drawing library refuses.
+pub fn bare(picture: Picture, size: [u32; 2], window: Option<[f64; 2]>) -> Result<Bare, PlotError> {
+    let look = Look::bare(size, window);
+    let mut place = Place::default();
+    let svg = chart::svg(look.size, |area| {
+        place = match picture {
+            Picture::ForceTime(curves) => panel::draw(area, &time_panel_of("", curves), &look)?,
+            Picture::ForceDeformation(curves) => panel::draw(area, &deformation_panel_of("", curves), &look)?,
+            Picture::Energy(balance) => energy::panel(area, &balance, &look)?,
+        };
+        Ok(())
+    })?;
+    Ok(Bare { svg, place })
 }

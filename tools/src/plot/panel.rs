@@ -1,14 +1,15 @@
 //! One set of axes with its curves, measured values and legend.
 
 use plotters::chart::SeriesLabelPosition;
-use plotters::element::{Circle, DashedPathElement, PathElement};
-use plotters::series::LineSeries;
-use plotters::style::{Color, RGBColor, ShapeStyle};
+use plotters::coord::ranged1d::Ranged;
+use plotters::element::{Circle, DashedPathElement};
 
 use super::axis::Axis;
 use super::chart::{self, Area, Chart, legend_line};
 use super::curve::{Curve, Measured};
 use super::error::PlotError;
+use super::look::{Look, Place, within};
+use super::strokes::{self, line};
 use super::style::*;
 
 /// What a panel shows.
@@ -27,20 +28,33 @@ pub struct Panel<'a> {
     pub curves: Vec<Curve>,
 }
 
-/// Draws `panel` on all of `area`.
-pub fn draw(area: &Area, panel: &Panel) -> Result<(), PlotError> {
-    let (x_end, y_end) = extent(&panel.curves);
-    let mut chart = chart::axes(area, panel.title, [Axis::from_zero(x_end), Axis::from_zero(y_end)], MARGIN)?;
+/// Draws `panel` on all of `area`; returns where its axes are.
+pub fn draw(area: &Area, panel: &Panel, look: &Look) -> Result<Place, PlotError> {
+    let title = if look.lettered { panel.title } else { "" };
+    let [across, up] = axes(panel, look);
+    let window = look.window.map(|_| [across.range().start, across.range().end]);
+    let mut chart = chart::axes(area, title, [across, up], MARGIN)?;
     chart::grid(&mut chart, chart::grid_style(), [panel.x_description, panel.y_description])?;
     for (index, curve) in panel.curves.iter().enumerate() {
-        draw_curve(&mut chart, curve, colour(index))?;
+        strokes::draw(&mut chart, &curve.points, (index, &curve.label), window)?;
     }
-    draw_measured(&mut chart, panel)?;
-    chart::legend(&mut chart, panel.legend_at.clone())
+    draw_measured(&mut chart, panel, window)?;
+    if look.lettered {
+        chart::legend(&mut chart, panel.legend_at.clone())?;
+    }
+    Ok(chart::place(&chart))
 }
 
-fn line(colour: RGBColor, width: u32) -> ShapeStyle {
-    colour.stroke_width(width)
+/// The axes: from zero over everything, or over what a window shows.
+fn axes(panel: &Panel, look: &Look) -> [Axis; 2] {
+    let (x_end, y_end) = extent(&panel.curves);
+    let Some([low, high]) = look.window else { return [Axis::from_zero(x_end), Axis::from_zero(y_end)] };
+    let across = Axis::linear(low, high);
+    let (low, high) = (across.range().start, across.range().end);
+    let shown = panel.curves.iter().flat_map(|curve| within(&curve.points, Some([low, high]))).flatten();
+    let (bottom, top) = shown.fold((f64::INFINITY, 0.0), |(b, t): (f64, f64), (_, y)| (b.min(y), t.max(y)));
+    let up = if bottom < top { Axis::linear(bottom.max(0.0), top) } else { Axis::from_zero(y_end) };
+    [across, up]
 }
 
 /// The largest coordinates.
@@ -53,23 +67,15 @@ fn extent(curves: &[Curve]) -> (f64, f64) {
         .fold((0.0, 0.0), |largest: (f64, f64), point| (largest.0.max(point.0), largest.1.max(point.1)))
 }
 
-fn draw_curve(chart: &mut Chart, curve: &Curve, colour: RGBColor) -> Result<(), PlotError> {
-    let style = line(colour, CURVE);
-    chart
-        .draw_series(LineSeries::new(curve.points.iter().copied(), style))?
-        .label(&curve.label)
-        .legend(move |at| PathElement::new(legend_line(at), style));
-    Ok(())
-}
-
-/// The measured values of all curves, each in its curve's colour, under one label.
-fn draw_measured(chart: &mut Chart, panel: &Panel) -> Result<(), PlotError> {
+/// The measured values of all curves, each in its curve's colour, under one label; those that a window shows whole.
+fn draw_measured(chart: &mut Chart, panel: &Panel, window: Option<[f64; 2]>) -> Result<(), PlotError> {
+    let is_shown = |x: f64| window.is_none_or(|[low, high]| (low..=high).contains(&x));
+    let up = chart::place(chart).values[1];
     let mut labelled = false;
     for (index, curve) in panel.curves.iter().enumerate() {
         let style = line(colour(index), CURVE);
         match curve.measured {
-            None => continue,
-            Some(Measured::Level { over, force }) => {
+            Some(Measured::Level { over, force }) if over.iter().all(|x| is_shown(*x)) && force <= up[1] => {
                 let points = over.map(|x| (x, force));
                 let drawn = chart.draw_series([DashedPathElement::new(points, DASH.0, DASH.1, style)])?;
                 if !labelled {
@@ -78,7 +84,7 @@ fn draw_measured(chart: &mut Chart, panel: &Panel) -> Result<(), PlotError> {
                         .legend(|at| DashedPathElement::new(legend_line(at), DASH.0, DASH.1, line(INK, CURVE)));
                 }
             }
-            Some(Measured::Point(x, y)) => {
+            Some(Measured::Point(x, y)) if is_shown(x) && y <= up[1] => {
                 let drawn = chart.draw_series([Circle::new((x, y), MARKER, style)])?;
                 if !labelled {
                     drawn
@@ -86,6 +92,7 @@ fn draw_measured(chart: &mut Chart, panel: &Panel) -> Result<(), PlotError> {
                         .legend(|(x, y)| Circle::new((x + LEGEND_LINE as i32 / 2, y), MARKER, line(INK, CURVE)));
                 }
             }
+            _ => continue,
         }
         labelled = true;
     }

@@ -65,6 +65,39 @@ pub fn colour(index: usize) -> RGBColor {
     RUNS[index % RUNS.len()]
 }
 
+/// Lengths of the dashes of the run with this index and of the gaps between them, which tell runs apart in grey; none for a whole
+/// line.
+pub fn dash(index: usize) -> Option<(u32, u32)> {
+    const DASHES: [Option<(u32, u32)>; 4] =
+        [None, Some((12 * UNITS, 4 * UNITS)), Some((3 * UNITS, 3 * UNITS)), Some((8 * UNITS, 8 * UNITS))];
+    DASHES[index % DASHES.len()]
+}
+
+/// What marks points of a run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Mark {
+    /// A filled circle.
+    Circle,
+    /// A filled square.
+    Square,
+    /// A filled triangle.
+    Triangle,
+    /// A cross.
+    Cross,
+}
+
+/// The mark of the run with this index.
+pub fn mark(index: usize) -> Mark {
+    const MARKS: [Mark; 4] = [Mark::Circle, Mark::Square, Mark::Triangle, Mark::Cross];
+    MARKS[index % MARKS.len()]
+}
+
+/// Marks along a curve, at most.
+pub const MARKS: usize = 7;
+/// Radius of a mark.
+pub const MARK: u32 = 4 * UNITS;
+
 /// The picture at its size in pixels; the view box keeps the drawing units.
 pub fn in_pixels(svg: &str, (width, height): (u32, u32)) -> String {
     let attributes = |scale: u32| format!("width=\"{}\" height=\"{}\"", width / scale, height / scale);

@@ -1,7 +1,5 @@
 //! The report folder: traces, pictures, table and numbers of the paper's drops, or of one of the user's own.
 
-mod page;
-
 use std::fs;
 use std::path::Path;
 
@@ -14,6 +12,8 @@ use crate::files::own_folder::{Kind, Listed, OwnFolder};
 use crate::files::staging;
 use crate::output::subject::{Subject, warning_lines, warnings};
 use crate::output::{json, table, trace};
+use crate::page;
+use crate::page::html::{self, Start};
 use crate::paper;
 use crate::paper::validation::Validation;
 use crate::plot::picture_format::PictureFormat;
@@ -150,7 +150,7 @@ pub fn write(content: &Content, pictures: PictureFormat, place: OwnFolder) -> Re
 
 /// Names and contents of the files.
 fn files(content: &Content, format: PictureFormat) -> Result<Vec<(String, Vec<u8>)>, Failure> {
-    let mut files = vec![("report.html".into(), page::html(content)?)];
+    let mut files = vec![("report.html".into(), page_of(content)?)];
     for (name, svg) in pictures(content)? {
         files.push((format!("{name}.{}", format.extension()), format.file(svg)?));
     }
@@ -165,6 +165,36 @@ fn files(content: &Content, format: PictureFormat) -> Result<Vec<(String, Vec<u8
     let summary = summary(content, &names, digests);
     files.push((SUMMARY.to_string(), json::text(&summary).into()));
     Ok(files)
+}
+
+/// The page, on which each drop can be changed.
+fn page_of(content: &Content) -> Result<Vec<u8>, Failure> {
+    let of = |drop: &Reported| {
+        let (preset, toml, about) = match content.about {
+            About::Validation(validation) => {
+                let energy = drop.paper.map_or(0.0, |case| case.energy);
+                let about =
+                    Subject { scenario: drop.run.constants.scenario.clone(), ..Subject::of_preset(validation.preset) };
+                (validation.preset.name, format!("[impactor]\ndrop_energy = {energy:?}\n"), about.text())
+            }
+            About::Own(subject) => (subject.preset.name, scenario_file::to_toml(&subject.scenario), subject.text()),
+        };
+        let data = page::drop::of(&drop.label, &about, drop.run, drop.animation);
+        json!({ "preset": preset, "toml": toml, "name": drop.label, "data": data })
+    };
+    let own = matches!(content.about, About::Own(_));
+    let start = Start {
+        title: "Drops on the soft anvil",
+        head: content.head(),
+        numbers: if own { content.numbers() } else { String::new() },
+        scenario: scenario_file::to_toml(&content.scenario()),
+        drops: content.drops.iter().map(of).collect(),
+    };
+    let validation = match content.about {
+        About::Validation(validation) => Some(validation),
+        About::Own(_) => None,
+    };
+    html::html(&start, validation)
 }
 
 /// The drops as the plots show them.

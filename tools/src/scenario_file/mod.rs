@@ -8,6 +8,7 @@ pub mod names;
 mod read;
 mod write;
 
+#[cfg(feature = "command-line")]
 pub(crate) use read::from_toml;
 pub use read::{ScenarioFileError, parse, parse_material, read, read_material};
 pub use write::{material_to_toml, to_toml};

@@ -3,7 +3,6 @@
 use std::ops::Range;
 use std::path::Path;
 
-use serde::de::DeserializeOwned;
 use softanvil_kernel::{Changes, Parameter, ParameterError, Scenario, ScenarioError};
 use toml_edit::{Document, Item, TableLike, TomlError, Value};
 
@@ -218,7 +217,8 @@ impl Position<'_> {
 ///
 /// # Errors
 /// Line and message of what is no TOML or not that kind of it.
-pub(crate) fn from_toml<T: DeserializeOwned>(text: &str) -> Result<T, String> {
+#[cfg(feature = "command-line")]
+pub(crate) fn from_toml<T: serde::de::DeserializeOwned>(text: &str) -> Result<T, String> {
     toml_edit::de::from_str(text).map_err(|error| {
         let message = error.message().split_whitespace().collect::<Vec<_>>().join(" ");
         format!("line {}: {message}", line_of(text, error.span()))

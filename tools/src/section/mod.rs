@@ -5,8 +5,10 @@ mod contour;
 mod frame;
 mod levels;
 mod mesh;
+#[cfg(feature = "command-line")]
 pub mod paraview;
 pub mod picture;
+#[cfg(feature = "command-line")]
 mod vtu;
 
 pub use animation::{Animation, Instant, SHADES, Shade};

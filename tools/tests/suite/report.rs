@@ -77,35 +77,57 @@ fn the_pictures_of_the_section_say_what_they_show() {
     has("von-mises.svg", &format!("{peak:.0} N"));
 }
 
+/// What a page that is one file may not have.
+fn assert_alone(page: &str) {
+    for outside in [" src=", "@import", "url(", "fetch(", "XMLHttpRequest", "{{", "importScripts"] {
+        assert!(!page.contains(outside), "{outside}");
+    }
+    assert_eq!(page.matches(" href=").count(), page.matches(" href=\"data:").count());
+    assert!(page.len() < 1_500_000, "{} bytes", page.len());
+}
+
+/// The drops that a page begins with.
+fn drops_of(page: &str) -> Vec<Value> {
+    let start = page.find("id=\"start\">").unwrap() + "id=\"start\">".len();
+    let data = &page[start..start + page[start..].find("</script>").unwrap()];
+    serde_json::from_str(data).unwrap()
+}
+
 #[test]
 fn the_page_needs_nothing_but_itself() {
     let folder = tempfile::tempdir().unwrap();
     succeed(folder.path(), &["--out", "out"]);
     let page = fs::read_to_string(folder.path().join("out/report.html")).unwrap();
-    for outside in [" src=", "@import", "url(", "fetch(", "XMLHttpRequest", "{{"] {
-        assert!(!page.contains(outside), "{outside}");
-    }
-    assert_eq!(page.matches(" href=").count(), page.matches(" href=\"data:").count());
-    assert!(page.contains("Permission is hereby granted"), "the licence of the plots");
-    assert!(page.len() < 2_000_000, "{} bytes", page.len());
-    let start = page.find("id=\"data\">").unwrap() + "id=\"data\">".len();
-    let data = &page[start..start + page[start..].find("</script>").unwrap()];
-    let data: Value = serde_json::from_str(data).unwrap();
-    assert_eq!(data["animations"].as_array().unwrap().len(), TABLE_1.len());
-    for animation in data["animations"].as_array().unwrap() {
-        let frames = animation["time"].as_array().unwrap().len();
+    assert_alone(&page);
+    let drops = drops_of(&page);
+    assert_eq!(drops.len(), TABLE_1.len());
+    for (drop, case) in drops.iter().zip(&TABLE_1) {
+        let (data, section) = (&drop["data"], &drop["data"]["section"]);
+        let run = json(folder.path(), &["run", "--energy", &case.energy.to_string(), "--json"]);
+        assert_eq!(data["hash"], run["trace_hash"]);
+        assert_eq!(data["numbers"][0]["value"], run["peak_force"]);
+        let frames = section["time"].as_array().unwrap().len();
         // Two bytes a number, four characters for three bytes.
-        let numbers = 2 * frames * data["mesh"]["x"].as_array().unwrap().len();
-        assert_eq!(animation["displacement"].as_str().unwrap().len(), (2 * numbers).div_ceil(3) * 4);
-        let last = animation["energy"]["terms"]
-            .as_array()
-            .unwrap()
-            .iter()
-            .map(|term| term.as_array().unwrap().last().unwrap());
+        let numbers = 2 * frames * section["mesh"]["x"].as_array().unwrap().len();
+        assert_eq!(section["displacement"]["values"].as_str().unwrap().len(), (2 * numbers).div_ceil(3) * 4);
+        let last =
+            data["energy"]["terms"].as_array().unwrap().iter().map(|term| term[1].as_array().unwrap().last().unwrap());
         let sum: f64 = last.map(|energy| energy.as_f64().unwrap()).sum();
-        let brought_in = animation["energy"]["external"].as_array().unwrap().last().unwrap().as_f64().unwrap();
+        let brought_in = data["energy"]["external"].as_array().unwrap().last().unwrap().as_f64().unwrap();
         assert!((sum - brought_in).abs() < 1e-3 * brought_in, "{sum} of {brought_in} J");
     }
+}
+
+#[test]
+fn the_page_of_its_own_is_one_file_with_the_study_s_table() {
+    let folder = tempfile::tempdir().unwrap();
+    assert_eq!(succeed(folder.path(), &["page", "--out", "page.html"]), "written: page.html\n");
+    let page = fs::read_to_string(folder.path().join("page.html")).unwrap();
+    assert_alone(&page);
+    assert!(page.contains("LS-DYNA") && drops_of(&page).len() == 1);
+    assert!(fail(folder.path(), &["page", "--out", "page.html"], 2).contains("--overwrite replaces it"));
+    succeed(folder.path(), &["page", "--out", "page.html", "--overwrite"]);
+    assert_eq!(entries(folder.path()), ["page.html"]);
 }
 
 #[test]

@@ -1,0 +1,15 @@
+#!/usr/bin/env bash
+# Compiles the kernel for the page in a browser and keeps it, compressed, where the command line takes it from:
+# build.sh [FILE]. The command line has the file in the repository, so that it builds where the target is missing;
+# tests/page/run.sh shows that the file is what the sources make.
+set -euo pipefail
+root=$(cd "$(dirname "$0")/../.." && pwd)
+kept=$(realpath "${1:-$root/tools/assets/page/softanvil.wasm.gz}")
+cd "$root"
+rustup target add wasm32-wasip1 >/dev/null 2>&1 || true
+# Paths of this machine have no place in the file.
+flags="-C target-feature=+simd128 -C strip=symbols --remap-path-prefix=$root=. --remap-path-prefix=${CARGO_HOME:-$HOME/.cargo}=cargo"
+flags+=" --remap-path-prefix=$(rustc --print sysroot)=rust"
+RUSTFLAGS=$flags cargo build -q --profile page --target wasm32-wasip1 -p softanvil-page
+gzip -9nc target/wasm32-wasip1/page/softanvil_page.wasm >"$kept"
+printf '%s: %d bytes\n' "$kept" "$(stat -c %s "$kept")"
