@@ -79,14 +79,19 @@ if have_python; then
     have_tbb || { need no-such-command libtbb12; have_tbb; } \
         || skip "FMU in ecos" "libtbb12 is missing and cannot be installed"
     page=(test_page.py)
-    need chromium chromium || { page=(); skip "report in a browser" "chromium is missing and cannot be installed"; }
+    need chromium chromium || {
+        page=()
+        for name in "report in a browser" "page of the kernel in a browser"; do
+            skip "$name" "chromium is missing and cannot be installed"
+        done
+    }
 else
     for name in "FMU in other tools" "programs and picture of the README" "fitted material files in other tools" \
-        "report in a browser, series for ParaView"; do
+        "report in a browser, series for ParaView" "page of the kernel in a browser" "Python package"; do
         skip "$name" "python3 with venv, or gcc, is missing and cannot be installed"
     done
 fi
-groups+=(target_tests rust_tests ${python:+python_tests})
+groups+=(target_tests rust_tests ${python:+wheel_tests python_tests})
 if have_c && need cmake cmake && need pkg-config pkg-config; then
     groups+=(package_tests)
 else
@@ -114,7 +119,11 @@ python_tests() {
     run "fitted material files in other tools" tests/identify/run.sh target/release "$SOFTANVIL_VENV"
     run "report in a browser, series for ParaView" tests/report/run.sh target/release "$SOFTANVIL_VENV" \
         "${page[@]}" test_series.py
+    [ ${#page[@]} = 0 ] || run "page of the kernel in a browser" tests/page/run.sh target/release "$SOFTANVIL_VENV"
+    run "page has the kernel of these sources" tests/page/rebuilt.sh
 }
+# The package has a workspace of its own.
+wheel_tests() { run "Python package" python/test.sh; }
 target_tests() { run "same digests on every target" tests/targets/run.sh; }
 # The second takes the library that the first has built.
 package_tests() {
@@ -147,8 +156,8 @@ run "format" cargo fmt --all --check
 # With the profile of the build that follows, which then has its procedural macros.
 run "clippy" cargo clippy -q --release --workspace --all-targets -- -D warnings
 if need python3 python3; then
-    run "imports run one way" python3 tests/imports.py kernel ffi fmu specimen tools tools/identify tools/records \
-        tests/verification
+    run "imports run one way" python3 tests/imports.py kernel ffi fmu specimen tools tools/identify tools/page \
+        tools/records tests/verification python
 else
     skip "imports run one way" "python3 is missing and cannot be installed"
 fi
