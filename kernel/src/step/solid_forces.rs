@@ -3,7 +3,9 @@
 //! The cells of a block give forces on their corners first; then each row of nodes takes those of the blocks about it, in index
 //! order. So the bits are the same whichever rows are computed at the same time (feature `threads`).
 
-use crate::element::{ElementEnergy, SolidBlock, SolidConstants, SolidCorners, solid_force, solid_gradients};
+use core::hint::black_box;
+
+use crate::element::{ElementEnergy, SolidBlock, SolidConstants, SolidCorners, solid_force, tetrahedron_gradient};
 use crate::error::StepError;
 use crate::mesh::TETRAHEDRA;
 use crate::model::{Constants, Model};
@@ -119,11 +121,12 @@ impl Work for BlockForces<'_> {
     fn run<S: Simd>(self, simd: S) {
         let Self { block, rows, displacement, mirrored, history, energy, force } = self;
         for chunk in 0..LANES / S::WIDTH {
-            let corners = solid_corners(simd, chunk, &rows, displacement, mirrored);
-            let of_chunk = solid_force(simd, chunk, &block, &corners, history, energy);
+            let block = SolidBlock { constants: black_box(block.constants), ..block };
+            let mut corners = solid_corners(simd, chunk, &rows, displacement, mirrored);
+            solid_force(simd, chunk, &block, &mut corners, black_box(&mut *history), energy);
             for corner in 0..8 {
                 for i in 0..3 {
-                    simd.store(of_chunk[corner][i], &mut force[corner][i], chunk);
+                    simd.store(corners[corner][i], &mut force[corner][i], chunk);
                 }
             }
         }
@@ -146,7 +149,7 @@ fn first_inverted(model: &Model, state: &State) -> StepError {
         (0..LANES * TETRAHEDRA).find_map(|i| {
             let (t, l) = (i / LANES, i % LANES);
             let corners = solid_corners(Scalar, l, &rows, displacement, mirrored.as_ref());
-            let jacobian = solid_gradients(Scalar, l, &block, &corners).jacobian[t % TETRAHEDRA];
+            let (_, jacobian) = tetrahedron_gradient(&block, l, t, &corners);
             if jacobian > Real::MIN_POSITIVE { None } else { Some(grid.element_index(index, l, t)) }
         })
     });
