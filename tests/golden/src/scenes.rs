@@ -5,9 +5,9 @@ use softanvil_kernel::material::{
     Coefficients, ElasticLaw, Material, Moduli, MooneyRivlin, NeoHookean, Ogden, VolumetricBy, VolumetricLaw, Yeoh,
 };
 use softanvil_kernel::number::real::Real;
-use softanvil_kernel::scenario::{DropBy, Formulation, Interface, Layer, Motion, Section, StepBy};
 #[cfg(feature = "solid")]
 use softanvil_kernel::scenario::Symmetry;
+use softanvil_kernel::scenario::{DropBy, Formulation, Interface, Layer, Motion, Section, StepBy};
 use softanvil_kernel::{Constants, Scenario, StepInput, preset};
 
 /// Force samples from one record to the next: 0.25 ms.

@@ -7,6 +7,7 @@ mod levels;
 mod mesh;
 pub mod paraview;
 pub mod picture;
+mod solid_grid;
 mod vtu;
 
 pub use animation::{Animation, Instant, SHADES, Shade};

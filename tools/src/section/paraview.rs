@@ -9,6 +9,7 @@ use quick_xml::events::{BytesDecl, BytesText, Event};
 use softanvil_kernel::{FIELDS, Field, ModelError, Simulation, result};
 use tempfile::TempDir;
 
+use super::solid_grid::solid_grid;
 use super::vtu::{Array, Cell, Grid};
 use super::{Frame, Mesh, SLAB};
 use crate::failure::Failure;
@@ -56,7 +57,8 @@ impl Series {
     }
 
     fn write(&mut self, simulation: &mut Simulation) -> Result<(), SeriesError> {
-        let frame = Frame::take(simulation, &fields())?;
+        let solid = simulation.constants().grid.is_solid();
+        let frame = if solid { Frame::whole(simulation, &all_fields())? } else { Frame::take(simulation, &fields())? };
         let mesh = match &mut self.mesh {
             Some(mesh) => mesh,
             none => none.insert(Mesh::of(simulation)?),
@@ -94,8 +96,13 @@ pub enum SeriesError {
     Model(#[from] ModelError),
 }
 
-/// The fields of a series: every one of the kernel, but for the position, which the points have.
+/// The fields of a series: every one of the kernel, but for the position, which the points have, and those along z.
 fn fields() -> Vec<&'static Field> {
+    all_fields().into_iter().filter(|field| !field.name.ends_with("_z")).collect()
+}
+
+/// The fields of a series of a solid.
+pub(super) fn all_fields() -> Vec<&'static Field> {
     FIELDS.iter().filter(|field| field.name != "node.position").collect()
 }
 
@@ -109,7 +116,8 @@ fn names(number: usize) -> [String; 2] {
 /// # Errors
 /// What the XML library refuses.
 fn files(mesh: &Mesh, frame: &Frame) -> Result<[Vec<u8>; 2], SeriesError> {
-    Ok([section(mesh, frame).file()?, impactor(mesh, frame).file()?])
+    let body = if mesh.constants.grid.is_solid() { solid_grid(mesh, frame) } else { section(mesh, frame) };
+    Ok([body.file()?, impactor(mesh, frame).file()?])
 }
 
 /// The PVD file of frames at these times, s.
@@ -151,6 +159,7 @@ fn listed_files(folder: &Path) -> Vec<Listed> {
     }
 }
 
+/// The section, and of a series of fields those of it.
 fn section(mesh: &Mesh, frame: &Frame) -> Grid {
     let displacement = frame.values("node.displacement").chunks_exact(2);
     let points = mesh.reference.iter().zip(displacement).flat_map(|(rest, u)| [rest[0] + u[0], rest[1] + u[1], 0.0]);
@@ -211,12 +220,12 @@ fn impactor(mesh: &Mesh, frame: &Frame) -> Grid {
 }
 
 /// The name of a field without its place.
-fn short(field: &Field) -> &'static str {
+pub(super) fn short(field: &Field) -> &'static str {
     field.name.split_once('.').map_or(field.name, |(_, name)| name)
 }
 
 /// Values as ParaView knows them, and their components: vectors in space, symmetric tensors as xx, yy, zz, xy, yz, xz.
-fn in_space(field: &Field, values: &[f64]) -> (Vec<f64>, usize) {
+pub(super) fn in_space(field: &Field, values: &[f64]) -> (Vec<f64>, usize) {
     let components = field.components;
     let places = values.chunks_exact(components);
     match components {
