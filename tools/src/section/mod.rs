@@ -8,6 +8,7 @@ mod mesh;
 pub mod paraview;
 pub mod picture;
 mod solid_grid;
+mod vtk_fields;
 mod vtu;
 
 pub use animation::{Animation, Instant, SHADES, Shade};

@@ -6,10 +6,11 @@ use std::path::{Path, PathBuf};
 
 use quick_xml::Writer;
 use quick_xml::events::{BytesDecl, BytesText, Event};
-use softanvil_kernel::{FIELDS, Field, ModelError, Simulation, result};
+use softanvil_kernel::{Field, ModelError, Simulation, result};
 use tempfile::TempDir;
 
 use super::solid_grid::solid_grid;
+use super::vtk_fields::{all_fields, in_space, short};
 use super::vtu::{Array, Cell, Grid};
 use super::{Frame, Mesh, SLAB};
 use crate::failure::Failure;
@@ -99,11 +100,6 @@ pub enum SeriesError {
 /// The fields of a series: every one of the kernel, but for the position, which the points have, and those along z.
 fn fields() -> Vec<&'static Field> {
     all_fields().into_iter().filter(|field| !field.name.ends_with("_z")).collect()
-}
-
-/// The fields of a series of a solid.
-pub(super) fn all_fields() -> Vec<&'static Field> {
-    FIELDS.iter().filter(|field| field.name != "node.position").collect()
 }
 
 /// Names of the two files of the frame with this number.
@@ -216,21 +212,5 @@ fn impactor(mesh: &Mesh, frame: &Frame) -> Grid {
         cells: (0..pieces).map(|piece| vec![piece, piece + 1]).collect(),
         point_data: Vec::new(),
         cell_data: motion.map(|(name, value)| Array { name, components: 1, values: vec![value; pieces] }).into(),
-    }
-}
-
-/// The name of a field without its place.
-pub(super) fn short(field: &Field) -> &'static str {
-    field.name.split_once('.').map_or(field.name, |(_, name)| name)
-}
-
-/// Values as ParaView knows them, and their components: vectors in space, symmetric tensors as xx, yy, zz, xy, yz, xz.
-pub(super) fn in_space(field: &Field, values: &[f64]) -> (Vec<f64>, usize) {
-    let components = field.components;
-    let places = values.chunks_exact(components);
-    match components {
-        2 => (places.flat_map(|v| [v[0], v[1], 0.0]).collect(), 3),
-        4 => (places.flat_map(|v| [v[0], v[1], v[3], v[2], 0.0, 0.0]).collect(), 6),
-        _ => (values.to_vec(), components),
     }
 }

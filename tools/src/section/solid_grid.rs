@@ -3,7 +3,7 @@
 use softanvil_kernel::mesh::tetrahedra;
 use softanvil_kernel::{Field, result::Location};
 
-use super::paraview::{all_fields, in_space, short};
+use super::vtk_fields::{all_fields, in_space, short};
 use super::vtu::{Array, Cell, Grid};
 use super::{Frame, Mesh};
 
