@@ -30,6 +30,6 @@ pub(crate) use reference_triangle::Triangle;
 pub(crate) use solid_cell::{
     INVERSE_VOLUME, SOLID_BLOCK_PACKS, SolidBlock, SolidConstants, SolidCorners, TETRAHEDRON_PACKS, VOLUME, store_cell,
 };
-pub(crate) use solid_force::{gradients as solid_gradients, solid_force};
+pub(crate) use solid_force::{solid_force, tetrahedron_gradient};
 pub(crate) use solid_history::{SolidMemory, solid_history_packs};
 pub(crate) use solid_recovery::recover_solid;

@@ -34,7 +34,7 @@ pub(crate) struct SolidBlock<'m> {
 
 /// Corners of a path: the ends of its edges.
 #[inline(always)]
-pub(crate) fn path_corners([a, b, _]: [usize; 3]) -> [usize; 4] {
+pub(crate) const fn path_corners([a, b, _]: [usize; 3]) -> [usize; 4] {
     [0, 1 << a, (1 << a) | (1 << b), 7]
 }
 

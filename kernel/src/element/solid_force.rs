@@ -5,6 +5,8 @@
 //! tetrahedra of a cell share the pressure U'(J-bar) of their volume-weighted mean Jacobian, stresses live in the unrotated frame,
 //! and P = F U^-1 T U^-1 with T = dev + p J 1. An edge is pulled with V P G_k at its end.
 
+use core::hint::black_box;
+
 use crate::element::ElementEnergy;
 use crate::element::solid_cell::{INVERSE_VOLUME, SolidBlock, SolidCorners, TETRAHEDRON_PACKS, VOLUME, path_corners};
 use crate::element::solid_history::SolidHistory;
@@ -12,37 +14,40 @@ use crate::element::solid_response::respond;
 use crate::mesh::{PATHS, TETRAHEDRA};
 use crate::number::pack::Pack;
 use crate::number::real::Real;
-use crate::number::vector::{Simd, Vector};
+use crate::number::vector::{Scalar, Simd, Vector};
 use crate::tensor::solid_kinematics::{Gradient, SolidKinematics, determinant};
 use crate::tensor::symmetric::Symmetric;
 
-/// Deformation gradients and Jacobians of the tetrahedra of each cell.
-pub(crate) struct SolidGradients<V> {
-    pub gradient: [Gradient<V>; TETRAHEDRA],
-    pub jacobian: [V; TETRAHEDRA],
-}
+/// Deformation gradients of the tetrahedra of each cell; or what pulls at the ends of their edges, a row for each, N.
+pub(crate) type SolidGradients<V> = [Gradient<V>; TETRAHEDRA];
 
 /// Internal forces on the corners of neighbouring cells, N, from their displacements; advances the `history` of their tetrahedra,
 /// one behind the other. That of an inverted tetrahedron is not to be used.
+///
+/// The corners of a path are known where the code is written six times; what the material does is written once.
 #[inline(always)]
 pub(crate) fn solid_force<S: Simd>(
     simd: S,
     chunk: usize,
     block: &SolidBlock,
-    displacement: &SolidCorners<S::Vector>,
+    corners: &mut SolidCorners<S::Vector>,
     history: &mut [Pack],
     energy: &mut ElementEnergy,
-) -> SolidCorners<S::Vector> {
-    let SolidGradients { gradient, jacobian } = gradients(simd, chunk, block, displacement);
+) {
+    let (mut gradients, mut jacobian) = (unit_gradients(simd), [simd.splat(1.0); TETRAHEDRA]);
+    fill_gradients(simd, chunk, block, corners, &mut gradients);
+    for t in 0..TETRAHEDRA {
+        jacobian[t] = determinant(&gradients[t]);
+    }
     mark_inverted(simd, chunk, &jacobian, energy);
     let pressure = pressure(simd, chunk, block, &jacobian, energy);
-    let mut force = [[simd.splat(0.0); 3]; 8];
     let share = (history.len() / TETRAHEDRA).max(1);
     let tetrahedra = block.constants.as_chunks::<TETRAHEDRON_PACKS>().0;
-    for (t, ((packs, path), history)) in tetrahedra.iter().zip(PATHS).zip(history.chunks_exact_mut(share)).enumerate() {
+    let each = tetrahedra.iter().zip(history.chunks_exact_mut(share)).zip(&mut gradients).zip(&jacobian);
+    for (((packs, history), gradient), jacobian) in each {
+        let (packs, history) = (black_box(packs), black_box(history));
         let Some(mut history) = SolidHistory::of(block.laws, history) else { continue };
-        let f = &gradient[t % TETRAHEDRA];
-        let kinematics = SolidKinematics::new(simd, f, jacobian[t % TETRAHEDRA]);
+        let kinematics = SolidKinematics::new(simd, gradient, *jacobian);
         let volume = simd.load(&packs[VOLUME], chunk);
         let response = respond(simd, chunk, block.laws, &kinematics, &mut history);
         response.density.add_to(simd, chunk, volume, block.laws, energy);
@@ -53,41 +58,70 @@ pub(crate) fn solid_force<S: Simd>(
                 mean = response.mean;
             }
         }
-        let stress = response.deviator.with_mean(mean).scaled(volume);
-        let nominal = second_piola(&kinematics, &stress);
-        add_edge_forces(simd, chunk, packs, path, f, &nominal, &mut force);
+        let stress = kinematics.inverse_stretch.around(&response.deviator.with_mean(mean).scaled(volume));
+        *gradient = edge_forces(simd, chunk, packs, gradient, &stress);
     }
-    force
+    add_up(simd, &gradients, corners);
 }
 
-/// Deformation of the tetrahedra of each cell.
+/// No deformation.
 #[inline(always)]
-pub(crate) fn gradients<S: Simd>(
+fn unit_gradients<S: Simd>(simd: S) -> SolidGradients<S::Vector> {
+    let (zero, one) = (simd.splat(0.0), simd.splat(1.0));
+    [[[one, zero, zero], [zero, one, zero], [zero, zero, one]]; TETRAHEDRA]
+}
+
+/// Deformation gradient of tetrahedron `t` of one cell, and its Jacobian, from the displacements of its corners.
+pub(crate) fn tetrahedron_gradient(
+    block: &SolidBlock,
+    l: usize,
+    t: usize,
+    corners: &SolidCorners<Real>,
+) -> (Gradient<Real>, Real) {
+    let mut gradients = unit_gradients(Scalar);
+    fill_gradients(Scalar, l, block, corners, &mut gradients);
+    let gradient = gradients[t % TETRAHEDRA];
+    (gradient, determinant(&gradient))
+}
+
+/// Adds the differences of displacement along the edges, times their gradients, to the unit tensors.
+#[inline(always)]
+fn fill_gradients<S: Simd>(
     simd: S,
     chunk: usize,
     block: &SolidBlock,
     displacement: &SolidCorners<S::Vector>,
-) -> SolidGradients<S::Vector> {
-    let (zero, one) = (simd.splat(0.0), simd.splat(1.0));
-    let unit = [[one, zero, zero], [zero, one, zero], [zero, zero, one]];
-    let mut found = SolidGradients { gradient: [unit; TETRAHEDRA], jacobian: [one; TETRAHEDRA] };
-    let tetrahedra = block.constants.as_chunks::<TETRAHEDRON_PACKS>().0;
-    for (t, (packs, path)) in tetrahedra.iter().zip(PATHS).enumerate() {
-        let gradient = &mut found.gradient[t % TETRAHEDRA];
-        let corners = path_corners(path);
-        for edge in 0..3 {
-            let (start, end) = (&displacement[corners[edge] % 8], &displacement[corners[edge + 1] % 8]);
-            let along = edge_gradient(simd, chunk, packs, edge);
-            for i in 0..3 {
-                let difference = end[i] - start[i];
-                for j in 0..3 {
-                    gradient[i][j] = gradient[i][j] + difference * along[j];
-                }
+    gradients: &mut SolidGradients<S::Vector>,
+) {
+    fill_gradient::<S, 0>(simd, chunk, block, displacement, gradients);
+    fill_gradient::<S, 1>(simd, chunk, block, displacement, gradients);
+    fill_gradient::<S, 2>(simd, chunk, block, displacement, gradients);
+    fill_gradient::<S, 3>(simd, chunk, block, displacement, gradients);
+    fill_gradient::<S, 4>(simd, chunk, block, displacement, gradients);
+    fill_gradient::<S, 5>(simd, chunk, block, displacement, gradients);
+}
+
+#[inline(always)]
+fn fill_gradient<S: Simd, const T: usize>(
+    simd: S,
+    chunk: usize,
+    block: &SolidBlock,
+    displacement: &SolidCorners<S::Vector>,
+    gradients: &mut SolidGradients<S::Vector>,
+) {
+    let corners = const { path_corners(PATHS[T]) };
+    let Some(packs) = block.constants.as_chunks::<TETRAHEDRON_PACKS>().0.get(T) else { return };
+    let gradient = &mut gradients[T];
+    for edge in 0..3 {
+        let (start, end) = (&displacement[corners[edge] % 8], &displacement[corners[edge + 1] % 8]);
+        let along = edge_gradient(simd, chunk, packs, edge);
+        for i in 0..3 {
+            let difference = end[i] - start[i];
+            for j in 0..3 {
+                gradient[i][j] = gradient[i][j] + difference * along[j];
             }
         }
-        found.jacobian[t % TETRAHEDRA] = determinant(gradient);
     }
-    found
 }
 
 /// G of an edge.
@@ -139,30 +173,45 @@ fn pressure<S: Simd>(
     block.laws.volumetric.stress(mean)
 }
 
-/// U^-1 T U^-1.
+/// F S G of the three edges of a tetrahedron, N: what pulls at their ends.
 #[inline(always)]
-fn second_piola<V: Vector>(kinematics: &SolidKinematics<V>, stress: &Symmetric<V>) -> Symmetric<V> {
-    kinematics.inverse_stretch.around(stress)
-}
-
-/// Adds F S G_k for the three edges of a tetrahedron to the forces on their ends.
-#[inline(always)]
-fn add_edge_forces<S: Simd>(
+fn edge_forces<S: Simd>(
     simd: S,
     chunk: usize,
     packs: &[Pack; TETRAHEDRON_PACKS],
-    path: [usize; 3],
     f: &Gradient<S::Vector>,
     stress: &Symmetric<S::Vector>,
-    force: &mut SolidCorners<S::Vector>,
-) {
+) -> Gradient<S::Vector> {
     let nominal = [stress.times(f[0]), stress.times(f[1]), stress.times(f[2])];
-    let corners = path_corners(path);
+    let mut pulls = nominal;
     for edge in 0..3 {
         let along = edge_gradient(simd, chunk, packs, edge);
         for i in 0..3 {
-            let pull = nominal[i][0] * along[0] + nominal[i][1] * along[1] + nominal[i][2] * along[2];
-            let (start, end) = (corners[edge] % 8, corners[edge + 1] % 8);
+            pulls[edge][i] = nominal[i][0] * along[0] + nominal[i][1] * along[1] + nominal[i][2] * along[2];
+        }
+    }
+    pulls
+}
+
+/// The forces on the corners from what pulls at the ends of all edges.
+#[inline(always)]
+fn add_up<S: Simd>(simd: S, pulls: &SolidGradients<S::Vector>, force: &mut SolidCorners<S::Vector>) {
+    *force = [[simd.splat(0.0); 3]; 8];
+    add_pulls::<S, 0>(pulls, force);
+    add_pulls::<S, 1>(pulls, force);
+    add_pulls::<S, 2>(pulls, force);
+    add_pulls::<S, 3>(pulls, force);
+    add_pulls::<S, 4>(pulls, force);
+    add_pulls::<S, 5>(pulls, force);
+}
+
+#[inline(always)]
+fn add_pulls<S: Simd, const T: usize>(pulls: &SolidGradients<S::Vector>, force: &mut SolidCorners<S::Vector>) {
+    let corners = const { path_corners(PATHS[T]) };
+    for edge in 0..3 {
+        let (start, end) = (corners[edge] % 8, corners[edge + 1] % 8);
+        for i in 0..3 {
+            let pull = pulls[T][edge][i];
             force[end][i] = force[end][i] + pull;
             force[start][i] = force[start][i] - pull;
         }

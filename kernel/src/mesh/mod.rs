@@ -14,4 +14,5 @@ pub use grid::{Grid, MAX_CELLS};
 pub use paths::{PATHS, TETRAHEDRA};
 pub use section::{out_of_plane, reference_position};
 pub use slices::Slices;
-pub use solid::solid_position;
+pub(crate) use solid::cell_nodes;
+pub use solid::{solid_position, tetrahedra};

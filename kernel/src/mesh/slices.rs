@@ -37,7 +37,7 @@ impl Slices {
         };
         // A node bears what lies halfway to its neighbours, so the last one under the face is half a cell inside its edge.
         let face_z = flat - 0.5 * size;
-        if face_z < size || end_z - face_z < 0.5 * size {
+        if face_z < size || flat >= end_z || end_z - face_z < 0.5 * size {
             let half = cells_along(end_z, size) as usize;
             return Self { half, face: half, face_z: end_z, end_z };
         }

@@ -2,6 +2,7 @@
 
 use crate::mesh::Grid;
 use crate::mesh::columns::half_angle;
+use crate::mesh::paths::{PATHS, TETRAHEDRA};
 use crate::mesh::section::{height_over_core, reference_position};
 use crate::mesh::slices::on_disc;
 use crate::number::math;
@@ -30,4 +31,21 @@ pub fn solid_position(scenario: &Scenario, grid: &Grid, [u, v, w]: [usize; 3]) -
             [radius * cos, y, radius * sin]
         }
     }
+}
+
+/// Column, row and slice of the four corners of each tetrahedron of the cell in column `u`, row of cells `v` and slice `w`.
+pub fn tetrahedra(grid: &Grid, [u, v, w]: [usize; 3]) -> [[[usize; 3]; 4]; TETRAHEDRA] {
+    let corners = cell_nodes(grid, [u, v, w]);
+    PATHS.map(|[a, b, _]| [0, 1 << a, (1 << a) | (1 << b), 7].map(|corner| corners[corner % 8]))
+}
+
+/// Column, row and slice of the corners of a cell in the order of its paths.
+pub(crate) fn cell_nodes(grid: &Grid, [u, v, w]: [usize; 3]) -> [[usize; 3]; 8] {
+    let lower = grid.node_row(v);
+    core::array::from_fn(|corner| {
+        let (along, across, slice) = (corner & 1, (corner >> 1) & 1, corner >> 2);
+        let u = if u < grid.centre { u + 1 - along } else { u + along };
+        let w = if w < grid.centre_w { w + 1 - slice } else { w + slice };
+        [u, lower + 1 - across, w]
+    })
 }

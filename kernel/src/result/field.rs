@@ -101,7 +101,7 @@ const fn computed(
 pub const RETIRED_FIELDS: &[u32] = &[];
 
 /// Every field.
-pub static FIELDS: [Field; 17] = [
+pub static FIELDS: [Field; 18] = [
     stored(
         0,
         "node.reference_position",
@@ -217,6 +217,15 @@ pub static FIELDS: [Field; 17] = [
         1,
         |model, state, row, column, _| at(model, state.along_z(model)[1], row, column),
         "velocity half a step back along z, of a solid",
+    ),
+    computed(
+        17,
+        "node.force_z",
+        "N",
+        Location::Node,
+        1,
+        |model, state, row, column, _| at(model, state.along_z(model)[2], row, column),
+        "force along z in the last step on the meshed solid, contact and friction included",
     ),
     computed(
         15,

@@ -2,7 +2,7 @@
 
 use nalgebra::Matrix3;
 
-use crate::element::{INVERSE_VOLUME, SolidBlock, SolidMemory, TETRAHEDRON_PACKS, VOLUME, solid_gradients};
+use crate::element::{INVERSE_VOLUME, SolidBlock, SolidMemory, TETRAHEDRON_PACKS, VOLUME, tetrahedron_gradient};
 use crate::mesh::TETRAHEDRA;
 use crate::model::Model;
 use crate::number::math;
@@ -96,7 +96,7 @@ impl SolidStress {
             let (now, velocity) = (now[corner % 8], velocity[corner % 8]);
             core::array::from_fn(|i: usize| now[i % 3] - constants.dt * velocity[i % 3])
         });
-        let gradient = *solid_gradients(Scalar, lane, &block, &before).gradient.get(number)?;
+        let (gradient, _) = tetrahedron_gradient(&block, lane, number, &before);
         let gradient = Matrix3::from_fn(|i, j| gradient[i % 3][j % 3]);
         Some(gradient * matrix(&self.stretch).try_inverse()?)
     }

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use crate::element::{SOLID_BLOCK_PACKS, SolidConstants, store_cell};
 use crate::error::ModelError;
-use crate::mesh::Grid;
+use crate::mesh::{Grid, cell_nodes};
 use crate::model::{MODEL_NODE_FIELDS, split_row};
 use crate::number::pack::{LANES, ZERO};
 use crate::number::real::Real;
@@ -78,17 +78,6 @@ fn build_tetrahedra(
         }
     }
     Ok(())
-}
-
-/// Column, row and slice of the corners of a cell in the order of its paths.
-fn cell_nodes(grid: &Grid, [u, v, w]: [usize; 3]) -> [[usize; 3]; 8] {
-    let lower = grid.node_row(v);
-    core::array::from_fn(|corner| {
-        let (along, across, slice) = (corner & 1, (corner >> 1) & 1, corner >> 2);
-        let u = if u < grid.centre { u + 1 - along } else { u + along };
-        let w = if w < grid.centre_w { w + 1 - slice } else { w + slice };
-        [u, lower + 1 - across, w]
-    })
 }
 
 /// Planes of symmetry are not left, held ends do not move along z, a bonded core does not move at all.

@@ -5,6 +5,7 @@ mod critical;
 mod monitor;
 mod motion;
 mod solid_advance;
+mod solid_cells;
 mod solid_forces;
 mod solid_stable_step;
 #[cfg(feature = "threads")]

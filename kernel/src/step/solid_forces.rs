@@ -3,15 +3,16 @@
 //! The cells of a block give forces on their corners first; then each row of nodes takes those of the blocks about it, in index
 //! order. So the bits are the same whichever rows are computed at the same time (feature `threads`).
 
-use crate::element::{ElementEnergy, SolidBlock, SolidConstants, SolidCorners, solid_force, solid_gradients};
+use crate::element::{ElementEnergy, SolidBlock, tetrahedron_gradient};
 use crate::error::StepError;
 use crate::mesh::TETRAHEDRA;
-use crate::model::{Constants, Model};
+use crate::model::Model;
 use crate::number::instruction_set::InstructionSet;
-use crate::number::pack::{LANES, Pack, ZERO, sum};
+use crate::number::pack::{LANES, sum};
 use crate::number::real::Real;
-use crate::number::vector::{Scalar, Simd, Work};
+use crate::number::vector::Scalar;
 use crate::state::{SolidState, SolidView, State, solid_corners, subtract_solid_force};
+use crate::step::solid_cells::Cells;
 
 /// Fills the nodal forces with minus the internal forces and adds up the energies.
 pub(super) fn internal_forces(
@@ -50,86 +51,6 @@ fn ended(model: &Model, state: &State, energy: &ElementEnergy) -> Result<(), Ste
     if sum(&energy.inverted) > 0.0 { Err(first_inverted(model, state)) } else { Ok(()) }
 }
 
-/// The cells of a solid with the displacements of its nodes.
-pub(super) struct Cells<'m> {
-    pub set: InstructionSet,
-    pub constants: &'m Constants,
-    pub blocks: &'m [SolidConstants],
-    /// Along x, y and z, m.
-    pub displacement: [&'m [Real]; 3],
-}
-
-impl Cells<'_> {
-    /// Packs of the history of a row of cells.
-    pub fn history_of_row(&self) -> usize {
-        (self.constants.grid.blocks_per_row() * TETRAHEDRA * self.constants.solid_history_packs).max(1)
-    }
-
-    /// Row from the core and slice of the `number`-th row of cells.
-    pub fn place(&self, number: usize) -> [usize; 2] {
-        let slices = self.constants.grid.n_w.max(1);
-        [number / slices, number % slices]
-    }
-
-    /// Hands the forces on the corners of the `number`-th row of cells to `take`, block by block, N; advances their `history`.
-    pub fn row(
-        &self,
-        number: usize,
-        history: &mut [Pack],
-        energy: &mut ElementEnergy,
-        mut take: impl FnMut(usize, &SolidCorners<Pack>),
-    ) {
-        let (constants, place) = (self.constants, self.place(number));
-        let (grid, laws) = (&constants.grid, constants.laws_of_row(place[0]));
-        let per_row = grid.blocks_per_row();
-        let share = (TETRAHEDRA * constants.solid_history_packs).max(1);
-        let blocks = self.blocks.get(number * per_row..(number + 1) * per_row).unwrap_or_default();
-        for (at, (block, history)) in blocks.iter().zip(history.chunks_exact_mut(share)).enumerate() {
-            let mut force = [[ZERO; 3]; 8];
-            let mirrored = grid.mirrored(at);
-            self.set.run(BlockForces {
-                block: SolidBlock { laws, constants: block },
-                rows: grid.solid_rows(place, at),
-                displacement: self.displacement,
-                mirrored: mirrored.as_ref(),
-                history,
-                energy,
-                force: &mut force,
-            });
-            take(at, &force);
-        }
-    }
-}
-
-/// Forces on the corners of the cells of a block, N, as work for an instruction set: the one copy of the element loop.
-struct BlockForces<'b> {
-    block: SolidBlock<'b>,
-    rows: [usize; 4],
-    displacement: [&'b [Real]; 3],
-    mirrored: Option<&'b Pack>,
-    history: &'b mut [Pack],
-    energy: &'b mut ElementEnergy,
-    force: &'b mut SolidCorners<Pack>,
-}
-
-impl Work for BlockForces<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<S: Simd>(self, simd: S) {
-        let Self { block, rows, displacement, mirrored, history, energy, force } = self;
-        for chunk in 0..LANES / S::WIDTH {
-            let corners = solid_corners(simd, chunk, &rows, displacement, mirrored);
-            let of_chunk = solid_force(simd, chunk, &block, &corners, history, energy);
-            for corner in 0..8 {
-                for i in 0..3 {
-                    simd.store(of_chunk[corner][i], &mut force[corner][i], chunk);
-                }
-            }
-        }
-    }
-}
-
 /// The first inverted tetrahedron, as the error that it is.
 #[cold]
 #[inline(never)]
@@ -146,7 +67,7 @@ fn first_inverted(model: &Model, state: &State) -> StepError {
         (0..LANES * TETRAHEDRA).find_map(|i| {
             let (t, l) = (i / LANES, i % LANES);
             let corners = solid_corners(Scalar, l, &rows, displacement, mirrored.as_ref());
-            let jacobian = solid_gradients(Scalar, l, &block, &corners).jacobian[t % TETRAHEDRA];
+            let (_, jacobian) = tetrahedron_gradient(&block, l, t, &corners);
             if jacobian > Real::MIN_POSITIVE { None } else { Some(grid.element_index(index, l, t)) }
         })
     });

@@ -11,7 +11,7 @@ use crate::model::Constants;
 use crate::number::pack::{Pack, ZERO};
 use crate::number::real::Real;
 use crate::state::subtract_from_row;
-use crate::step::solid_forces::Cells;
+use crate::step::solid_cells::Cells;
 
 /// The fewest blocks for which waking other cores pays.
 const MIN_BLOCKS: usize = 64;

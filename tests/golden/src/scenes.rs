@@ -9,6 +9,8 @@ use softanvil_kernel::material::{
 use softanvil_kernel::number::real::Real;
 #[cfg(feature = "pads")]
 use softanvil_kernel::scenario::LayerInterface;
+#[cfg(feature = "solid")]
+use softanvil_kernel::scenario::Symmetry;
 use softanvil_kernel::scenario::{DropBy, Formulation, Interface, Layer, Motion, Section, StepBy};
 use softanvil_kernel::{Constants, Scenario, StepInput, preset};
 
@@ -82,6 +84,13 @@ pub static SCENES: &[Scene] = &[
     ),
     #[cfg(feature = "pads")]
     scene!("pad", pad, nothing, "a foam that softens, with two terms and one Prony term, slides on Mooney-Rivlin"),
+    #[cfg(feature = "solid")]
+    scene!(
+        "solid",
+        solid,
+        nothing,
+        "half of a short cylinder in three dimensions, narrow face off centre, core with friction, two Prony terms, slider"
+    ),
 ];
 
 impl Scene {
@@ -234,6 +243,24 @@ fn frictional_core() -> Scenario {
     scenario.core.interface = Interface::Frictional;
     scenario.core.friction_coefficient = 0.2;
     scenario.face.friction_coefficient = 0.15;
+    scenario
+}
+
+#[cfg(feature = "solid")]
+fn solid() -> Scenario {
+    let mut scenario = base(Material {
+        prony_g: [0.3, 0.2, 0.0, 0.0, 0.0],
+        prony_tau: [0.5e-3, 20e-3, 1.0, 1.0, 1.0],
+        slider_stiffness: 1e6,
+        slider_yield_stress: 10e3,
+        ..rubber()
+    });
+    (scenario.geometry.formulation, scenario.geometry.symmetry) = (Formulation::Solid, Symmetry::Half);
+    (scenario.geometry.length, scenario.mesh.element_size) = (20e-3, 7.5e-3);
+    scenario.impactor.drop_energy = 1.0;
+    (scenario.impactor.offset, scenario.impactor.face_diameter) = (3e-3, 40e-3);
+    (scenario.core.interface, scenario.core.friction_coefficient) = (Interface::Frictional, 0.2);
+    scenario.time.step = 5e-6;
     scenario
 }
 

@@ -2,7 +2,7 @@
 
 use softanvil_kernel::material::Material;
 use softanvil_kernel::scenario::{Formulation, StepBy};
-use softanvil_kernel::{Model, Scenario, Simulation, State, StepInput, step};
+use softanvil_kernel::{Model, Scenario, Simulation, State, StepError, StepInput, step};
 
 use crate::scenes::block;
 
@@ -102,6 +102,14 @@ const LIFT: f64 = 0.45;
 /// # Panics
 /// If the step fails.
 pub fn put(model: &Model, state: &mut State, place: &dyn Fn([f64; 3]) -> [f64; 3]) {
+    try_put(model, state, place).expect("a step");
+}
+
+/// The same.
+///
+/// # Errors
+/// The step fails.
+pub fn try_put(model: &Model, state: &mut State, place: &dyn Fn([f64; 3]) -> [f64; 3]) -> Result<(), StepError> {
     let ([x, y], z) = (model.reference_position(), model.reference_z());
     for [u, v, w] in nodes(model) {
         let node = model.constants.grid.node(u, v, w);
@@ -116,7 +124,7 @@ pub fn put(model: &Model, state: &mut State, place: &dyn Fn([f64; 3]) -> [f64; 3
     let [_, along_z] = state.along_z_mut(model);
     along_z.fill(0.0);
     let input = StepInput { driven_position: Some(0.9), ..StepInput::default() };
-    step(model, state, &input).expect("a step");
+    step(model, state, &input)
 }
 
 /// Forces on the nodes in the last step, N, in the order of [`nodes`].

@@ -1,9 +1,8 @@
-//! The mesh of a section as lists of nodes and triangles.
+//! The mesh of a section, or of a solid in the plane z = 0, as lists of nodes and triangles.
 
 use std::f64::consts::FRAC_PI_2;
 
 use softanvil_kernel::mesh::triangles as kernel_triangles;
-use softanvil_kernel::scenario::Section;
 use softanvil_kernel::{Constants, ModelError, Simulation};
 
 /// Nodes and triangles, in the order of the kernel's fields: rows from the core to the surface.
@@ -33,7 +32,9 @@ impl Mesh {
         let constants = simulation.constants().clone();
         let grid = &constants.grid;
         let shape = [grid.node_rows(), grid.n_u + 1];
-        let nodes = (0..shape[0]).flat_map(|row| (0..shape[1]).map(move |column| row * grid.stride() + column));
+        let node_at = |row, column| grid.node(column, row, grid.centre_w);
+        let nodes: Vec<usize> =
+            (0..shape[0]).flat_map(|row| (0..shape[1]).map(move |column| node_at(row, column))).collect();
         let (mut triangles, mut places) = (Vec::new(), Vec::new());
         for (v, u) in
             (0..grid.n_v).flat_map(|v| (0..grid.n_u).map(move |u| (v, u))).filter(|(v, u)| grid.has_cell(*u, *v))
@@ -44,19 +45,22 @@ impl Mesh {
         }
         let reference = simulation.read(|model, _| {
             let [x, y] = model.reference_position();
-            nodes.map(|node| [x[node], y[node]]).collect()
+            nodes.into_iter().map(|node| [x[node], y[node]]).collect()
         })?;
         Ok(Self { constants, shape, reference, triangles, places })
     }
 
     /// Whether this is the right half of a section that is symmetric about x = 0.
     pub fn is_half(&self) -> bool {
-        self.constants.scenario.geometry.section == Section::Half
+        self.constants.grid.centre == 0
     }
 
     /// Node of the surface in `column`.
     pub fn surface(&self, column: usize) -> usize {
         let grid = &self.constants.grid;
+        if grid.is_solid() {
+            return (grid.node_rows() - 1) * self.shape[1] + column;
+        }
         grid.surface_node(column) / grid.stride() * self.shape[1] + column
     }
 

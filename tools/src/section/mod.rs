@@ -9,6 +9,10 @@ mod mesh;
 pub mod paraview;
 pub mod picture;
 #[cfg(feature = "command-line")]
+mod solid_grid;
+#[cfg(feature = "command-line")]
+mod vtk_fields;
+#[cfg(feature = "command-line")]
 mod vtu;
 
 pub use animation::{Animation, Instant, SHADES, Shade};

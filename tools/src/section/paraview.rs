@@ -6,9 +6,11 @@ use std::path::{Path, PathBuf};
 
 use quick_xml::Writer;
 use quick_xml::events::{BytesDecl, BytesText, Event};
-use softanvil_kernel::{FIELDS, Field, ModelError, Simulation, result};
+use softanvil_kernel::{Field, ModelError, Simulation, result};
 use tempfile::TempDir;
 
+use super::solid_grid::solid_grid;
+use super::vtk_fields::{all_fields, in_space, short};
 use super::vtu::{Array, Cell, Grid};
 use super::{Frame, Mesh, SLAB};
 use crate::failure::Failure;
@@ -56,7 +58,8 @@ impl Series {
     }
 
     fn write(&mut self, simulation: &mut Simulation) -> Result<(), SeriesError> {
-        let frame = Frame::take(simulation, &fields())?;
+        let solid = simulation.constants().grid.is_solid();
+        let frame = if solid { Frame::whole(simulation, &all_fields())? } else { Frame::take(simulation, &fields())? };
         let mesh = match &mut self.mesh {
             Some(mesh) => mesh,
             none => none.insert(Mesh::of(simulation)?),
@@ -94,9 +97,9 @@ pub enum SeriesError {
     Model(#[from] ModelError),
 }
 
-/// The fields of a series: every one of the kernel, but for the position, which the points have.
+/// The fields of a series: every one of the kernel, but for the position, which the points have, and those along z.
 fn fields() -> Vec<&'static Field> {
-    FIELDS.iter().filter(|field| field.name != "node.position").collect()
+    all_fields().into_iter().filter(|field| !field.name.ends_with("_z")).collect()
 }
 
 /// Names of the two files of the frame with this number.
@@ -109,7 +112,8 @@ fn names(number: usize) -> [String; 2] {
 /// # Errors
 /// What the XML library refuses.
 fn files(mesh: &Mesh, frame: &Frame) -> Result<[Vec<u8>; 2], SeriesError> {
-    Ok([section(mesh, frame).file()?, impactor(mesh, frame).file()?])
+    let body = if mesh.constants.grid.is_solid() { solid_grid(mesh, frame) } else { section(mesh, frame) };
+    Ok([body.file()?, impactor(mesh, frame).file()?])
 }
 
 /// The PVD file of frames at these times, s.
@@ -151,6 +155,7 @@ fn listed_files(folder: &Path) -> Vec<Listed> {
     }
 }
 
+/// The section, and of a series of fields those of it.
 fn section(mesh: &Mesh, frame: &Frame) -> Grid {
     let displacement = frame.values("node.displacement").chunks_exact(2);
     let points = mesh.reference.iter().zip(displacement).flat_map(|(rest, u)| [rest[0] + u[0], rest[1] + u[1], 0.0]);
@@ -207,21 +212,5 @@ fn impactor(mesh: &Mesh, frame: &Frame) -> Grid {
         cells: (0..pieces).map(|piece| vec![piece, piece + 1]).collect(),
         point_data: Vec::new(),
         cell_data: motion.map(|(name, value)| Array { name, components: 1, values: vec![value; pieces] }).into(),
-    }
-}
-
-/// The name of a field without its place.
-fn short(field: &Field) -> &'static str {
-    field.name.split_once('.').map_or(field.name, |(_, name)| name)
-}
-
-/// Values as ParaView knows them, and their components: vectors in space, symmetric tensors as xx, yy, zz, xy, yz, xz.
-fn in_space(field: &Field, values: &[f64]) -> (Vec<f64>, usize) {
-    let components = field.components;
-    let places = values.chunks_exact(components);
-    match components {
-        2 => (places.flat_map(|v| [v[0], v[1], 0.0]).collect(), 3),
-        4 => (places.flat_map(|v| [v[0], v[1], v[3], v[2], 0.0, 0.0]).collect(), 6),
-        _ => (values.to_vec(), components),
     }
 }

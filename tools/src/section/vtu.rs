@@ -18,6 +18,8 @@ pub enum Cell {
     Line = 3,
     /// Three nodes.
     Triangle = 5,
+    /// Four nodes.
+    Tetrahedron = 10,
 }
 
 /// Numbers at the points or the cells of a grid.

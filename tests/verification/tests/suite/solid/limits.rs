@@ -8,10 +8,10 @@ use softanvil_kernel::material::{Material, VolumetricBy, VolumetricLaw};
 use softanvil_kernel::scenario::Symmetry;
 use softanvil_kernel::state::{restore, save, snapshot_size};
 use softanvil_kernel::step::critical_time_step;
-use softanvil_kernel::{ModelError, Scenario, Simulation};
+use softanvil_kernel::{Scenario, Simulation, StepError};
 use softanvil_verification::deformation::Samples;
 use softanvil_verification::scenes::random_law;
-use softanvil_verification::solid::{CELL, cube, forces, nodes, put};
+use softanvil_verification::solid::{CELL, cube, forces, nodes, put, try_put};
 use softanvil_verification::tolerance::{NAMED_LIMIT_RELAXED, NAMED_LIMIT_UNRELAXED};
 
 /// Cells along each side.
@@ -56,10 +56,7 @@ impl Body {
     fn limits(&self) -> Option<(f64, f64)> {
         let place = |[u, v, w]: [usize; 3]| (v * (N + 1) + w) * (N + 1) + u;
         let position = |node| self.rest[place(node)];
-        let mut simulation = match Simulation::with_node_positions(&self.scenario, &position) {
-            Err(ModelError::NoVolume { .. }) => return None,
-            other => other.expect("a legal solid"),
-        };
+        let mut simulation = Simulation::with_node_positions(&self.scenario, &position).expect("a legal solid");
         let found = simulation.with(|model, state| {
             let target = |displaced: Option<(usize, f64)>| {
                 let mut moved = self.moved.clone();
@@ -70,11 +67,16 @@ impl Body {
                 move |x: [f64; 3]| moved[rest.iter().position(|place| *place == x).expect("a node")]
             };
             for _ in 0..self.rounds {
-                std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| put(model, state, &target(None)))).ok()?;
+                let reached = try_put(model, state, &target(None));
+                if !matches!(reached, Err(StepError::Inverted { .. })) {
+                    reached.expect("a stable step");
+                } else {
+                    return None;
+                }
             }
             let (named, _) = critical_time_step(model, state);
             let mut bytes = vec![0; snapshot_size(model.constants)];
-            save(model, state, &mut bytes).ok()?;
+            save(model, state, &mut bytes).expect("a state that has not failed");
             let masses: Vec<f64> = nodes(model).map(|[u, v, w]| model.nodal_mass(u, v, w)).collect();
             let mut stiffness = DMatrix::zeros(3 * NODES, 3 * NODES);
             for direction in 0..3 * NODES {
