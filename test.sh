@@ -78,15 +78,15 @@ if have_python; then
         || skip "FMU on Windows" "mingw or wine is missing and cannot be installed"
     have_tbb || { need no-such-command libtbb12; have_tbb; } \
         || skip "FMU in ecos" "libtbb12 is missing and cannot be installed"
-    page=(test_page.py)
-    need chromium chromium || { page=(); skip "report in a browser" "chromium is missing and cannot be installed"; }
+    page=1
+    need chromium chromium || { page=; skip "page in a browser" "chromium is missing and cannot be installed"; }
 else
     for name in "FMU in other tools" "programs and picture of the README" "fitted material files in other tools" \
-        "report in a browser, series for ParaView"; do
+        "series for ParaView" "page in a browser"; do
         skip "$name" "python3 with venv, or gcc, is missing and cannot be installed"
     done
 fi
-groups+=(target_tests rust_tests ${python:+python_tests})
+groups+=(target_tests rust_tests ${python:+python_tests page_tests})
 if have_c && need cmake cmake && need pkg-config pkg-config; then
     groups+=(package_tests)
 else
@@ -112,8 +112,11 @@ fmu_tests() {
 python_tests() {
     run "programs and picture of the README" tests/readme.sh target/release "$SOFTANVIL_VENV"
     run "fitted material files in other tools" tests/identify/run.sh target/release "$SOFTANVIL_VENV"
-    run "report in a browser, series for ParaView" tests/report/run.sh target/release "$SOFTANVIL_VENV" \
-        "${page[@]}" test_series.py
+    run "series for ParaView" tests/report/run.sh target/release "$SOFTANVIL_VENV"
+}
+page_tests() {
+    [ -z "$page" ] || run "page in a browser" tests/page/run.sh target/release "$SOFTANVIL_VENV"
+    run "page is what the sources make" tests/page/rebuilt.sh target/release
 }
 target_tests() { run "same digests on every target" tests/targets/run.sh; }
 # The second takes the library that the first has built.
@@ -147,8 +150,8 @@ run "format" cargo fmt --all --check
 # With the profile of the build that follows, which then has its procedural macros.
 run "clippy" cargo clippy -q --release --workspace --all-targets -- -D warnings
 if need python3 python3; then
-    run "imports run one way" python3 tests/imports.py kernel ffi fmu specimen tools tools/identify tools/records \
-        tests/verification
+    run "imports run one way" python3 tests/imports.py kernel ffi fmu specimen tools tools/identify tools/page \
+        tools/records tests/verification
 else
     skip "imports run one way" "python3 is missing and cannot be installed"
 fi
