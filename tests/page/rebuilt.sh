@@ -1,11 +1,18 @@
 #!/usr/bin/env bash
-# Shows that the kernel in the page is what the sources make: compiles it anew, and compares it byte by byte where the compiler is
-# the one that made the file. Another compiler's is compared by the digests of its drops alone (test_page.py).
+# Shows that the kernel in the page, and docs/drop.html, are what the sources make: rebuilt.sh BUILD_FOLDER. It compiles the kernel
+# anew and compares it byte by byte where the compiler is the one that made the file; another compiler's is compared by the
+# results of its drops alone (test_page.py).
 set -euo pipefail
+build=$(cd "${1:?usage: rebuilt.sh BUILD_FOLDER}" && pwd)
 cd "$(dirname "$0")/../.."
 kept=tools/assets/page/softanvil.wasm.gz
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+"$build/softanvil" page --out "$work/drop.html" >/dev/null
+cmp docs/drop.html "$work/drop.html" || {
+    echo "docs/drop.html is not what softanvil page writes: tools/page/build.sh makes it anew" >&2
+    exit 1
+}
 version=$(rustc --version | cut -d ' ' -f 2)
 if ! zcat $kept | grep -aq "$version"; then
     echo "$kept was made by another compiler than rustc $version: not compared"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Compiles the kernel for the page in a browser and keeps it, compressed, where the command line takes it from:
-# build.sh [FILE]. The command line has the file in the repository, so that it builds where the target is missing;
-# tests/page/run.sh shows that the file is what the sources make.
+# Compiles the kernel for the page in a browser and keeps it, compressed, where the command line takes it from, and writes
+# docs/drop.html with it: build.sh. Or the kernel alone, to another file: build.sh FILE. The command line has the kernel in the
+# repository, so that it builds where the target is missing; tests/page/rebuilt.sh shows that both are what the sources make.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/../.." && pwd)
 kept=$(realpath "${1:-$root/tools/assets/page/softanvil.wasm.gz}")
@@ -10,6 +10,9 @@ rustup target add wasm32-wasip1 >/dev/null 2>&1 || true
 # Paths of this machine have no place in the file.
 flags="-C target-feature=+simd128 -C strip=symbols --remap-path-prefix=$root=. --remap-path-prefix=${CARGO_HOME:-$HOME/.cargo}=cargo"
 flags+=" --remap-path-prefix=$(rustc --print sysroot)=rust"
-RUSTFLAGS=$flags cargo build -q --profile page --target wasm32-wasip1 -p softanvil-page
-gzip -9nc target/wasm32-wasip1/page/softanvil_page.wasm >"$kept"
+# A folder of its own: what is compiled there has those flags, and nothing else.
+target=target/page
+RUSTFLAGS=$flags cargo build -q --profile page --target wasm32-wasip1 -p softanvil-page --target-dir $target
+gzip -9nc $target/wasm32-wasip1/page/softanvil_page.wasm >"$kept"
 printf '%s: %d bytes\n' "$kept" "$(stat -c %s "$kept")"
+[ $# -gt 0 ] || cargo run -q --release -p softanvil -- page --out docs/drop.html --overwrite

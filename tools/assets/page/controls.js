@@ -35,6 +35,9 @@ function bare(drop, layers) {
   drop.given.set("layers.count", String(layers - 1));
 }
 
+/** A value that follows from others without what rounding has left in its last digits. */
+const rounded = text => isNaN(text) || !text ? text ?? "" : String(Number(Number(text).toPrecision(12)));
+
 class Controls {
   /** In `place`, from the kernel's `table`; `changed` is called when the chosen drop asks for something else. */
   constructor(place, table, changed) {
@@ -48,10 +51,13 @@ class Controls {
   /** Shows the values of a drop, and what is refused. */
   show(drop) {
     const scenario = drop.data?.scenario, layers = scenario?.layers ?? [];
-    const key = JSON.stringify([drops.indexOf(drop), drop.preset, drop.toml, layers]);
+    const laws = layers.map((_, layer) => scenario.values[`layers[${layer}].law`]);
+    const key = JSON.stringify([drops.indexOf(drop), drop.preset, drop.toml, layers, laws]);
     if (scenario && key !== this.built) {
+      const focused = document.activeElement?.id;
       this.built = key;
-      this.build(layers);
+      this.build(layers, laws);
+      if (focused?.startsWith("field-")) document.getElementById(focused)?.focus();
     }
     for (const field of this.fields.values()) this.update(field, drop);
     const others = (drop.refusal?.fields ?? []).filter(([name]) => !this.fields.has(name)).map(([, reason]) => reason);
@@ -59,7 +65,7 @@ class Controls {
     document.getElementById("refusal").textContent = general.join(" ");
   }
 
-  build(layers) {
+  build(layers, laws) {
     this.fields.clear();
     const groups = new Map(), rest = document.getElementById("parameters");
     rest.replaceChildren();
@@ -67,8 +73,8 @@ class Controls {
     for (const row of this.table.parameters) {
       if (row.layer !== null && row.layer >= layers.length) continue;
       const title = row.layer === null ? row.name.split(".")[0] : `Layer ${row.layer + 1}` + (layers[row.layer] ? `: ${layers[row.layer]}` : "");
-      const field = this.field(row);
-      if (!row.main) {
+      const isMain = row.main || row.field in (materials.laws[laws[row.layer]] ?? {}), field = this.field(row, isMain);
+      if (!isMain) {
         rest.append(field.box);
         continue;
       }
@@ -79,7 +85,8 @@ class Controls {
     this.filter();
   }
 
-  field(row) {
+  /** The field of a row, among the main ones or in the list. */
+  field(row, isMain) {
     const id = "field-" + row.name, unit = row.kind === "quantity" && row.unit !== "1" ? row.unit : "";
     const input = row.kind === "choice" ? make("select", { id }, ...row.labels.map(label => make("option", { value: label, textContent: label.replaceAll("_", " ") })))
       : make("input", { id, type: "text", inputMode: "decimal", autocomplete: "off", spellcheck: false });
@@ -91,8 +98,8 @@ class Controls {
     back.setAttribute("aria-label", `Undo ${row.name}`);
     const box = make("div", { className: "field" }, label, input, back);
     input.onchange = () => this.take(row, input.value);
-    const field = { row, box, input, legal, refusal, back, slider: null, base: null };
-    if (row.main && row.kind === "quantity") {
+    const field = { row, box, input, legal, refusal, back, isMain, slider: null, base: null };
+    if (isMain && row.kind === "quantity") {
       field.slider = make("input", { type: "range", min: -100, max: 100, step: 1, value: 0 });
       field.slider.setAttribute("aria-label", `${row.field.replaceAll("_", " ")}, slider`);
       field.slider.oninput = () => this.take(row, this.slid(field));
@@ -117,7 +124,7 @@ class Controls {
 
   update(field, drop) {
     const { row, input, slider } = field, name = row.name, scenario = drop.data?.scenario;
-    const text = drop.given.get(name) ?? scenario?.values[name] ?? "";
+    const text = drop.given.get(name) ?? rounded(scenario?.values[name]);
     if (field.base === null && scenario && name in scenario.values) field.base = Number(scenario.values[name]);
     if (document.activeElement !== input || row.kind === "choice") input.value = text;
     if (slider && document.activeElement !== slider) slider.value = this.placeOf(field, Number(text));
@@ -127,7 +134,7 @@ class Controls {
     }
     const idle = !drop.given.has(name) && scenario?.idle[name];
     const range = row.kind === "choice" ? "" : `${row.range[0]} to ${row.range[1]}${row.unit === "1" ? "" : " " + row.unit}`;
-    field.legal.textContent = [range, row.main ? "" : row.description, idle ? `no effect: ${idle}` : ""].filter(part => part).join("; ");
+    field.legal.textContent = [range, field.isMain ? "" : row.description, idle ? `no effect: ${idle}` : ""].filter(part => part).join("; ");
     field.box.classList.toggle("idle", Boolean(idle));
     field.back.hidden = !drop.given.has(name);
     const refused = drop.refusal?.fields.find(([of]) => of === name);
@@ -148,8 +155,8 @@ class Controls {
   filter() {
     const words = this.search.value.toLowerCase().split(/\s+/).filter(word => word);
     let count = 0;
-    for (const { row, box } of this.fields.values()) {
-      if (row.main) continue;
+    for (const { row, box, isMain } of this.fields.values()) {
+      if (isMain) continue;
       const text = `${row.name} ${row.field.replaceAll("_", " ")} ${row.description} ${row.labels.join(" ")}`.toLowerCase();
       box.hidden = !words.every(word => text.includes(word));
       if (!box.hidden) count++;

@@ -122,6 +122,7 @@ function listen() {
     else if (preset) add({ preset });
   };
   element("remove").onclick = () => {
+    if (drops.length < 2) return;
     drops.splice(shown.drop, 1);
     history.replaceState(null, "", "#" + toFragment());
     showAll();

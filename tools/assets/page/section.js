@@ -121,5 +121,5 @@ function drawBar(canvas, label, { bounds, colours, texts, unit, zero }) {
     context.fillText(texts[i], i * step, 33);
   });
   context.textAlign = "left";
-  context.fillText(`${label} (${unit}), means at the nodes`, 0, 51);
+  context.fillText(`${label} (${unit})`, 0, 51);
 }

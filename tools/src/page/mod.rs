@@ -1,4 +1,4 @@
-//! What the page in a browser shows: [`asked`] says which drop, [`drop`] what is drawn of it, [`parameters`] which controls there
+//! What the page in a browser shows: [`asked`] says which drop, [`mod@drop`] what is drawn of it, [`parameters`] which controls there
 //! are, `html` puts the file together. All but the last is compiled for the browser, too (`tools/page`).
 
 pub mod asked;

@@ -7,16 +7,14 @@ use softanvil_kernel::preset::PRESETS;
 use softanvil_kernel::scenario::MAX_LAYERS;
 use softanvil_kernel::{Parameter, Scenario};
 
-/// Those that are sliders of their own, by their names, of every layer where they are of one. All others are in the list.
-const MAIN: [&str; 14] = [
+/// Those that are sliders of their own, by their names, of every layer where they are of one; the coefficients of a layer's law
+/// are, too. All others are in the list.
+const MAIN: [&str; 11] = [
     "impactor.drop_energy",
     "impactor.mass",
     "layers.count",
     "layers[].thickness",
     "layers[].law",
-    "layers[].c10",
-    "layers[].mu_1",
-    "layers[].alpha_1",
     "layers[].bulk_modulus",
     "layers[].poissons_ratio",
     "layers[].slider_stiffness",

@@ -51,8 +51,11 @@ pub fn is_its_model(scenario: &Scenario) -> bool {
         && [ours.mass, ours.face_diameter, ours.offset] == [its.mass, its.face_diameter, its.offset]
 }
 
-/// The case of the table that `scenario` is a drop of, if it is one.
+/// The case of the table that `scenario` is a drop of, on one layer of the paper's thickness, if it is one.
 pub fn case_of(scenario: &Scenario) -> Option<&'static Case> {
+    if scenario.layers.len() != 1 || scenario.thickness() != study().thickness() {
+        return None;
+    }
     let energy = 0.5 * scenario.impactor.mass * scenario.impactor.start_speed().powi(2);
     is_its_model(scenario).then(|| TABLE_1.iter().find(|case| (case.energy - energy).abs() < 1e-9))?
 }
