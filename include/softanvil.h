@@ -294,7 +294,7 @@ enum SoftanvilParameter {
     SOFTANVIL_PARAMETER_IMPACTOR_PRESCRIBED_RISE = 18,
     /** layers.count, a whole number from 1 to 4: number of layers between core and face, layers[0] next to the core. */
     SOFTANVIL_PARAMETER_LAYERS_COUNT = 19,
-    /** core.interface, a SoftanvilCoreInterface: how the layer sits on the core: glued, in contact with friction, or on rollers (neither lifts nor rubs). */
+    /** core.interface, a SoftanvilCoreInterface: how the layer sits on the core: glued, in contact with friction, on rollers (neither lifts nor rubs), or in contact that lifts and does not rub. */
     SOFTANVIL_PARAMETER_CORE_INTERFACE = 20,
     /** core.friction_coefficient, from 0 to 10: Coulomb coefficient of a frictional core. */
     SOFTANVIL_PARAMETER_CORE_FRICTION_COEFFICIENT = 21,
@@ -534,11 +534,12 @@ enum SoftanvilImpactorDropBy {
     SOFTANVIL_IMPACTOR_DROP_BY_SPEED = 2
 };
 
-/** core.interface: how the layer sits on the core: glued, in contact with friction, or on rollers (neither lifts nor rubs). */
+/** core.interface: how the layer sits on the core: glued, in contact with friction, on rollers (neither lifts nor rubs), or in contact that lifts and does not rub. */
 enum SoftanvilCoreInterface {
     SOFTANVIL_CORE_INTERFACE_BONDED = 0,
     SOFTANVIL_CORE_INTERFACE_FRICTIONAL = 1,
-    SOFTANVIL_CORE_INTERFACE_SLIDING = 2
+    SOFTANVIL_CORE_INTERFACE_SLIDING = 2,
+    SOFTANVIL_CORE_INTERFACE_SEPARATING = 3
 };
 
 /** time.step_by: which of the next two states the time step. */

@@ -21,7 +21,7 @@ pub(crate) fn react<S: Simd>(simd: S, model: &Model, state: &mut State) -> Conta
             let forces = state.nodes.force[1].get(..=model.constants.grid.n_u).unwrap_or_default();
             ContactWork { normal_force: forces.iter().fold(0.0, |sum, force| sum - force), ..ContactWork::default() }
         }
-        Interface::Frictional | Interface::Sliding => {
+        Interface::Frictional | Interface::Sliding | Interface::Separating => {
             let StateNodes { displacement, velocity, force, .. } = &mut state.nodes;
             match NodeRow::of(model, 0, displacement, velocity, force) {
                 Some(row) => Base(row).touch(simd, model.constants),
@@ -82,6 +82,7 @@ impl Base<'_> {
     fn forces<S: Simd>(&self, simd: S, constants: &Constants, i: usize, chunk: usize) -> Touch<S::Vector> {
         let (core, inverse_dt) = (&constants.scenario.core, 1.0 / constants.dt);
         let rollers = core.interface == Interface::Sliding;
+        let rubs = core.interface == Interface::Frictional;
         let (zero, mass) = (simd.splat(0.0), simd.load(&self.0.mass[i], chunk));
         let inverse = [simd.load(&self.0.inverse_mass[0][i], chunk), simd.load(&self.0.inverse_mass[1][i], chunk)];
         let before = [simd.load(&self.0.velocity[0][i], chunk), simd.load(&self.0.velocity[1][i], chunk)];
@@ -94,7 +95,7 @@ impl Base<'_> {
         let stopping = (mass * approach).mul_scalar(inverse_dt);
         let pressure = if rollers { stopping } else { approach.select_greater(zero, stopping, zero) };
         let along = free[0] * normal[1] - free[1] * normal[0];
-        let shear = if rollers {
+        let shear = if !rubs {
             zero
         } else {
             let friction =

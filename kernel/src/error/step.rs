@@ -37,7 +37,11 @@ use crate::sampling::SAMPLING_INTERVAL;
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
 pub enum StepError {
     /// A triangle turned inside out, or its shape is not finite.
-    #[error("element {element} is inverted or not finite at {} s", Decimal(*time))]
+    #[error(
+        "element {element} is inverted or not finite at {} s: a layer is pressed further than its law and its mesh can follow (less \
+         energy, a thicker or stiffer layer, damping, or a smaller time.safety_factor may do)",
+        Decimal(*time)
+    )]
     Inverted {
         /// Index of the triangle.
         element: u32,

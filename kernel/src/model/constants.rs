@@ -109,6 +109,11 @@ impl Constants {
         self.laws.iter().any(|laws| laws.softening.active())
     }
 
+    /// Whether any layer has a compressible law.
+    pub fn has_foam(&self) -> bool {
+        self.laws.iter().any(|laws| laws.elastic.is_compressible())
+    }
+
     /// Entries of viscous history per triangle: those of the layer that has more.
     pub fn n_history_entry(&self) -> usize {
         self.laws.iter().fold(0, |most, laws| most.max(laws.n_history_entry()))

@@ -153,12 +153,14 @@ pub enum Interface {
     Frictional,
     /// Neither lifts nor rubs: rollers.
     Sliding,
+    /// Unilateral contact without friction.
+    Separating,
 }
 
 /// Interface between layer and core.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CoreInterface {
-    /// Bonded or frictional.
+    /// What it transmits.
     pub interface: Interface,
     /// Coulomb coefficient of a frictional interface.
     pub friction_coefficient: Real,

@@ -28,7 +28,7 @@ const REPEAT_BELOW: Real = 0.6;
 const MARGIN: Real = 0.9;
 
 /// The same again where layers meet that are not bonded: which nodes touch, and when, differs with every step.
-const OPEN_MARGIN: Real = 0.88;
+const OPEN_MARGIN: Real = 0.8;
 
 /// The same again for every factor of e that the limit has fallen by: of a layer pressed flat a trial says less.
 const MARGIN_POWER: Real = 0.03;

@@ -1,7 +1,8 @@
 //! A trial of a scenario with a step that follows its limit: from the first touch to the deepest point, to find how far the
 //! limit falls.
 //!
-//! A drop begins at the surface with the speed that the mass has there, and ends where it turns. A driven or prescribed
+//! A drop begins at the surface with the speed that the mass has there, and ends where it turns; on a foam, whose free sides may
+//! fold as it comes back, where the mass is up at the surface again or falls anew. A driven or prescribed
 //! face goes down to the depth it is expected at, slowly against the waves in the layer.
 
 use crate::error::{ModelError, StepError};
@@ -123,14 +124,21 @@ impl Trial<'_> {
         arrays: &ModelArrays,
         state: &mut StateMemory,
     ) -> Result<(), ModelError> {
-        let (mut time, mut steps) = (0.0, 0);
+        let (mut time, mut steps, mut turned) = (0.0, 0, false);
         while steps < MAX_STEPS {
             let model = self.model(arrays);
             let mut view = State::view(&model, state.lend())?;
             let stride = stride(&model, &view);
             let stopped = march(&model, &mut view, motion, stride, &mut time);
             steps += stride;
-            let ended = motion.has_ended(self.constants, &view, time);
+            let rises = view.scalars.impactor.velocity_half >= 0.0;
+            let falls_anew = turned && !rises;
+            turned |= rises;
+            let comes_back = rises
+                && matches!(motion, TrialMotion::Drop { .. })
+                && self.constants.has_foam()
+                && view.scalars.impactor.deformation() > 0.0;
+            let ended = falls_anew || (motion.has_ended(self.constants, &view, time) && !comes_back);
             self.look(arrays, state, stopped);
             if ended || stopped.is_some_and(|error| matches!(error, StepError::Inverted { .. })) {
                 break;

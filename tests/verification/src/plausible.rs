@@ -1,14 +1,14 @@
 //! Drops that a laboratory may well ask for, at random: every law, stiffness, thickness, energy and section, and what came
 //! of each with the step that the kernel chose for it.
 
-use softanvil_kernel::material::{Material, VolumetricBy, VolumetricLaw};
-use softanvil_kernel::scenario::{FaceShape, Formulation, Interface, Layer, LayerInterface};
+use softanvil_kernel::material::{Elastic, Hyperfoam, Material, VolumetricBy, VolumetricLaw};
+use softanvil_kernel::scenario::{FaceShape, Formulation, Interface, Layer, LayerInterface, Shape};
 use softanvil_kernel::step::critical_time_step;
 use softanvil_kernel::{SAMPLING_INTERVAL, Scenario, Simulation, StepInput, preset};
 
 use crate::deformation::Samples;
 use crate::penetration::deepest;
-use crate::scenes::random_law;
+use crate::scenes::{elastic, random_law};
 
 /// What came of a drop.
 #[derive(Clone, Copy, Debug)]
@@ -62,6 +62,59 @@ fn make_foam(scenario: &mut Scenario, samples: &mut Samples) {
         layer.material.softening_m = modulus * logarithmic(unit(), 0.003, 0.03);
         layer.material.softening_beta = 0.3 * unit();
     }
+}
+
+/// A drop on a pad of foam alone: one to three terms of 20 kPa to 2 MPa with exponents of -5 to 25 and Poisson's ratios of 0 to 0.45,
+/// 6 to 60 mm thick, half of them damped; a block with free sides under a face that covers it, or the study's cylinder or a
+/// dome. The energy is up to what presses the block to 30 % of its height, and at most 50 J.
+pub fn foam(samples: &mut Samples) -> Scenario {
+    let mut scenario = preset::study();
+    let mut unit = || 0.5 * (1.0 + samples.number());
+    let terms = 1 + (3.0 * unit()) as usize % 3;
+    let (mut mu, mut alpha, mut nu) = ([0.0; 3], [4.0; 3], [0.0; 3]);
+    let modulus = logarithmic(unit(), 20e3, 2e6);
+    for k in 0..terms {
+        (mu[k], alpha[k], nu[k]) =
+            (modulus * if k == 0 { 1.0 } else { 0.3 * unit() }, -5.0 + 30.0 * unit(), 0.45 * unit());
+        // An exponent next to zero switches the term off.
+        alpha[k] = if alpha[k].abs() < 0.2 { 0.2 } else { alpha[k] };
+    }
+    let layer = &mut scenario.layers[0];
+    layer.material = elastic(0.0, 0.0, 1e6).with(Hyperfoam::new(mu, alpha, nu));
+    (layer.thickness, layer.material.density) = (logarithmic(unit(), 6e-3, 60e-3), logarithmic(unit(), 25.0, 300.0));
+    let (damping, numbers) = (unit(), [unit(), unit()]);
+    let height = layer.thickness;
+    damp(&mut layer.material, damping, numbers);
+    match (3.0 * unit()) as usize % 3 {
+        0 => {
+            scenario.geometry.shape = Shape::Block;
+            (scenario.geometry.block_width, scenario.geometry.length) = (0.1, 0.1);
+            scenario.impactor.shape = FaceShape::Rectangular;
+            (scenario.impactor.face_width, scenario.impactor.face_length) = (0.11, 0.1);
+        }
+        1 => scenario.geometry.formulation = Formulation::Axisymmetric,
+        _ => {}
+    }
+    scenario.core.interface = if unit() < 0.5 { Interface::Bonded } else { Interface::Frictional };
+    let radius = scenario.geometry.core_radius + height;
+    scenario.impactor.face_diameter = scenario.impactor.face_diameter.max(2.1 * radius);
+    let area = if scenario.geometry.shape == Shape::Block { 0.01 } else { PRESSED_AREA };
+    let borne = pressed_energy(&scenario.layers[0].material) * area * height;
+    scenario.impactor.drop_energy = (borne * (0.1 + 0.9 * unit())).clamp(0.1, 50.0);
+    scenario.time.duration = 40e-3;
+    scenario
+}
+
+/// Work that presses a foam to 30 % of its height between frictionless plates and rigid walls, J/m3.
+fn pressed_energy(material: &Material) -> f64 {
+    const STEPS: usize = 200;
+    let law = Elastic::new(material);
+    let step = 0.7 / STEPS as f64;
+    let stress = |i: usize| {
+        let stretch = 1.0 - (i as f64 + 0.5) * step;
+        law.principal_stress([stretch, 1.0, 1.0])[0] / stretch
+    };
+    (0..STEPS).map(|i| -stress(i) * step).sum()
 }
 
 /// About the area of the study's anvil that is pressed, m2.

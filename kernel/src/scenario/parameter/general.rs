@@ -116,7 +116,8 @@ pub(super) static LAYER_COUNT: Row<usize> = Row {
 pub(super) static NUMERICS: &[Row<Scenario>] = &[
     choice!(
         20, core.interface: Interface,
-        "how the layer sits on the core: glued, in contact with friction, or on rollers (neither lifts nor rubs)"
+        "how the layer sits on the core: glued, in contact with friction, on rollers (neither lifts nor rubs), or in contact \
+         that lifts and does not rub"
     ),
     real!(21, core.friction_coefficient, "1", (0.0, 10.0), "Coulomb coefficient of a frictional core"),
     real!(22, face.friction_coefficient, "1", (0.0, 10.0), "Coulomb coefficient under the impactor"),

@@ -1,4 +1,4 @@
-//! Random plausible drops, every second one on a stack, each with the step that the kernel chooses for it: how many are refused, what the energy leaves
+//! Random plausible drops, one after the other on an anvil, on a stack and on a pad of foam alone, each with the step that the kernel chooses for it: how many are refused, what the energy leaves
 //! unexplained, and how many steps were too many.
 //!
 //!     cargo run --release -p softanvil-verification --bin plausible-drops -- [COUNT [SEED]]
@@ -6,7 +6,7 @@
 use std::process::ExitCode;
 
 use softanvil_verification::deformation::Samples;
-use softanvil_verification::plausible::{outcome, scenario, stack, summary};
+use softanvil_verification::plausible::{foam, outcome, scenario, stack, summary};
 use softanvil_verification::tolerance::{LAYER_PENETRATION, PLAUSIBLE_RESIDUAL, STEPS_OVER_HINDSIGHT};
 
 fn main() -> ExitCode {
@@ -18,7 +18,11 @@ fn main() -> ExitCode {
     let mut samples = Samples::new(seed.max(1));
     let (mut refused, mut worst, mut deepest, mut ratios) = (0, 0.0_f64, 0.0_f64, Vec::new());
     for index in 0..count {
-        let scenario = if index % 2 == 0 { scenario(&mut samples) } else { stack(&mut samples) };
+        let scenario = match index % 3 {
+            0 => scenario(&mut samples),
+            1 => stack(&mut samples),
+            _ => foam(&mut samples),
+        };
         match outcome(&scenario) {
             Ok(outcome) => {
                 if outcome.residual > worst || outcome.penetration > deepest {

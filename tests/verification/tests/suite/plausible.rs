@@ -4,7 +4,7 @@ use softanvil_kernel::scenario::{FaceShape, Layer, LayerInterface, Motion, StepB
 use softanvil_kernel::step::critical_time_step;
 use softanvil_kernel::{Simulation, StepInput, preset};
 use softanvil_verification::deformation::Samples;
-use softanvil_verification::plausible::{outcome, scenario, stack, summary};
+use softanvil_verification::plausible::{foam, outcome, scenario, stack, summary};
 use softanvil_verification::scenes::neo_hookean;
 use softanvil_verification::tolerance::{LAYER_PENETRATION, PLAUSIBLE_RESIDUAL, STEPS_OVER_HINDSIGHT};
 
@@ -13,6 +13,9 @@ const COUNT: usize = 40;
 
 /// Drops on stacks.
 const STACKS: usize = 16;
+
+/// Drops on pads of foam alone.
+const FOAMS: usize = 16;
 
 #[test]
 fn random_drops_go_through_with_few_steps_too_many() {
@@ -37,6 +40,17 @@ fn random_stacks_go_through_and_nothing_gets_into_anything() {
         let outcome = outcome(&scenario).unwrap_or_else(|error| panic!("{error}: {}", summary(&scenario)));
         assert!(outcome.residual < PLAUSIBLE_RESIDUAL, "{}: {}", outcome.residual, summary(&scenario));
         assert!(outcome.penetration < LAYER_PENETRATION, "{}: {}", outcome.penetration, summary(&scenario));
+    }
+}
+
+/// Pads of foam alone, soft and stiff, thin and thick, pressed to 30 % of their height.
+#[test]
+fn random_foams_go_through() {
+    let mut samples = Samples::new(1_618);
+    for _ in 0..FOAMS {
+        let scenario = foam(&mut samples);
+        let outcome = outcome(&scenario).unwrap_or_else(|error| panic!("{error}: {}", summary(&scenario)));
+        assert!(outcome.residual < PLAUSIBLE_RESIDUAL, "{}: {}", outcome.residual, summary(&scenario));
     }
 }
 

@@ -88,6 +88,36 @@ fn core_interfaces_are_ordered() {
     );
 }
 
+/// A core that separates is one with friction whose coefficient is zero, to the last bit; unlike rollers it lets the layer go,
+/// which it takes up again: the anvil leaves it when the mass has left the anvil.
+#[test]
+fn a_core_that_separates_does_not_rub_and_lets_the_layer_go() {
+    let drop = |interface: Interface| {
+        let mut scenario = preset::elastic();
+        (scenario.core.interface, scenario.core.friction_coefficient) = (interface, 0.0);
+        let mut simulation = Simulation::new(&scenario).expect("a legal scenario");
+        let (mut lifted, mut residual) = (0.0_f64, 0.0_f64);
+        for _ in 0..simulation.constants().steps_in(30e-3) / 10 {
+            simulation.step(10, &StepInput::default()).expect("a stable run");
+            let energy = simulation.scalars().energy.residual().abs();
+            let gap = simulation.with(|model, state| {
+                let ([x, y], [ux, uy]) = (model.reference_position(), state.displacement());
+                let radius = model.constants.scenario.geometry.core_radius;
+                let height = |node: usize| (x[node] + ux[node]).hypot(y[node] + uy[node]) - radius;
+                (0..=model.constants.grid.n_u).map(height).fold(0.0, f64::max)
+            });
+            (lifted, residual) = (lifted.max(gap.expect("memory of the right size")), residual.max(energy));
+        }
+        assert!(residual < 5e-3 * 14.7, "{interface:?}: residual {residual} J");
+        (lifted, simulation.scalars().sampler.trace_hash)
+    };
+    let [(held, on_rollers), (lifted, separating), (_, frictional)] =
+        [Interface::Sliding, Interface::Separating, Interface::Frictional].map(drop);
+    assert_eq!(separating, frictional);
+    assert_ne!(separating, on_rollers);
+    assert!(held < 1e-9 && lifted > 1e-4, "rollers {held} m, separating {lifted} m");
+}
+
 /// The extent of the contact grows with the load and ends with it.
 #[test]
 fn contact_half_width_follows_the_load() {
