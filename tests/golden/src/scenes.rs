@@ -1,13 +1,13 @@
 //! The table of scenes. The drops of the study follow the preset; every other scene states its own numbers, so that it
 //! changes only with the mathematics.
 
-#[cfg(all(feature = "pads", not(feature = "single")))]
+#[cfg(feature = "pads")]
 use softanvil_kernel::material::Hyperfoam;
 use softanvil_kernel::material::{
     Coefficients, ElasticLaw, Material, Moduli, MooneyRivlin, NeoHookean, Ogden, VolumetricBy, VolumetricLaw, Yeoh,
 };
 use softanvil_kernel::number::real::Real;
-#[cfg(all(feature = "pads", not(feature = "single")))]
+#[cfg(feature = "pads")]
 use softanvil_kernel::scenario::LayerInterface;
 #[cfg(feature = "solid")]
 use softanvil_kernel::scenario::Symmetry;
@@ -82,7 +82,7 @@ pub static SCENES: &[Scene] = &[
         pull,
         "full section, face off centre, core with friction, external force"
     ),
-    #[cfg(all(feature = "pads", not(feature = "single")))]
+    #[cfg(feature = "pads")]
     scene!("pad", pad, nothing, "a foam that softens, with two terms and one Prony term, slides on Mooney-Rivlin"),
     #[cfg(feature = "solid")]
     scene!(
@@ -189,7 +189,7 @@ fn two_layers() -> Scenario {
     scenario
 }
 
-#[cfg(all(feature = "pads", not(feature = "single")))]
+#[cfg(feature = "pads")]
 /// The pad is narrower than the layer under it, and smoother than the face.
 fn pad() -> Scenario {
     let mut scenario = base(rubber());
