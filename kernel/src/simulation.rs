@@ -126,6 +126,15 @@ impl Simulation {
 
     /// Runs `work` on model and state, which are only read, as many may do at the same time.
     ///
+    /// ```
+    /// use softanvil_kernel::{Simulation, preset};
+    ///
+    /// let anvil = Simulation::new(&preset::study())?;
+    /// let at_rest = anvil.read(|_, state| state.displacement().iter().all(|component| component.iter().all(|u| *u == 0.0)))?;
+    /// assert!(at_rest);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    ///
     /// # Errors
     /// As [`Simulation::with`].
     pub fn read<R>(&self, work: impl for<'a> FnOnce(&Model<'a>, &StateView<'a>) -> R) -> Result<R, MemoryError> {

@@ -61,12 +61,12 @@ class Result(Numbers):
     def __init__(self, run: _softanvil.Run, scenario: Scenario) -> None:
         self.scenario, self.outputs, self.earlier = scenario, run.outputs(), run.earlier()
         self.__dict__.update(run.facts())
-        self._names, self._units, self._values = run.trace()
         self.state, self.frames = State(run.end()), [State(view) for view in run.frames()]
+        self._run: _softanvil.Run | None = run
         self._trace: pd.DataFrame | None = None
 
     def __getstate__(self) -> dict[str, Any]:
-        return {**self.__dict__, "_trace": None}
+        return {**self.__dict__, "_trace": self.trace, "_run": None}
 
     @property
     def trace(self) -> pd.DataFrame:
@@ -76,11 +76,13 @@ class Result(Numbers):
             Rows by time in s (samples,), columns by name of the output, such as "contact.force"; their units, and that of the
             index "time", are in ``attrs["units"]``.
         """
-        if self._trace is None:
-            index = pd.Index(self._values[0], name="time")
-            trace = pd.DataFrame(self._values[1:].T, index=index, columns=self._names[1:], copy=False)
-            trace.attrs = {"units": dict(zip(self._names, self._units, strict=True)), "trace_hash": self.trace_hash}
-            self._trace = trace
+        if self._trace is None and self._run is not None:
+            names, units, values = self._run.trace()
+            index = pd.Index(values[0], name="time")
+            self._trace = pd.DataFrame(values[1:].T, index=index, columns=names[1:], copy=False)
+            self._trace.attrs = {"units": dict(zip(names, units, strict=True)), "trace_hash": self.trace_hash}
+            self._run = None
+        assert self._trace is not None
         return self._trace
 
     def plot(self) -> Figure:

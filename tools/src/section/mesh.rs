@@ -135,7 +135,7 @@ mod tests {
         let mut scenario = preset::study();
         let (interface, gap) = (LayerInterface::Separating, 2e-3);
         scenario.add_layer(Layer { thickness: 6e-3, width: 60e-3, interface, gap, ..preset::spare_layer() }).unwrap();
-        let mesh = Mesh::of(&mut Simulation::new(&scenario).unwrap()).unwrap();
+        let mesh = Mesh::of(&Simulation::new(&scenario).unwrap()).unwrap();
         let grid = &mesh.constants.grid;
         let cells = grid.n_u * grid.rows_of(0).len() + grid.columns_of(1).len() * grid.rows_of(1).len();
         assert!(grid.columns_of(1).len() < grid.n_u);
@@ -154,7 +154,7 @@ mod tests {
         let mut scenario = preset::study();
         let mut face = |change: &dyn Fn(&mut softanvil_kernel::Scenario)| {
             change(&mut scenario);
-            Mesh::of(&mut Simulation::new(&scenario).unwrap()).unwrap().impactor()
+            Mesh::of(&Simulation::new(&scenario).unwrap()).unwrap().impactor()
         };
         assert_eq!(face(&|_| {}), [[-65e-3, 0.0], [65e-3, 0.0], [65e-3, SLAB], [-65e-3, SLAB]]);
         let narrow = face(&|scenario| scenario.impactor.face_diameter = 40e-3);

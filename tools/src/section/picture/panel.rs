@@ -143,7 +143,7 @@ mod tests {
             }
             // Small, which makes the scale across large.
             scenario.impactor.face_diameter = 2.05 * (scenario.geometry.core_radius + scenario.thickness());
-            let mesh = Mesh::of(&mut Simulation::new(&scenario).unwrap()).unwrap();
+            let mesh = Mesh::of(&Simulation::new(&scenario).unwrap()).unwrap();
             let top = PANEL[1] - GROUND - scale(&mesh) * (mesh.constants.top_height + SLAB);
             assert!(top >= CAPTION - 1e-9, "{pad} m: the impactor ends {top} px below the edge");
         }
