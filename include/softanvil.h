@@ -672,12 +672,24 @@ enum SoftanvilField {
     SOFTANVIL_FIELD_ELEMENT_PRESSURE = 7,
     /** element.von_mises_stress, Pa: von Mises stress of the last step, viscous and damping parts included. */
     SOFTANVIL_FIELD_ELEMENT_VON_MISES_STRESS = 8,
-    /** element.principal_stress, Pa, 3 components: principal Cauchy stresses of the last step: larger and smaller in the section, then out of its plane. */
+    /** element.principal_stress, Pa, 3 components: principal Cauchy stresses of the last step: larger and smaller in the section, then out of its plane; of a solid from the largest to the smallest. */
     SOFTANVIL_FIELD_ELEMENT_PRINCIPAL_STRESS = 9,
     /** element.cauchy_stress, Pa, 4 components: Cauchy stress of the last step, positive in tension: xx, yy, xy, and zz out of the section. */
     SOFTANVIL_FIELD_ELEMENT_CAUCHY_STRESS = 10,
-    /** element.principal_stretch, 3 components: principal stretches of the last step: larger and smaller in the section, then out of its plane. */
-    SOFTANVIL_FIELD_ELEMENT_PRINCIPAL_STRETCH = 11
+    /** element.principal_stretch, 3 components: principal stretches of the last step: larger and smaller in the section, then out of its plane; of a solid from the largest to the smallest. */
+    SOFTANVIL_FIELD_ELEMENT_PRINCIPAL_STRETCH = 11,
+    /** node.reference_z, m: position at rest along z, of a solid; 0 in a section. */
+    SOFTANVIL_FIELD_NODE_REFERENCE_Z = 12,
+    /** node.displacement_z, m: displacement along z, of a solid. */
+    SOFTANVIL_FIELD_NODE_DISPLACEMENT_Z = 13,
+    /** node.velocity_z, m/s: velocity half a step back along z, of a solid. */
+    SOFTANVIL_FIELD_NODE_VELOCITY_Z = 14,
+    /** surface.friction_z, N: friction force of the face along z in the last step, on the meshed solid. */
+    SOFTANVIL_FIELD_SURFACE_FRICTION_Z = 15,
+    /** element.shear_stress_z, Pa, 2 components: Cauchy stress of the last step of a solid: yz and zx. */
+    SOFTANVIL_FIELD_ELEMENT_SHEAR_STRESS_Z = 16,
+    /** node.force_z, N: force along z in the last step on the meshed solid, contact and friction included. */
+    SOFTANVIL_FIELD_NODE_FORCE_Z = 17
 };
 
 /* ================================================================================================================ */

@@ -53,7 +53,7 @@ fn centre_forces<'a>(model: &Model, state: &StateView<'a>) -> &'a [Real] {
 /// Contact pressure at the surface node of `column`, Pa: its normal force over the current area that belongs to it, from
 /// midway to the node before to midway to the node after.
 ///
-/// Of a solid in the plane z = 0; see [`solid_contact_pressure`].
+/// Of a solid in the plane z = 0, over a quarter of each of the cells about the node.
 pub fn contact_pressure(model: &Model, state: &StateView, column: usize) -> Option<Real> {
     if model.constants.grid.is_solid() {
         return solid_contact_pressure(model, state, model.constants.grid.centre_w, column);

@@ -68,8 +68,8 @@ pub trait IsochoricState<V> {
     /// Principal stretches.
     fn principal(&self) -> [V; 3];
 
-    /// The part of a majorant of the shear tangent that the first derivatives W1 and W2, Pa, of a law of the invariants make: see
-    /// [`crate::material::invariants`].
+    /// The part of a majorant of the shear tangent that the first derivatives W1 and W2, Pa, of a law of the invariants
+    /// make.
     fn first_order(&self, slopes: [V; 2]) -> V;
 }
 
