@@ -13,9 +13,9 @@ cmp docs/drop.html "$work/drop.html" || {
     echo "docs/drop.html is not what softanvil page writes: tools/page/build.sh makes it anew" >&2
     exit 1
 }
-version=$(rustc --version | cut -d ' ' -f 2)
-if ! zcat $kept | grep -aq "$version"; then
-    echo "$kept was made by another compiler than rustc $version: not compared"
+compiler=$(cat tools/assets/page/compiler.txt)
+if [ "$(rustc --version)" != "$compiler" ]; then
+    echo "$kept was made by $compiler, and here is another compiler: not compared"
     exit 0
 fi
 tools/page/build.sh "$work/softanvil.wasm.gz"

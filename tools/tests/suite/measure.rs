@@ -63,15 +63,16 @@ fn a_picture_shows_the_rise_of_both_forces() {
     std::fs::write(folder.path().join("slow.csv"), format!("time [s],force [N]\n{rows}")).unwrap();
     succeed(folder.path(), &["measure", "--trace", "slow.csv", "--plot", "slow.svg"]);
     let svg = std::fs::read_to_string(folder.path().join("slow.svg")).unwrap();
-    // Downwards, in the units of the drawing; the lines of the legend have two points.
+    // Downwards, in the units of the drawing, of all dashes of a line; the legend stands behind its ground.
+    let drawn = svg.split("opacity=\"0.85\"").next().unwrap();
     let heights = |line: &str| -> Vec<f64> {
         let points = line.split("points=\"").nth(1).and_then(|rest| rest.split('"').next()).unwrap_or_default();
         points.split_whitespace().filter_map(|point| point.split(',').nth(1)?.parse().ok()).collect()
     };
-    let curves: Vec<Vec<f64>> =
-        svg.split("<polyline").skip(1).map(heights).filter(|heights| heights.len() > 20).collect();
-    assert_eq!(curves.len(), 2);
-    for curve in curves {
+    for colour in ["#0072B2", "#D55E00"] {
+        let dashes = drawn.split("<polyline").skip(1).filter(|line| line.contains(&format!("stroke=\"{colour}\"")));
+        let curve: Vec<f64> = dashes.flat_map(heights).collect();
+        assert!(curve.len() > 20, "{colour}: {curve:?}");
         let (top, bottom) = curve.iter().fold((f64::MAX, f64::MIN), |(t, b), y| (t.min(*y), b.max(*y)));
         assert!(curve[0] > bottom - 0.1 * (bottom - top), "begins at {} of {top} to {bottom}", curve[0]);
     }
