@@ -11,7 +11,6 @@ use softanvil_tools::section::Mesh;
 
 use crate::error::{self, IntoPython, OrRaise};
 use crate::settings::Settings;
-use crate::simulation::Simulation;
 
 /// A model and its state at one time, which stay as they are. Arrays of its fields keep it alive.
 #[pyclass(module = "softanvil._softanvil", frozen)]
@@ -83,11 +82,6 @@ impl StateView {
     #[getter]
     fn is_half(&self, py: Python<'_>) -> PyResult<bool> {
         Ok(Mesh::of(&self.state).or_raise(py)?.is_half())
-    }
-
-    /// A simulation that goes on from here.
-    fn simulation(&self) -> Simulation {
-        Simulation::of(Arc::clone(&self.state), self.settings.clone())
     }
 
     fn __reduce__(&self, py: Python<'_>) -> PyResult<Reduced> {

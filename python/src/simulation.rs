@@ -23,11 +23,6 @@ pub struct Simulation {
 }
 
 impl Simulation {
-    /// One that goes on from `state`.
-    pub fn of(state: Arc<softanvil_kernel::Simulation>, settings: Settings) -> Self {
-        Self { state, settings }
-    }
-
     /// The state to change.
     fn own(&mut self) -> &mut softanvil_kernel::Simulation {
         Arc::make_mut(&mut self.state)
@@ -45,6 +40,12 @@ impl Simulation {
         let scenario = settings.scenario().or_raise(py)?;
         let state = py.detach(|| softanvil_kernel::Simulation::new(&scenario)).or_raise(py)?;
         Ok(Self { state: Arc::new(state), settings })
+    }
+
+    /// One that goes on from `view`.
+    #[staticmethod]
+    fn of_view(view: &StateView) -> Self {
+        Self { state: Arc::clone(&view.state), settings: view.settings.clone() }
     }
 
     /// What is simulated.
