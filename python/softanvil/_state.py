@@ -99,7 +99,7 @@ class State:
         """A simulation that goes on from here."""
         from ._simulation import Simulation
 
-        return Simulation._of(_softanvil.Simulation.of(self._view))
+        return Simulation._of(_softanvil.Simulation.of_view(self._view))
 
     def __reduce__(self) -> tuple[Any, ...]:
         return (State, (self._view,))

@@ -44,7 +44,7 @@ impl Simulation {
 
     /// One that goes on from `view`.
     #[staticmethod]
-    fn of(view: &StateView) -> Self {
+    fn of_view(view: &StateView) -> Self {
         Self { state: Arc::clone(&view.state), settings: view.settings.clone() }
     }
 
