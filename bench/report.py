@@ -113,12 +113,6 @@ def steps(f, group):
     return table([group, "us per step", "ns per triangle and step"], rows)
 
 
-def pads(f):
-    rows = [[SETS[set_name] + ":" + about, f"{f('pads', name):.2f}" if "steps" not in name else f"{f('pads', name):.0f}"]
-            for name in f.names("pads", "") for set_name, about in [name.split(":")]]
-    return table(["pads", "figure"], rows)
-
-
 def many(f):
     start = "ns per update: "
     rows = [[name.removeprefix(start), f"{f('scaling', name):.1f}"] for name in f.names("scaling", start)]
@@ -176,7 +170,7 @@ def peers(_):
 
 
 TABLES = {
-    "machine": machine, "ratios": ratios, "summary": summary, "many": many, "pads": pads, "stages": stages, "roofline": roofline,
+    "machine": machine, "ratios": ratios, "summary": summary, "many": many, "stages": stages, "roofline": roofline,
     "memory": memory, "peers": peers,
     **{name: lambda f, name=name: steps(f, name) for name in ("size", "law", "overlay", "instruction set")},
 }
