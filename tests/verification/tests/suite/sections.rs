@@ -115,7 +115,8 @@ fn a_core_that_separates_does_not_rub_and_lets_the_layer_go() {
         [Interface::Sliding, Interface::Separating, Interface::Frictional].map(drop);
     assert_eq!(separating, frictional);
     assert_ne!(separating, on_rollers);
-    assert!(held < 1e-9 && lifted > 1e-4, "rollers {held} m, separating {lifted} m");
+    // Rollers hold velocities: from step to step a node leaves the round core by a little.
+    assert!(held < 1e-6 && lifted > 1e-3, "rollers {held} m, separating {lifted} m");
 }
 
 /// The extent of the contact grows with the load and ends with it.
