@@ -42,7 +42,7 @@ fn command(platform: Platform, manifest: &Path, folder: &Path) -> Command {
         "--lib",
         "--no-default-features",
         "--features",
-        "pads",
+        "pads,solid",
         "--crate-type",
         "cdylib",
     ]);

@@ -14,7 +14,7 @@ trap 'rm -rf "$work"' EXIT
 
 # build ARGUMENT...: as the packager does (fmu/src/build.rs), with more arguments for the compiler.
 build() {
-    cargo rustc --quiet --lib --no-default-features --features pads --crate-type cdylib --profile fmu \
+    cargo rustc --quiet --lib --no-default-features --features pads,solid --crate-type cdylib --profile fmu \
         --target "$target" --manifest-path "$root/ffi/Cargo.toml" --target-dir "$work/target" -- \
         -Clink-arg=-Wl,--build-id=none -Clink-arg=-lc "$@"
 }

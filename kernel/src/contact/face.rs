@@ -68,9 +68,10 @@ impl<'s> Surface<'s> {
         [normal, tangential]: &'s mut [&mut [Real]; 2],
     ) -> Option<Self> {
         let grid = &model.constants.grid;
-        let count = grid.plane() / LANES;
+        let plane = grid.plane();
+        let count = plane / LANES;
         Some(Self {
-            row: NodeRow::of(model, grid.node_rows() - 1, displacement, velocity, force)?,
+            row: NodeRow::of(model, grid.node_rows() - 1, plane, displacement, velocity, force)?,
             normal: packs_mut(normal, 0, count)?,
             tangential: packs_mut(tangential, 0, count)?,
         })

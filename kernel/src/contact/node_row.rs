@@ -22,17 +22,20 @@ pub(super) struct NodeRow<'s> {
 }
 
 impl<'s> NodeRow<'s> {
-    /// Row `v` from the core, of a solid in all its slices, from displacement, velocity and force of all nodes; none if an array is too short, which the sizes of [`crate::mesh::Grid`] exclude.
+    /// Row `v` from the core, of `plane` nodes (those of a solid in all its slices), from displacement, velocity and force of all
+    /// nodes; none if an array is too short, which the sizes of [`crate::mesh::Grid`] exclude. The caller says how many, so that
+    /// the compiler sees where its own arrays are as long.
     #[inline(always)]
     pub fn of(
         model: &'s Model,
         v: usize,
+        plane: usize,
         [ux, uy]: &'s [&mut [Real]; 2],
         [vx, vy]: &'s [&mut [Real]; 2],
         [fx, fy]: &'s mut [&mut [Real]; 2],
     ) -> Option<Self> {
-        let (grid, fixed) = (&model.constants.grid, &model.nodes);
-        let (first, count) = (v * grid.plane(), grid.plane() / LANES);
+        let fixed = &model.nodes;
+        let (first, count) = (v * plane, plane / LANES);
         let row = |[x, y]: [&'s [Real]; 2]| Some([packs(x, first, count)?, packs(y, first, count)?]);
         Some(Self {
             mass: packs(fixed.nodal_mass, first, count)?,

@@ -63,7 +63,10 @@ impl Side {
     #[inline(always)]
     pub fn gather<S: Simd>(&self, simd: S, model: &Model, nodes: &mut StateNodes<&mut [Real]>, row: &mut PairRow) {
         let StateNodes { displacement, velocity, force, .. } = nodes;
-        let Some(nodes) = NodeRow::of(model, self.row, displacement, velocity, force) else { return };
+        let Some(nodes) = NodeRow::of(model, self.row, model.constants.grid.plane(), displacement, velocity, force)
+        else {
+            return;
+        };
         for axis in 0..2 {
             let of_nodes = nodes.inverse_mass[axis].iter().zip(nodes.velocity[axis]).zip(&*nodes.force[axis]);
             let places = nodes.reference[axis].iter().zip(nodes.displacement[axis]);
@@ -89,7 +92,10 @@ impl Side {
     #[inline(always)]
     pub fn scatter<S: Simd>(&self, simd: S, model: &Model, nodes: &mut StateNodes<&mut [Real]>, row: &mut PairRow) {
         let StateNodes { displacement, velocity, force, .. } = nodes;
-        let Some(nodes) = NodeRow::of(model, self.row, displacement, velocity, force) else { return };
+        let Some(nodes) = NodeRow::of(model, self.row, model.constants.grid.plane(), displacement, velocity, force)
+        else {
+            return;
+        };
         for (axis, force) in nodes.force.into_iter().enumerate() {
             for (i, (force, before)) in force.iter_mut().zip(nodes.velocity[axis]).enumerate() {
                 let (Some(pull), Some(mean)) = (columns(row.pull[axis], i), columns_mut(row.velocity[axis], i)) else {

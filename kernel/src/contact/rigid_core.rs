@@ -23,7 +23,7 @@ pub(crate) fn react<S: Simd>(simd: S, model: &Model, state: &mut State) -> Conta
         }
         Interface::Frictional | Interface::Sliding | Interface::Separating => {
             let StateNodes { displacement, velocity, force, .. } = &mut state.nodes;
-            match NodeRow::of(model, 0, displacement, velocity, force) {
+            match NodeRow::of(model, 0, model.constants.grid.plane(), displacement, velocity, force) {
                 Some(row) => Base(row).touch(simd, model.constants),
                 None => ContactWork::default(),
             }

@@ -58,7 +58,7 @@ impl<V: Vector> SolidMatrix<V> {
         let (zero, one) = (simd.splat(0.0), simd.splat(1.0));
         let mut rows = [[zero; N]; N];
         for i in 0..N {
-            for j in 0..=i {
+            for j in 0..i + 1 {
                 rows[i][j] = zero - step_squared * self.0[i][j];
             }
             rows[i][i] = rows[i][i].add_scalar(1.0);
@@ -70,7 +70,7 @@ impl<V: Vector> SolidMatrix<V> {
             let inverse = one / pivot;
             for i in k + 1..N {
                 let factor = rows[i][k] * inverse;
-                for j in k + 1..=i {
+                for j in k + 1..i + 1 {
                     rows[i][j] = rows[i][j] - factor * rows[j][k];
                 }
             }
@@ -161,7 +161,7 @@ impl<V: Vector> Assembly<V> {
         let scale = simd.splat(2.0 / block.laws.density);
         for i in 0..N {
             let own = self.bulk * self.dilatation[i];
-            for j in 0..=i {
+            for j in 0..i + 1 {
                 self.matrix[i][j] = scale * (self.matrix[i][j] + own * self.dilatation[j]);
             }
         }

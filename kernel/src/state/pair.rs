@@ -52,7 +52,7 @@ impl<'s> PairRow<'s> {
     #[inline(always)]
     pub fn of(memory: &'s mut [Real], stride: usize, count: usize) -> Option<Self> {
         let (packs, rest) = memory.split_at_mut_checked(PAIR_PACKS * stride)?;
-        let mut rest = rest.chunks_exact_mut(stride + LANES);
+        let mut rest = rest.chunks_exact_mut((stride + LANES).max(1));
         let mut next = || rest.next();
         Some(Self {
             packs: packs.as_chunks_mut().0.as_chunks_mut().0.get_mut(..count.div_ceil(LANES))?,

@@ -196,37 +196,40 @@ impl<V: Vector> Symmetric<V> {
         let mut rows = [[self.xx, self.xy, self.zx], [self.xy, self.yy, self.yz], [self.zx, self.yz, self.zz]];
         let mut directions = [[one, zero, zero], [zero, one, zero], [zero, zero, one]];
         for _ in 0..SWEEPS {
-            for [p, q, other] in [[0, 1, 2], [0, 2, 1], [1, 2, 0]] {
-                let [cos, sin] = turn(simd, &mut rows, [p, q, other]);
-                for k in 0..3 {
-                    let (a, b) = (directions[p][k], directions[q][k]);
-                    directions[p][k] = cos * a - sin * b;
-                    directions[q][k] = sin * a + cos * b;
-                }
-            }
+            turn::<S, 0, 1, 2>(simd, &mut rows, &mut directions);
+            turn::<S, 0, 2, 1>(simd, &mut rows, &mut directions);
+            turn::<S, 1, 2, 0>(simd, &mut rows, &mut directions);
         }
         Principal { values: [rows[0][0], rows[1][1], rows[2][2]], directions }
     }
 }
 
-/// Turns the axes p and q so that nothing is left between them; gives cosine and sine of the angle.
+/// Turns the axes P and Q so that nothing is left between them. Constants, so that no index is looked at.
 #[inline(always)]
-fn turn<S: Simd>(simd: S, rows: &mut [[S::Vector; 3]; 3], [p, q, other]: [usize; 3]) -> [S::Vector; 2] {
+fn turn<S: Simd, const P: usize, const Q: usize, const OTHER: usize>(
+    simd: S,
+    rows: &mut [[S::Vector; 3]; 3],
+    directions: &mut [[S::Vector; 3]; 3],
+) {
     let (zero, one) = (simd.splat(0.0), simd.splat(1.0));
-    let (double, difference) = (rows[p][q] + rows[p][q], rows[q][q] - rows[p][p]);
+    let (double, difference) = (rows[P][Q] + rows[P][Q], rows[Q][Q] - rows[P][P]);
     // Never zero, so that the quotient has its limit.
     let root = (difference * difference + double * double).add_scalar(TINY_SQUARE).square_root();
     let tangent = double / difference.select_greater(zero, difference + root, difference - root);
     let cos = one / (tangent * tangent).add_scalar(1.0).square_root();
     let sin = tangent * cos;
-    let change = tangent * rows[p][q];
-    rows[p][p] = rows[p][p] - change;
-    rows[q][q] = rows[q][q] + change;
-    let (a, b) = (rows[p][other], rows[q][other]);
-    (rows[p][other], rows[q][other]) = (cos * a - sin * b, sin * a + cos * b);
-    (rows[other][p], rows[other][q]) = (rows[p][other], rows[q][other]);
-    (rows[p][q], rows[q][p]) = (zero, zero);
-    [cos, sin]
+    let change = tangent * rows[P][Q];
+    rows[P][P] = rows[P][P] - change;
+    rows[Q][Q] = rows[Q][Q] + change;
+    let (a, b) = (rows[P][OTHER], rows[Q][OTHER]);
+    (rows[P][OTHER], rows[Q][OTHER]) = (cos * a - sin * b, sin * a + cos * b);
+    (rows[OTHER][P], rows[OTHER][Q]) = (rows[P][OTHER], rows[Q][OTHER]);
+    (rows[P][Q], rows[Q][P]) = (zero, zero);
+    for k in 0..3 {
+        let (a, b) = (directions[P][k], directions[Q][k]);
+        directions[P][k] = cos * a - sin * b;
+        directions[Q][k] = sin * a + cos * b;
+    }
 }
 
 impl<V: Vector> Principal<V> {
