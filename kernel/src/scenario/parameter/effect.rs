@@ -93,7 +93,8 @@ impl Placed {
         let label = decider.labels().get(number as usize).copied();
         let says = label.unwrap_or_default();
         let acts = match self.condition.acts {
-            Acts::Under(labels) => labels.contains(&says),
+            // What has no effect itself decides nothing.
+            Acts::Under(labels) => labels.contains(&says) || decider.without_effect(scenario).is_some(),
             Acts::InLaw(place) => {
                 let law = ElasticLaw::from_repr(number as usize);
                 law.is_some_and(|law| law.places().contains(&place)) || value == 0.0 && is_modulus(place)
