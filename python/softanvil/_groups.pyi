@@ -52,14 +52,20 @@ class Group:
 class GeometryGroup(Group):
     shape: Choice[Literal["round", "block"]]
     """layer on a round core, or a flat block on a flat core (round | block)"""
-    formulation: Choice[Literal["plane_strain", "axisymmetric"]]
-    """kinematics of the section (plane_strain | axisymmetric)"""
+    formulation: Choice[Literal["plane_strain", "axisymmetric", "solid"]]
+    """kinematics: a section in plane strain or turned about its centre line, or a solid in three dimensions (plane_strain | axisymmetric | solid)"""
     section: Choice[Literal["half", "full"]]
-    """half of the section with symmetry, or all of it (half | full)"""
+    """half of the section with symmetry, or all of it (not of a solid) (half | full)"""
+    body: Choice[Literal["prism", "revolved"]]
+    """what a solid makes of its section: drawn along z, or turned about its centre line (prism | revolved)"""
+    symmetry: Choice[Literal["quarter", "half", "full"]]
+    """part of a solid that is meshed: x >= 0 and z >= 0 with symmetry, z >= 0 with symmetry, or all of it (quarter | half | full)"""
+    ends: Choice[Literal["free", "held"]]
+    """ends of a solid prism: free, or held along z as a section in plane strain (free | held)"""
     core_radius: Parameter[float]
     """radius of the rigid core (round shape) (0.001 to 1 m)"""
     length: Parameter[float]
-    """largest out-of-plane thickness in plane strain (effective length of the layers) (0.001 to 10 m)"""
+    """largest out-of-plane thickness in plane strain (effective length of the layers), or length of a solid prism (0.001 to 10 m)"""
     block_width: Parameter[float]
     """full width, or diameter if axisymmetric (block shape) (0.0001 to 10 m)"""
 
@@ -77,7 +83,7 @@ class ImpactorGroup(Group):
     face_length: Parameter[float]
     """length of a rectangular face or of a bar along the anvil: the thickness of the section in plane strain, up to geometry.length; over a dome a rectangular face counts as a disc of its area (0.001 to 10 m)"""
     offset: Parameter[float]
-    """distance of the face's centre from the centre line, to the right (full section) (-1 to 1 m)"""
+    """distance of the face's centre from the centre line, to the right (full section; half or full solid) (-1 to 1 m)"""
     gap: Parameter[float]
     """height of the face above the anvil at the start (0 to 1 m)"""
     gravity: Parameter[float]
@@ -242,8 +248,8 @@ class LayerParameters(Group):
     """beta of the softening, the part of the largest energy so far in its scale (0 to 10)"""
 
 class CoreGroup(Group):
-    interface: Choice[Literal["bonded", "frictional", "sliding"]]
-    """how the layer sits on the core: glued, in contact with friction, or on rollers (neither lifts nor rubs) (bonded | frictional | sliding)"""
+    interface: Choice[Literal["bonded", "frictional", "sliding", "separating"]]
+    """how the layer sits on the core: glued, in contact with friction, on rollers (neither lifts nor rubs), or in contact that lifts and does not rub (bonded | frictional | sliding | separating)"""
     friction_coefficient: Parameter[float]
     """Coulomb coefficient of a frictional core (0 to 10)"""
 
