@@ -83,7 +83,8 @@ class State:
         grid = pyvista.UnstructuredGrid({pyvista.CellType.TRIANGLE: triangles.astype(np.int64)}, points)
         for name in FIELDS:
             if name.startswith("node."):
-                grid.point_data[name] = self.field(name).reshape(-1, 2)
+                values = self.field(name)
+                grid.point_data[name] = values.reshape(len(points), *values.shape[2:])
             elif name.startswith("element."):
                 grid.cell_data[name] = self.of_triangles(name)
         grid.field_data["time"] = [self.time]

@@ -54,7 +54,7 @@ def test_mypy_agrees(root, tmp_path):
 
 
 def test_pyright_agrees(root):
-    check(root, "pyright")
+    check(root, "pyright", "--pythonpath", sys.executable)
 
 
 def test_the_stub_of_the_compiled_part_is_true(root):
