@@ -6,6 +6,7 @@ use numpy::ndarray::{ArrayView, Dim, ShapeBuilder};
 use numpy::{IntoPyArray, PyArray, PyArray1, PyArray2, PyArrayDyn, PyArrayMethods};
 use pyo3::prelude::*;
 use softanvil_kernel::result::{Location, Source};
+use softanvil_kernel::scenario::Formulation;
 use softanvil_kernel::{FIELDS, Field, Output};
 use softanvil_tools::section::Mesh;
 
@@ -48,14 +49,18 @@ impl StateView {
             error::scenario(py, format!("field {name:?} is unknown: expected {}", names.join(", ")))
         })?;
         match field.source {
-            Source::Stored(_) => stored(slf, field),
-            Source::Computed(_) => computed(slf, field),
+            Source::Stored(_) if !is_solid(&slf.get().state) => stored(slf, field),
+            _ => computed(slf, field),
         }
     }
 
     /// Positions of the nodes at rest (n, 2), m, nodes of the triangles (n, 3), and places of these among the values of a field
     /// of triangles (n,).
     fn mesh<'py>(&self, py: Python<'py>) -> PyResult<MeshArrays<'py>> {
+        if is_solid(&self.state) {
+            let reason = "a solid has no triangles: softanvil run --vtu writes its tetrahedra with all fields";
+            return Err(error::scenario(py, reason));
+        }
         let mesh = Mesh::of(&self.state).or_raise(py)?;
         let points: Vec<f64> = mesh.reference.iter().flatten().copied().collect();
         let corners: Vec<usize> = mesh.triangles.iter().flatten().copied().collect();
@@ -97,6 +102,10 @@ impl StateView {
         state.restore(&bytes).or_raise(py)?;
         Ok(Self { state: Arc::new(state), settings })
     }
+}
+
+fn is_solid(state: &softanvil_kernel::Simulation) -> bool {
+    state.constants().scenario.geometry.formulation == Formulation::Solid
 }
 
 /// The output called `name` of `state`.

@@ -6,7 +6,8 @@ set -euo pipefail
 root=$(cd "$(dirname "$0")/../.." && pwd)
 kept=$(realpath "${1:-$root/tools/assets/page/softanvil.wasm.gz}")
 cd "$root"
-rustup target add wasm32-wasip1 >/dev/null 2>&1 || true
+# Where there is no rustup, cargo says what is missing.
+! command -v rustup >/dev/null || rustup --quiet target add wasm32-wasip1
 # Paths of this machine have no place in the file.
 flags="-C target-feature=+simd128 -C strip=symbols --remap-path-prefix=$root=. --remap-path-prefix=${CARGO_HOME:-$HOME/.cargo}=cargo"
 flags+=" --remap-path-prefix=$(rustc --print sysroot)=rust"
