@@ -16,7 +16,7 @@ use crate::features::PADS;
 use crate::model::Model;
 use crate::number::pack::{LANES, Pack, ZERO, sum};
 use crate::number::real::Real;
-use crate::number::vector::{Simd, Vector};
+use crate::number::vector::{Simd, Vector, Work};
 use crate::scenario::{LayerInterface, MAX_LAYERS};
 use crate::state::{
     ContactWork, FORCE, MOBILITY, NORMAL, OPENING, PairPack, PairRow, RESISTANCE, State, StateNodes, columns,
@@ -32,9 +32,24 @@ const PASSES: usize = 4;
 #[inline(always)]
 pub(crate) fn press<S: Simd>(simd: S, model: &Model, state: &mut State) -> ContactWork {
     if PADS && !state.nodes.pairs.is_empty() {
-        press_all(simd, model, &mut state.nodes)
+        simd.apart(Press { model, nodes: &mut state.nodes })
     } else {
         ContactWork::default()
+    }
+}
+
+/// The interfaces of a section that has some, as work of their own.
+struct Press<'s, 'm, 'a> {
+    model: &'s Model<'m>,
+    nodes: &'s mut StateNodes<&'a mut [Real]>,
+}
+
+impl Work for Press<'_, '_, '_> {
+    type Output = ContactWork;
+
+    #[inline(always)]
+    fn run<S: Simd>(self, simd: S) -> ContactWork {
+        press_all(simd, self.model, self.nodes)
     }
 }
 

@@ -140,6 +140,10 @@ pub trait Simd: Copy {
     /// Writes the `chunk`-th vector of a lane.
     fn store(self, vector: Self::Vector, lane: &mut Pack, chunk: usize);
 
+    /// Does `work` with this set behind a call of its own: what is inlined into one function takes a compiler more than its share
+    /// of time, the longer the more.
+    fn apart<W: Work>(self, work: W) -> W::Output;
+
     /// Adds to the `chunk`-th vector of a lane.
     #[inline(always)]
     fn add(self, vector: Self::Vector, lane: &mut Pack, chunk: usize) {
@@ -222,10 +226,15 @@ impl Simd for Scalar {
     fn store(self, vector: Real, lane: &mut Pack, chunk: usize) {
         lane[chunk % LANES] = vector;
     }
+
+    #[inline(never)]
+    fn apart<W: Work>(self, work: W) -> W::Output {
+        work.run(self)
+    }
 }
 
 /// Work that is compiled once per instruction set.
-pub(crate) trait Work {
+pub trait Work {
     /// What it gives.
     type Output;
     /// Does it with vectors of this set; must be inlined, so that it takes on the instruction set of the caller.

@@ -9,7 +9,7 @@ use crate::element::TriangleHistory;
 use crate::error::SnapshotError;
 use crate::model::{Constants, Model};
 use crate::number::digest::Digest;
-use crate::number::pack::LANES;
+use crate::number::pack::{LANES, Pack};
 use crate::number::real::{self, Real};
 use crate::state::{ENERGY_WORDS, SOFTENING_WORDS, Scalars, State, StateView};
 use crate::tensor::deviator::Deviator;
@@ -184,18 +184,26 @@ fn visit(model: &Model, state: &mut State, f: &mut dyn FnMut(&mut u64)) {
     }
 }
 
-fn visit_triangle(triangle: &mut TriangleHistory, number: &mut impl FnMut(&mut Real)) {
-    triangle.stretch_prev.iter_mut().flatten().for_each(&mut *number);
+fn visit_triangle(triangle: &mut TriangleHistory, number: &mut dyn FnMut(&mut Real)) {
+    for lane in &mut triangle.stretch_prev {
+        visit_lane(lane, number);
+    }
     visit_deviator(&mut triangle.elastic_prev, number);
     visit_deviator(&mut triangle.slider_stress, number);
-    triangle.largest_stretch.iter_mut().for_each(&mut *number);
-    triangle.stored_prev.iter_mut().for_each(&mut *number);
+    visit_lane(&mut triangle.largest_stretch, number);
+    visit_lane(&mut triangle.stored_prev, number);
 }
 
-fn visit_deviator(deviator: &mut Deviator, number: &mut impl FnMut(&mut Real)) {
+fn visit_deviator(deviator: &mut Deviator, number: &mut dyn FnMut(&mut Real)) {
     for lane in [&mut deviator.mean, &mut deviator.difference, &mut deviator.shear] {
-        lane.iter_mut().for_each(&mut *number);
+        visit_lane(lane, number);
     }
+}
+
+/// Behind a call: unrolled for every lane of a triangle, a board's flash would hold 30 kB of this.
+#[inline(never)]
+fn visit_lane(lane: &mut Pack, number: &mut dyn FnMut(&mut Real)) {
+    lane.iter_mut().for_each(number);
 }
 
 fn visit_scalars(model: &Model, scalars: &mut Scalars, f: &mut dyn FnMut(&mut u64)) {

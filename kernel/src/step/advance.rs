@@ -155,23 +155,20 @@ fn internal_forces<S: Simd>(
         let block = Block { laws: model.constants.laws_of(index), constants, hoop: model.hoops.get(index) };
         let viscous = viscous.unwrap_or_default();
         let rows = state.nodes.rows(nodes);
-        // Written twice, so that a copy knows whether it is axisymmetric and need not ask all over the element; processors
-        // without vectors have less room for it.
-        let in_plane = S::WIDTH > 1 && block.hoop.is_none();
-        let force = if block.laws.is_plain() {
-            if in_plane {
+        // Each takes its own forces, which would be copied where the kinds of law meet.
+        if !block.laws.is_plain() {
+            let force = simd.apart(WholeForce { block, rows, history, viscous, energy });
+            state.nodes.subtract_force(simd, nodes, &force);
+        } else {
+            // Written twice, so that a copy knows that it is not axisymmetric and need not ask all over the element; processors
+            // without vectors have less room for it.
+            let force = if S::WIDTH > 1 && block.hoop.is_none() {
                 block_force::<S, PLAIN>(simd, &Block { hoop: None, ..block }, &rows, history, viscous, energy)
             } else {
                 block_force::<S, PLAIN>(simd, &block, &rows, history, viscous, energy)
-            }
-        } else if !block.laws.elastic.is_compressible() {
-            block_force::<S, SOFTENING>(simd, &block, &rows, history, viscous, energy)
-        } else if in_plane {
-            block_force::<S, COMPRESSIBLE>(simd, &Block { hoop: None, ..block }, &rows, history, viscous, energy)
-        } else {
-            block_force::<S, COMPRESSIBLE>(simd, &block, &rows, history, viscous, energy)
-        };
-        state.nodes.subtract_force(simd, nodes, &force);
+            };
+            state.nodes.subtract_force(simd, nodes, &force);
+        }
         // The next block follows in the row, or begins the next one.
         place += 1;
         nodes = [nodes[0] + LANES, nodes[1] + LANES];
@@ -181,6 +178,31 @@ fn internal_forces<S: Simd>(
         }
     }
     if sum(&energy.inverted) > 0.0 { Err(first_inverted(model, state)) } else { Ok(()) }
+}
+
+/// Forces of a block whose law is not isochoric or softens, as work of its own.
+struct WholeForce<'b> {
+    block: Block<'b>,
+    rows: Rows<'b>,
+    history: &'b mut CellHistory,
+    viscous: &'b mut [Deviator],
+    energy: &'b mut ElementEnergy,
+}
+
+impl Work for WholeForce<'_> {
+    type Output = Corners<Pack>;
+
+    #[inline(always)]
+    fn run<S: Simd>(self, simd: S) -> Corners<Pack> {
+        let Self { block, rows, history, viscous, energy } = self;
+        if !block.laws.elastic.is_compressible() {
+            block_force::<S, SOFTENING>(simd, &block, &rows, history, viscous, energy)
+        } else if S::WIDTH > 1 && block.hoop.is_none() {
+            block_force::<S, COMPRESSIBLE>(simd, &Block { hoop: None, ..block }, &rows, history, viscous, energy)
+        } else {
+            block_force::<S, COMPRESSIBLE>(simd, &block, &rows, history, viscous, energy)
+        }
+    }
 }
 
 /// A law that is isochoric and does not soften.

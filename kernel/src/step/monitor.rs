@@ -4,11 +4,11 @@ use crate::element::Block;
 use crate::error::StepError;
 use crate::model::Model;
 use crate::number::math;
-use crate::number::pack::{LANES, ZERO};
+use crate::number::pack::LANES;
 use crate::number::real::Real;
 use crate::number::vector::Simd;
 use crate::state::{EnergyBalance, State};
-use crate::step::stable_step::{critical_time_step, is_unstable};
+use crate::step::stable_step::{Look, critical_time_step};
 use crate::step::window::MonitorWindow;
 
 /// Compares the step with the current limit of this step's share of the cells, as the internal forces have found them: the
@@ -19,14 +19,14 @@ use crate::step::window::MonitorWindow;
 #[inline(always)]
 pub(crate) fn check<S: Simd>(simd: S, model: &Model, state: &State) -> Result<(), StepError> {
     let share = MonitorWindow::new(model.cells.len() * LANES, state.scalars.step_index);
-    let step_squared = simd.splat(model.constants.dt * model.constants.dt);
+    let squared = model.constants.dt * model.constants.dt;
     for turn in 0..share.count {
-        let (block, start) = (share.cell(turn) / LANES, share.cell(turn) % LANES);
-        let (Some(constants), Some(history)) = (model.cells.get(block), state.cells.get(block)) else { continue };
-        let block_of = Block { laws: model.constants.laws_of(block), constants, hoop: model.hoops.get(block) };
+        let (index, start) = (share.cell(turn) / LANES, share.cell(turn) % LANES);
+        let (Some(constants), Some(history)) = (model.cells.get(index), state.cells.get(index)) else { continue };
+        let block = Block { laws: model.constants.laws_of(index), constants, hoop: model.hoops.get(index) };
         for chunk in start / S::WIDTH..(start + share.group).div_ceil(S::WIDTH) {
-            let mut lost = ZERO;
-            simd.store(is_unstable(simd, chunk, &block_of, history, step_squared), &mut lost, chunk);
+            let look = Look { chunk, block, history, squared, find: false };
+            let Some(lost) = simd.apart(look) else { continue };
             let (first, end) = (start.max(chunk * S::WIDTH), (start + share.group).min((chunk + 1) * S::WIDTH));
             if lost.get(first..end).unwrap_or_default().iter().any(|lost| *lost > 0.0) {
                 return Err(failure(model, state));

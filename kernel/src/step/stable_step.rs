@@ -15,7 +15,7 @@ use crate::model::{Constants, Model, ModelArrays};
 use crate::number::cube_root::inverse_cbrt;
 use crate::number::instruction_set::InstructionSet;
 use crate::number::math;
-use crate::number::pack::{LANES, ZERO};
+use crate::number::pack::{LANES, Pack, ZERO};
 use crate::number::real::Real;
 use crate::number::vector::{Simd, Vector, Work};
 use crate::state::State;
@@ -81,22 +81,10 @@ impl Work for Search<'_, '_, '_> {
             let Some(history) = (self.history)(index) else { continue };
             let block = Block { laws: constants.laws_of(index), constants: cell, hoop: hoops.get(index) };
             // One bound for the block: one for each chunk would differ with the width of the vectors.
-            let step_squared = simd.splat(bound);
+            let squared = bound;
             for chunk in 0..LANES / S::WIDTH {
-                let mut limits = ZERO;
-                if block.laws.elastic.is_compressible() {
-                    let matrix = whole_matrix(simd, chunk, &block, history);
-                    if !any(simd, matrix.unstable(simd, step_squared)) {
-                        continue;
-                    }
-                    simd.store(matrix.limit_squared(simd, step_squared), &mut limits, chunk);
-                } else {
-                    let matrix = current_matrix(simd, chunk, &block, history);
-                    if !any(simd, unstable(simd, &matrix, step_squared)) {
-                        continue;
-                    }
-                    simd.store(limit_squared(simd, &matrix, step_squared), &mut limits, chunk);
-                }
+                let look = Look { chunk, block, history, squared, find: true };
+                let Some(limits) = simd.apart(look) else { continue };
                 for l in chunk * S::WIDTH..(chunk + 1) * S::WIDTH {
                     // Padding has no volume.
                     let limit_squared = limits[l % LANES];
@@ -112,31 +100,44 @@ impl Work for Search<'_, '_, '_> {
     }
 }
 
-/// Whether any of the numbers is not 0.
-#[inline(always)]
-fn any<S: Simd>(simd: S, numbers: S::Vector) -> bool {
-    let mut pack = ZERO;
-    simd.store(numbers, &mut pack, 0);
-    pack != ZERO
+/// A look at neighbouring cells, as work of its own: both who searches the smallest limit and who watches the step do it.
+pub(crate) struct Look<'c> {
+    pub chunk: usize,
+    pub block: Block<'c>,
+    pub history: &'c CellHistory,
+    /// The square of a step, s2.
+    pub squared: Real,
+    /// Whether to find the limits, or only which of them are passed.
+    pub find: bool,
 }
 
-/// 1 where `step_squared`, s2, is above the limit of neighbouring cells, 0 elsewhere.
-#[inline(always)]
-pub(crate) fn is_unstable<S: Simd>(
-    simd: S,
-    chunk: usize,
-    block: &Block,
-    history: &CellHistory,
-    step_squared: S::Vector,
-) -> S::Vector {
-    if block.laws.elastic.is_compressible() {
-        whole_matrix(simd, chunk, block, history).unstable(simd, step_squared)
-    } else {
-        unstable(simd, &current_matrix(simd, chunk, block, history), step_squared)
+impl Work for Look<'_> {
+    /// None where no cell has a limit below the step; else the squares of their limits, s2, or 1 where one is passed and 0
+    /// elsewhere.
+    type Output = Option<Pack>;
+
+    #[inline(always)]
+    fn run<S: Simd>(self, simd: S) -> Option<Pack> {
+        let Self { chunk, block, history, squared, find } = self;
+        let (squared, mut found) = (simd.splat(squared), ZERO);
+        if block.laws.elastic.is_compressible() {
+            let matrix = whole_matrix(simd, chunk, &block, history);
+            simd.store(matrix.unstable(simd, squared), &mut found, chunk);
+            if find && found != ZERO {
+                simd.store(matrix.limit_squared(simd, squared), &mut found, chunk);
+            }
+        } else {
+            let matrix = current_matrix(simd, chunk, &block, history);
+            simd.store(unstable(simd, &matrix, squared), &mut found, chunk);
+            if find && found != ZERO {
+                simd.store(limit_squared(simd, &matrix, squared), &mut found, chunk);
+            }
+        }
+        (found != ZERO).then_some(found)
     }
 }
 
-/// The matrix of neighbouring cells of a compressible material, likewise.
+/// The matrix of neighbouring cells of a compressible material, as [`current_matrix`].
 #[inline(always)]
 fn whole_matrix<S: Simd>(simd: S, chunk: usize, block: &Block, history: &CellHistory) -> WholeMatrix<S::Vector> {
     let mut matrix = WholeMatrix::new(simd);

@@ -69,6 +69,11 @@ impl<S: pulp::Simd> Simd for S {
     fn store(self, vector: Register<S>, lane: &mut Pack, chunk: usize) {
         S::as_mut_simd_f64s(lane).0[chunk % (LANES / S::F64_LANES)] = vector.1;
     }
+
+    #[inline(never)]
+    fn apart<W: Work>(self, work: W) -> W::Output {
+        pulp::Simd::vectorize(self, Call(self, work))
+    }
 }
 
 /// [`Work`] in the form that the crate asks for.

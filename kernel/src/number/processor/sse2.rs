@@ -8,7 +8,7 @@ use pulp::core_arch::x86;
 
 use crate::number::pack::{LANES, Pack};
 use crate::number::real::Real;
-use crate::number::vector::{Simd, Vector};
+use crate::number::vector::{Simd, Vector, Work};
 
 /// The instruction set.
 #[derive(Clone, Copy)]
@@ -82,5 +82,10 @@ impl Simd for Sse2 {
     #[inline(always)]
     fn store(self, vector: Two, lane: &mut Pack, chunk: usize) {
         lane.as_chunks_mut().0[chunk % (LANES / 2)] = cast::<_, [Real; 2]>(vector.1);
+    }
+
+    #[inline(never)]
+    fn apart<W: Work>(self, work: W) -> W::Output {
+        work.run(self)
     }
 }

@@ -5,7 +5,7 @@ use pulp::x86::{V3, V4};
 use crate::number::instruction_set::InstructionSet;
 use crate::number::processor::register::Call;
 use crate::number::processor::sse2::Sse2;
-use crate::number::vector::{Scalar, Work};
+use crate::number::vector::{Scalar, Simd, Work};
 
 /// Whether the processor has `set`, wider than the two numbers of every x86-64.
 #[inline]
@@ -31,13 +31,7 @@ pub(crate) fn run<W: Work>(set: InstructionSet, work: W) -> W::Output {
         return simd.vectorize(Call(simd, work));
     }
     match Sse2::try_new() {
-        Some(simd) => apart(simd, work),
+        Some(simd) => simd.apart(work),
         None => work.run(Scalar),
     }
-}
-
-/// Keeps work of the baseline behind a call, as `pulp` does with that of the other sets, which so need no room for its numbers.
-#[inline(never)]
-fn apart<W: Work>(simd: Sse2, work: W) -> W::Output {
-    work.run(simd)
 }
