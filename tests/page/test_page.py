@@ -2,13 +2,15 @@
 
 import csv
 import io
+import json
 import os
 import re
 import subprocess
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
-from conftest import PHONE, PICTURES, WORK, cli, numbers, settle
+from conftest import MOVES, PHONE, PICTURES, WORK, cli, numbers, settle
 
 RESULTS = ["peak_force", "max_deformation", "impact_duration", "impulse"]
 GOLDEN = Path(__file__).parents[1] / "golden" / "traces"
@@ -70,25 +72,61 @@ def test_presets_are_those_of_the_command_line(open_page, preset):
     same(page, cli("run", "--preset", preset))
 
 
-CONTROLS = {
-    "impactor.drop_energy": "9.8", "impactor.mass": "4.2", "layers[0].thickness": "0.012", "layers[0].c10": "2e5",
-    "layers[0].poissons_ratio": "0.47", "core.friction_coefficient": "0.1", "face.friction_coefficient": "0.6",
-    "mesh.element_size": "0.004", "measurement.force_threshold": "50", "geometry.core_radius": "0.04", "layers[0].rows": "4",
-    "core.interface": "bonded", "layers[0].prony_g_1": "0.3",
-}
+# Gives a control another value, and takes it back: what came of it, with what was given then.
+TRY = """async ([name, text]) => {
+    const settled = async () => { while (drops.some(drop => drop.asked)) await new Promise(wait => setTimeout(wait, 1)); };
+    const before = [...chosen().given], field = document.getElementById("field-" + name);
+    field.value = text;
+    field.dispatchEvent(new Event("change", { bubbles: true }));
+    await settled();
+    const { refusal, data, given } = chosen(), numbers = ({ hash, numbers }) => [hash, ...numbers.map(({ value }) => value)];
+    const reasons = [...document.querySelectorAll(".refusal")].map(one => one.innerText).filter(text => text);
+    const found = { refused: refusal !== null, reasons, hash: data.hash, numbers: numbers(data), given: [...given] };
+    chosen().given = new Map(before);
+    changed();
+    await settled();
+    return { ...found, after: numbers(chosen().data) };
+}"""
 
 
-@pytest.mark.parametrize("name", CONTROLS)
-def test_every_control_changes_the_drop_as_the_command_line_does(open_page, name):
-    page = open_page()
+def other_value(field):
+    """Another value of a control: the next choice, one more, a tenth more or a little instead of nothing."""
+    if field["labels"]:
+        return field["labels"][(field["labels"].index(field["value"]) + 1) % len(field["labels"])]
+    if field["kind"] != "quantity":
+        return str(int(field["value"]) + 1)
+    return repr(1.1 * float(field["value"])) if float(field["value"]) else "0.05"
+
+
+def command_line(preset, given):
+    """What the command line makes of a preset with these values."""
+    changes = [part for name, value in given for part in ("--set", f"{name}={value}")]
+    return subprocess.run([os.environ["SOFTANVIL_CLI"], "run", "--preset", preset, "--json", *changes], capture_output=True, text=True)
+
+
+@pytest.mark.parametrize("preset, layers", [("study", [None, 0]), ("rugby-soft-anvil", [1])])
+def test_every_control_changes_the_drop_as_the_command_line_does(open_page, preset, layers):
+    """All of the scenario and of a layer; then of the pad on it. What the page refuses, the command line does for the same reason."""
+    # Coarse, because it is hundreds of drops.
+    page = open_page(f"#{preset};mesh.element_size=0.008")
     page.click("#all summary")
-    before = numbers(page)
-    set_field(page, name, CONTROLS[name])
-    same(page, cli("run", "--set", f"{name}={CONTROLS[name]}"))
-    assert numbers(page) != before
-    page.click(f'[aria-label="Undo {name}"]')
-    settle(page)
-    assert numbers(page) == before
+    fields = page.evaluate("[...controls.fields.values()].map(({ row, input }) => ({ ...row, value: input.value }))")
+    names = {field["name"]: other_value(field) for field in fields if field["layer"] in layers}
+    assert len(names) > 40
+    before = page.evaluate("[chosen().data.hash, ...chosen().data.numbers.map(({ value }) => value)]")
+    with ThreadPoolExecutor(2) as pool:
+        tried = {name: page.evaluate(TRY, [name, text]) for name, text in names.items()}
+        runs = dict(zip(tried, pool.map(lambda one: command_line(preset, one["given"]), tried.values())))
+    for name, found in tried.items():
+        run, said = runs[name], " ".join(runs[name].stderr.split())
+        if found["refused"]:
+            assert run.returncode != 0 and found["reasons"] and found["numbers"] == before, name
+            assert all(" ".join(reason.split()) in said for reason in found["reasons"]), (name, found["reasons"], said)
+        else:
+            assert run.returncode == 0, (name, said)
+            assert json.loads(run.stdout)["trace_hash"] == found["hash"], name
+        assert found["after"] == before, name
+    assert sum(found["numbers"] != before for found in tried.values()) > 20
 
 
 def test_every_slider_moves_its_field_and_the_drop(open_page):
@@ -264,21 +302,10 @@ def test_a_long_run_can_be_stopped_and_the_page_never_waits(open_page):
     same(page, cli("run"))
 
 
-def test_the_picture_follows_a_slider_at_once(open_page):
-    """Measures from the event to the drawn page; how long that may take depends on what else the machine does."""
+def test_every_move_of_a_slider_ends_in_a_picture(open_page):
+    """How soon is what latency.py measures."""
     page = open_page()
-    times = page.evaluate("""async () => {
-        const slider = document.querySelector('[aria-label="drop energy, slider"]');
-        for (let i = 0; i < 30; i++) {
-            const before = performance.getEntriesByType("measure").length;
-            slider.value = 2 * i - 30;
-            slider.dispatchEvent(new Event("input", { bubbles: true }));
-            while (performance.getEntriesByType("measure").length === before) await new Promise(wait => setTimeout(wait, 1));
-        }
-        return performance.getEntriesByType("measure").slice(-20).map(measure => measure.duration).sort((a, b) => a - b);
-    }""")
-    print(f"input to picture: {times[0]:.0f} ms at best, {times[10]:.0f} ms in the middle")
-    assert times[0] < 50 * max(1.0, os.getloadavg()[0] / (os.cpu_count() or 1) + 0.5), times
+    assert len(page.evaluate(MOVES, 10)) == 10
 
 
 @pytest.mark.parametrize("name, options", [

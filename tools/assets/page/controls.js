@@ -60,8 +60,8 @@ class Controls {
       if (focused?.startsWith("field-")) document.getElementById(focused)?.focus();
     }
     for (const field of this.fields.values()) this.update(field, drop);
-    const others = (drop.refusal?.fields ?? []).filter(([name]) => !this.fields.has(name)).map(([, reason]) => reason);
-    const general = [...others, ...drop.refusal?.message && !drop.refusal.fields.some(([name]) => this.fields.has(name)) ? [drop.refusal.message] : []];
+    const { fields: refused = [], message = "" } = drop.refusal ?? {};
+    const general = refused.length ? refused.filter(([name]) => !this.fields.has(name)).map(([, reason]) => reason) : [message];
     document.getElementById("refusal").textContent = general.join(" ");
   }
 

@@ -1,9 +1,16 @@
 "use strict";
 // The kernel, compiled to WebAssembly: requests and answers are objects. The page and its worker each have one.
 
+/** The bytes of base64. */
+function bytesOf(base64) {
+  const text = atob(base64), bytes = new Uint8Array(text.length);
+  for (let i = 0; i < text.length; i++) bytes[i] = text.charCodeAt(i);
+  return bytes;
+}
+
 /** The kernel's module from its compressed base64. */
 async function compileKernel(text) {
-  const bytes = Uint8Array.from(atob(text.trim()), c => c.charCodeAt(0));
+  const bytes = bytesOf(text.trim());
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
   return WebAssembly.compile(await new Response(stream).arrayBuffer());
 }
@@ -65,8 +72,7 @@ async function startKernel(module) {
 /** Makes numbers of what is packed in a drop. */
 function unpack(drop) {
   for (const packed of drop.section ? [drop.section.displacement, ...drop.section.shades] : []) {
-    const bytes = Uint8Array.from(atob(packed.values), c => c.charCodeAt(0));
-    packed.values = new Int16Array(bytes.buffer);
+    packed.values = new Int16Array(bytesOf(packed.values).buffer);
   }
   return drop;
 }

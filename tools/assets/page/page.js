@@ -49,11 +49,12 @@ function tell(text) {
 /** Draws everything that depends on drops. */
 function showAll() {
   shown.drop = Math.min(shown.drop, drops.length - 1);
+  // Text on a canvas wants the style worked out, which costs little before the document changes.
+  if (ready().length) player.show();
   controls.show(chosen());
   showChoice();
   if (!ready().length) return;
   showResults();
-  player.show();
   plots.forEach(plot => plot.draw());
   const peak = chosen().data?.numbers[0];
   if (peak && !chosen().refusal) tell(`${labelOf(chosen())}: ${peak.label} ${peak.text} ${peak.unit}`);
@@ -107,6 +108,12 @@ async function saveText(kind, name, type) {
   else if (answer) tell(answer.refused?.message ?? answer.refused?.fields[0]?.[1] ?? answer.failed);
 }
 
+/** Light has become dark, or dark light. */
+function repaint() {
+  colours.clear();
+  player.show();
+}
+
 function listen() {
   element("preset").onchange = () => {
     Object.assign(chosen(), { preset: element("preset").value, toml: "", given: new Map(), name: "", measured: null, file: null, understood: "" });
@@ -136,9 +143,9 @@ function listen() {
   element("theme").onclick = () => {
     const dark = getComputedStyle(document.documentElement).colorScheme === "dark";
     document.documentElement.dataset.theme = dark ? "light" : "dark";
-    player.show();
+    repaint();
   };
-  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => player.show());
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", repaint);
   addEventListener("hashchange", () => begin(fromFragment(location.hash)));
   takeFiles(element("file"), open);
 }

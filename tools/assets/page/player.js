@@ -16,7 +16,8 @@ class Player {
       this.figures.forEach(({ canvas }, i) => saveCanvas(canvas, `section-${letter(i)}`));
     };
     this.figures = [];
-    onWidth(document.getElementById("sections"), () => this.show());
+    this.bar = document.getElementById("bar");
+    onWidth(document.getElementById("sections"), () => { this.measure(); this.show(); });
   }
 
   /** Other drops, or another quantity. */
@@ -26,6 +27,7 @@ class Player {
     this.bands = this.kernel({ kind: "levels", range: [Math.min(0, ...ranges.map(({ low }) => low)), Math.max(0, ...ranges.map(({ high }) => high))] });
     [this.slider.min, this.slider.max] = [first, last];
     const place = document.getElementById("sections");
+    const before = this.figures.length;
     while (this.figures.length > sections.length) this.figures.pop().figure.remove();
     while (this.figures.length < sections.length) {
       const canvas = make("canvas"), caption = make("figcaption"), figure = make("figure", {}, canvas, caption);
@@ -33,10 +35,17 @@ class Player {
       this.figures.push({ figure, canvas, caption });
       place.append(figure);
     }
-    drawBar(document.getElementById("bar"), this.legend.shades[shown.shade].label, this.bands);
+    if (this.figures.length !== before) this.measure();
+    drawBar(this.bar, this.barWidth, this.legend.shades[shown.shade].label, this.bands);
     this.showInstants();
     shown.time = Math.min(Math.max(shown.time, first), last);
     this.draw();
+  }
+
+  /** Widths of the canvases: to ask for them with every picture would lay the page out each time. */
+  measure() {
+    this.barWidth = this.bar.clientWidth;
+    for (const figure of this.figures) figure.width = figure.canvas.clientWidth;
   }
 
   showInstants() {
@@ -49,9 +58,9 @@ class Player {
   draw() {
     if (!this.bands) return;
     ready().forEach((drop, i) => {
-      const { section } = drop.data, { canvas, caption } = this.figures[i] ?? {}, state = stateAt(drop, shown.time);
+      const { section } = drop.data, { canvas, caption, width } = this.figures[i] ?? {}, state = stateAt(drop, shown.time);
       if (!canvas) return;
-      drawSection(canvas, section, shown.time, shown.shade, this.bands, shown.mesh);
+      drawSection(canvas, width, section, shown.time, shown.shade, this.bands, shown.mesh);
       caption.textContent = `${labelOf(drop)}: force ${digits(state?.[1], 0)} N, deformation ${digits(state?.[0], 2)} mm`;
       canvas.setAttribute("aria-label", `Section of ${labelOf(drop)} under the impactor, coloured by ${this.legend.shades[shown.shade].label}`);
     });

@@ -57,7 +57,7 @@ class Plot {
     this.legend = Object.assign(document.createElement("ul"), { className: "legend" });
     this.figure.append(this.view, this.legend, this.tools());
     this.listen();
-    onWidth(this.figure, () => this.draw());
+    this.width = onWidth(this.view, () => this.draw());
   }
 
   tools() {
@@ -76,7 +76,7 @@ class Plot {
   draw() {
     const { of, legend } = this.content();
     if (!of) return;
-    const width = Math.max(240, Math.floor(this.view.clientWidth)), height = Math.round(Math.min(380, 120 + 0.45 * width));
+    const width = Math.max(240, Math.floor(this.width())), height = Math.round(Math.min(380, 120 + 0.45 * width));
     const answer = this.kernel({ kind: "picture", of, size: [width, height], window: this.window });
     if (answer.failed) return;
     this.picture.innerHTML = answer.svg;
@@ -209,7 +209,8 @@ function swatch({ colour, dash, mark }, isArea = false) {
   return made;
 }
 
-/** Calls `act` when the width of `element` has changed; never in a loop over heights. */
+/** The width of `element`, kept, because to ask for it after a change lays the whole page out; calls `act` when it has changed,
+    never in a loop over heights. */
 function onWidth(element, act) {
   let width = element.clientWidth;
   new ResizeObserver(() => {
@@ -217,4 +218,5 @@ function onWidth(element, act) {
     width = element.clientWidth;
     requestAnimationFrame(act);
   }).observe(element);
+  return () => width;
 }

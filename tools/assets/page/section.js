@@ -1,7 +1,13 @@
 "use strict";
 // The section of a drop on a canvas: regions of colour between the corners of triangles, core and impactor.
 
-const css = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+/** Colours of the style by their names, read once for light and once for dark: a look at the style after every change of the page would
+    work all of it out anew. */
+const colours = new Map();
+const css = name => {
+  if (!colours.has(name)) colours.set(name, getComputedStyle(document.documentElement).getPropertyValue(name).trim());
+  return colours.get(name);
+};
 
 /** The number of the frame at a time, with the part to the next one. */
 function frameAt(section, time) {
@@ -52,9 +58,9 @@ function sized(canvas, width, height) {
   return context;
 }
 
-/** Draws a section at a time over the whole canvas, in bands of colour. */
-function drawSection(canvas, section, time, shade, bands, showMesh) {
-  const { mesh, impactor } = section, width = canvas.clientWidth, scale = width / (2.06 * mesh.reach);
+/** Draws a section at a time on a canvas of a width in px, in bands of colour. */
+function drawSection(canvas, width, section, time, shade, bands, showMesh) {
+  const { mesh, impactor } = section, scale = width / (2.06 * mesh.reach);
   const height = Math.round(scale * (mesh.top + impactor.gap + impactor.slab) + 4), frame = frameAt(section, time);
   const context = sized(canvas, width, height);
   context.transform(scale, 0, 0, -scale, 0.5 * width, height - 2);
@@ -106,8 +112,8 @@ function drawImpactor(context, { outline }, face) {
 }
 
 /** Draws the bar of the bands of colour. */
-function drawBar(canvas, label, { bounds, colours, texts, unit, zero }) {
-  const width = canvas.clientWidth, step = width / colours.length, context = sized(canvas, width, 56);
+function drawBar(canvas, width, label, { bounds, colours, texts, unit, zero }) {
+  const step = width / colours.length, context = sized(canvas, width, 56);
   colours.forEach((colour, band) => {
     context.fillStyle = colour;
     context.fillRect(band * step, 6, step + 0.5, 12);

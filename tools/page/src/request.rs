@@ -45,7 +45,7 @@ enum Of {
 }
 
 /// A frame of the section is kept for every so many samples: the page draws those between by interpolation.
-const SAMPLES_IN_A_FRAME: usize = 4;
+const SAMPLES_IN_A_FRAME: usize = 6;
 /// Most numbers of the section in all frames together: finer meshes have fewer frames.
 const MOST_NUMBERS: usize = 4_000_000;
 
