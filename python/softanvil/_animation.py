@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
+from ._fields import Fields
 from ._plot import Section
-from ._state import State
 
 
 class Animation:
@@ -20,7 +20,7 @@ class Animation:
         field: Field of triangles with one component that colours them, on one scale.
     """
 
-    def __init__(self, frames: Sequence[State], field: str = "element.von_mises_stress") -> None:
+    def __init__(self, frames: Sequence[Fields], field: str = "element.von_mises_stress") -> None:
         self.frames, self.field = list(frames), field
 
     def figure(self) -> tuple[Any, Any]:

@@ -3,20 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from html import escape
 from typing import TYPE_CHECKING, Any, Literal, overload
 
 import numpy as np
 import pandas as pd
 
 from . import _softanvil
+from ._animation import Animation
+from ._html import table
 from ._numbers import OUTPUTS, Numbers
+from ._plot import force
 from ._scenario import Scenario
 from ._state import State
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-
-    from ._animation import Animation
 
 #: Interval of force samples, s.
 SAMPLING_INTERVAL = 50e-6
@@ -87,8 +89,6 @@ class Result(Numbers):
 
     def plot(self) -> Figure:
         """Draws contact force over time and over deformation; returns the figure."""
-        from ._plot import force
-
         return force([self])
 
     def animate(self, field: str = "element.von_mises_stress", interval: float = 250e-6) -> Animation:
@@ -98,8 +98,6 @@ class Result(Numbers):
             field: Field of triangles with one component that colours the section.
             interval: Time between two frames, s, if the drop was simulated without frames; it is simulated again then.
         """
-        from ._animation import Animation
-
         frames = self.frames or run(self.scenario, frames=interval).frames
         return Animation(frames, field)
 
@@ -123,10 +121,6 @@ class Result(Numbers):
         return "\n".join([f"Result of {self.scenario!r}", f"{self.ending}: {end}", *self.warnings, *lines, *note])
 
     def _repr_html_(self) -> str:
-        from html import escape
-
-        from ._html import table
-
         note = " * so far: cut off in contact, or held." if self.cut else ""
         head = f"{self.ending} after {1e3 * self.state.time:.2f} ms, {self.elements} triangles.{note} {' '.join(self.warnings)}"
         return f"<p>{escape(repr(self.scenario))}: {escape(head)}</p>" + table(["", "value", "unit", "meaning"], self._rows())
