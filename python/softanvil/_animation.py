@@ -28,8 +28,8 @@ class Animation:
         import matplotlib.pyplot as plt
         from matplotlib.animation import FuncAnimation
 
-        figure, axes = plt.subplots(figsize=(7, 4), layout="constrained")
-        section = Section(self.frames[0], self.field, axes, 1.0)
+        section = Section(self.frames[0], self.field, largest=1.0)
+        figure: Any = section.axes.figure
         section.cells.set_clim(*self._range(section))
         section.colorbar()
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 import numpy as np
 import pandas as pd
 
+from ._errors import ScenarioError
 from ._fields import FIELDS, Array, Fields
 
 if TYPE_CHECKING:
@@ -55,11 +56,15 @@ _SHOWN = {"Pa": ("kPa", 1e-3)}
 
 
 class Section:
-    """The deformed section in some axes, whole, coloured by a field of triangles."""
+    """The deformed section in some axes, by default new ones, whole, coloured by a field of triangles."""
 
-    def __init__(self, state: Fields, field: str, axes: Axes, largest: float | None = None) -> None:
+    def __init__(self, state: Fields, field: str, axes: Axes | None = None, largest: float | None = None) -> None:
+        import matplotlib.pyplot as plt
         from matplotlib.collections import PolyCollection
 
+        if state._view.is_solid:
+            raise ScenarioError("a solid has no section to draw: expected a section; State.to_pyvista has the solid")
+        axes = axes if axes is not None else plt.subplots(figsize=(7, 4), layout="constrained")[1]
         self.field, self.axes = field, axes
         unit = FIELDS[field][0] if field in FIELDS else "1"
         self.unit, self.scale = _SHOWN.get(unit, (unit, 1.0))
@@ -105,8 +110,6 @@ class Section:
 
 def section(state: Fields, field: str, ax: Axes | None) -> Axes:
     """Draws the deformed section; returns the axes."""
-    import matplotlib.pyplot as plt
-
-    axes = ax if ax is not None else plt.subplots(figsize=(7, 4), layout="constrained")[1]
-    Section(state, field, axes).colorbar()
-    return axes
+    drawn = Section(state, field, ax)
+    drawn.colorbar()
+    return drawn.axes

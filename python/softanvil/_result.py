@@ -39,7 +39,7 @@ class Result(Numbers):
         trace_hash: Fingerprint of the trace: equal for equal bits.
         time_step: Time step, s.
         steps: Steps made.
-        elements: Triangles of the mesh.
+        elements: Triangles of the mesh, or tetrahedra of a solid.
         warnings: What makes the numbers doubtful.
         state: The state at the end.
         frames: States at equal intervals, if they were asked for.
@@ -115,14 +115,14 @@ class Result(Numbers):
         return rows
 
     def __repr__(self) -> str:
-        end = f"{1e3 * self.state.time:.2f} ms, {self.steps} steps, {self.elements} triangles"
+        end = f"{1e3 * self.state.time:.2f} ms, {self.steps} steps, {self.elements} elements"
         lines = [f"{name:<22} {value:>12} {unit}".rstrip() for name, value, unit, _ in self._rows()]
         note = ["* so far: cut off in contact, or held"] if self.cut else []
         return "\n".join([f"Result of {self.scenario!r}", f"{self.ending}: {end}", *self.warnings, *lines, *note])
 
     def _repr_html_(self) -> str:
         note = " * so far: cut off in contact, or held." if self.cut else ""
-        head = f"{self.ending} after {1e3 * self.state.time:.2f} ms, {self.elements} triangles.{note} {' '.join(self.warnings)}"
+        head = f"{self.ending} after {1e3 * self.state.time:.2f} ms, {self.elements} elements.{note} {' '.join(self.warnings)}"
         return f"<p>{escape(repr(self.scenario))}: {escape(head)}</p>" + table(["", "value", "unit", "meaning"], self._rows())
 
 
