@@ -153,7 +153,7 @@ run "format" cargo fmt --all --check
 run "clippy" cargo clippy -q --release --workspace --all-targets -- -D warnings
 if need python3 python3; then
     run "imports run one way" python3 tests/imports.py kernel ffi fmu specimen tools tools/identify tools/page \
-        tools/records tests/verification python
+        tools/records tests/verification python python/softanvil
 else
     skip "imports run one way" "python3 is missing and cannot be installed"
 fi

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # The tests of the Python package: test.sh [PYTEST ARGUMENTS...]. Builds it into a virtual environment of its own,
-# $SOFTANVIL_VENV_PYTHON (default: .venv-python in the root of the repository), with the packages of requirements.txt.
+# $SOFTANVIL_VENV_PYTHON (default: .venv-python in the root of the repository), with the packages of requirements.txt. Two processes
+# share the tests; `-n 0` keeps them in one.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/.." && pwd)
@@ -13,4 +14,4 @@ cargo fmt --check
 "$venv/bin/python" -m pip install --quiet --disable-pip-version-check -r requirements.txt
 cargo clippy -q --release -- -D warnings
 VIRTUAL_ENV=$venv PATH=$venv/bin:$PATH "$venv/bin/maturin" develop --quiet --release
-"$venv/bin/python" -m pytest -p no:cacheprovider -q "$@"
+"$venv/bin/python" -m pytest -p no:cacheprovider -q -n 2 --dist loadgroup "$@"

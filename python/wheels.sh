@@ -20,5 +20,5 @@ for target in x86_64-unknown-linux-gnu aarch64-unknown-linux-gnu; do
     maturin build --quiet --release --out "$out" --target "$target" --zig --compatibility manylinux2014
 done
 maturin build --quiet --release --out "$out" --target x86_64-pc-windows-gnu
-maturin sdist --quiet --out "$out"
+maturin sdist --out "$out"
 ls -1 "$out"

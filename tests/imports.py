@@ -1,11 +1,15 @@
 #!/usr/bin/env python3
-"""imports.py CRATE...: shows that no files of a crate import each other in a circle, nor do its folders.
+"""imports.py FOLDER...: shows that no files of a crate or of a Python package import each other in a circle, nor do a crate's
+folders.
 
-CRATE is a folder with src/lib.rs. A file imports another if it names an item that the other defines: in `use`, or by a path
+A crate is a folder with src/lib.rs. A file imports another if it names an item that the other defines: in `use`, or by a path
 that begins with crate, super or self. A name that a module passes on (pub use) counts for the file that defines it, and passing
 on is no import. Comments and tests do not count.
+
+A Python package is a folder with __init__.py. Every import statement in it counts, within functions and for type checkers too.
 """
 
+import ast
 import re
 import sys
 from pathlib import Path
@@ -108,6 +112,33 @@ class Crate:
         return {self.definition(path) for path in absolute if path is not None} - {module}
 
 
+def imported(package, text):
+    """The first names, within a Python package, of what the text of one of its modules imports of it."""
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, ast.Import):
+            paths = [alias.name for alias in node.names]
+        elif isinstance(node, ast.ImportFrom):
+            origin = ".".join(filter(None, [package if node.level else "", node.module]))
+            paths = [f"{origin}.{alias.name}" for alias in node.names]
+        else:
+            continue
+        for path in paths:
+            first, *rest = path.split(".")
+            if first == package:
+                yield rest[0] if rest else "__init__"
+
+
+def modules(folder):
+    """The modules of a Python package, each with those that it imports."""
+    texts = {path.stem: path.read_text() for path in folder.glob("*.py")}
+    # What is no module is compiled, and has a stub, or is an item of the package's own module.
+    compiled = {path.stem for path in folder.glob("*.pyi")} - texts.keys()
+    return {
+        module: {name if name in texts else "__init__" for name in imported(folder.name, text) if name not in compiled} - {module}
+        for module, text in texts.items()
+    }
+
+
 def circles(graph):
     """The sets of nodes that reach each other, by Tarjan's algorithm."""
     index, low, stack, found = {}, {}, [], []
@@ -134,7 +165,9 @@ def circles(graph):
 
 
 def check(folder):
-    """The circles of a crate, as lines."""
+    """The circles of a crate or package, as lines."""
+    if (folder / "__init__.py").exists():
+        return [f"{folder}: modules import each other: {', '.join(c)}" for c in circles(modules(folder))]
     crate = Crate(folder)
     files = {module: crate.imports(module) for module in crate.file}
     # The root declares and passes on.

@@ -32,7 +32,7 @@ ranges = {
     "core.friction_coefficient": [0.1, 0.5],
 }
 problem = {"num_vars": len(ranges), "names": list(ranges), "bounds": list(ranges.values())}
-design = pd.DataFrame(sobol.sample(problem, 64 if QUICK else 256, calc_second_order=False, seed=1), columns=list(ranges))
+design = pd.DataFrame(sobol.sample(problem, 16 if QUICK else 256, calc_second_order=False, seed=1), columns=list(ranges))
 base = sa.preset("study").update({"core.interface": "frictional"})
 if QUICK:
     base.mesh.element_size = "5 mm"

@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
+from ._fields import Fields
 from ._plot import Section
-from ._state import State
 
 
 class Animation:
@@ -20,7 +20,7 @@ class Animation:
         field: Field of triangles with one component that colours them, on one scale.
     """
 
-    def __init__(self, frames: Sequence[State], field: str = "element.von_mises_stress") -> None:
+    def __init__(self, frames: Sequence[Fields], field: str = "element.von_mises_stress") -> None:
         self.frames, self.field = list(frames), field
 
     def figure(self) -> tuple[Any, Any]:
@@ -28,8 +28,8 @@ class Animation:
         import matplotlib.pyplot as plt
         from matplotlib.animation import FuncAnimation
 
-        figure, axes = plt.subplots(figsize=(7, 4), layout="constrained")
-        section = Section(self.frames[0], self.field, axes, 1.0)
+        section = Section(self.frames[0], self.field, largest=1.0)
+        figure: Any = section.axes.figure
         section.cells.set_clim(*self._range(section))
         section.colorbar()
 

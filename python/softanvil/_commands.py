@@ -156,8 +156,9 @@ class Verdict:
     """Pads beside the bare anvil.
 
     Attributes:
-        data: All numbers, in SI units and g, as ``softanvil protect --json`` gives them.
-        table: A row for the bare anvil, and one for every pad: thickness, transmitted force, acceleration, energies, verdict.
+        data: All numbers, in SI units and g, as ``softanvil protect --json`` gives them; "standard" has the limits.
+        table: A row for the bare anvil, and one for every pad: thickness, transmitted force, acceleration, energies, "verdict" of
+            the standard, such as "pass", and the "level" that is met or, of a "fail", missed.
     """
 
     data: dict[str, Any]
@@ -191,8 +192,15 @@ def protect(
         data = _json(_call("protect", [*drop, *_arguments(options), "--json"]))
     rows = [{"name": "bare", **data["bare"]}] if data.get("bare") else []
     rows += data["pads"]
-    table = pd.DataFrame([{key: value for key, value in row.items() if not isinstance(value, (list, dict))} for row in rows])
+    table = pd.DataFrame([_of_pad(row) for row in rows])
     return Verdict(data, table.set_index("name"))
+
+
+def _of_pad(row: dict[str, Any]) -> dict[str, Any]:
+    """What stands in a row of a table, of what came of a pad."""
+    judged = row.get("verdict") or {}
+    plain = {key: value for key, value in row.items() if not isinstance(value, (list, dict))}
+    return {**plain, "verdict": judged.get("verdict"), "level": judged.get("level")}
 
 
 @dataclass(frozen=True)

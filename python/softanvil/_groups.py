@@ -8,6 +8,7 @@ from __future__ import annotations
 from typing import Any
 
 from . import _softanvil
+from ._html import table
 
 #: Short names of parameters of the start, with what they stand for and say.
 SHORT = {
@@ -95,8 +96,6 @@ class Group:
         return "\n".join(lines)
 
     def _repr_html_(self) -> str:
-        from ._html import table
-
         return table(["parameter", "value", "unit", "meaning"],
                      [[self._prefix + name, value, unit, meaning] for name, value, unit, meaning, acts in self._rows() if acts])
 

@@ -3,20 +3,29 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
+import pandas as pd
 
-from ._state import FIELDS, Array, State
+from ._errors import ScenarioError
+from ._fields import FIELDS, Array, Fields
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from ._result import Result
+
+class Traced(Protocol):
+    """What has a trace: a `softanvil.Result`."""
+
+    @property
+    def trace(self) -> pd.DataFrame:
+        """Outputs by time in s; here "contact.force" and "impactor.deformation"."""
+        ...
 
 
-def force(results: Sequence[Result], labels: Sequence[str] | None = None) -> Figure:
+def force(results: Sequence[Traced], labels: Sequence[str] | None = None) -> Figure:
     """Contact force over time and over deformation, a line per result."""
     import matplotlib.pyplot as plt
 
@@ -35,7 +44,7 @@ def force(results: Sequence[Result], labels: Sequence[str] | None = None) -> Fig
     return figure
 
 
-def compare(results: Sequence[Result], labels: Sequence[str]) -> Figure:
+def compare(results: Sequence[Traced], labels: Sequence[str]) -> Figure:
     """Draws contact force over time and over deformation of several results, one line each; returns the figure."""
     if len(labels) != len(results):
         raise ValueError(f"{len(labels)} labels are refused: expected {len(results)}, one per result")
@@ -47,11 +56,15 @@ _SHOWN = {"Pa": ("kPa", 1e-3)}
 
 
 class Section:
-    """The deformed section in some axes, whole, coloured by a field of triangles."""
+    """The deformed section in some axes, by default new ones, whole, coloured by a field of triangles."""
 
-    def __init__(self, state: State, field: str, axes: Axes, largest: float | None = None) -> None:
+    def __init__(self, state: Fields, field: str, axes: Axes | None = None, largest: float | None = None) -> None:
+        import matplotlib.pyplot as plt
         from matplotlib.collections import PolyCollection
 
+        if state._view.is_solid:
+            raise ScenarioError("a solid has no section to draw: expected a section; State.to_pyvista has the solid")
+        axes = axes if axes is not None else plt.subplots(figsize=(7, 4), layout="constrained")[1]
         self.field, self.axes = field, axes
         unit = FIELDS[field][0] if field in FIELDS else "1"
         self.unit, self.scale = _SHOWN.get(unit, (unit, 1.0))
@@ -73,13 +86,13 @@ class Section:
         axes.set_xlim(-reach, reach)
         axes.set_ylim(points[:, 1].min() - 0.05 * above, above + 12)
 
-    def _values(self, state: State) -> Array:
+    def _values(self, state: Fields) -> Array:
         values = state.of_triangles(self.field)
         if values.ndim != 1:
             raise ValueError(f"field {self.field!r} is refused: expected a field of triangles with one component")
         return self.scale * values
 
-    def show(self, state: State) -> None:
+    def show(self, state: Fields) -> None:
         """Draws another state."""
         corners = 1e3 * state.positions()[state.mesh()[1]]
         self.cells.set_verts([triangle * [side, 1.0] for side in self.sides for triangle in corners])
@@ -95,10 +108,8 @@ class Section:
         return self.axes.figure.colorbar(self.cells, ax=self.axes, label=label, shrink=0.8)
 
 
-def section(state: State, field: str, ax: Axes | None) -> Axes:
+def section(state: Fields, field: str, ax: Axes | None) -> Axes:
     """Draws the deformed section; returns the axes."""
-    import matplotlib.pyplot as plt
-
-    axes = ax if ax is not None else plt.subplots(figsize=(7, 4), layout="constrained")[1]
-    Section(state, field, axes).colorbar()
-    return axes
+    drawn = Section(state, field, ax)
+    drawn.colorbar()
+    return drawn.axes

@@ -3,20 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from html import escape
 from typing import TYPE_CHECKING, Any, Literal, overload
 
 import numpy as np
 import pandas as pd
 
 from . import _softanvil
+from ._animation import Animation
+from ._html import table
 from ._numbers import OUTPUTS, Numbers
+from ._plot import force
 from ._scenario import Scenario
 from ._state import State
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-
-    from ._animation import Animation
 
 #: Interval of force samples, s.
 SAMPLING_INTERVAL = 50e-6
@@ -37,7 +39,7 @@ class Result(Numbers):
         trace_hash: Fingerprint of the trace: equal for equal bits.
         time_step: Time step, s.
         steps: Steps made.
-        elements: Triangles of the mesh.
+        elements: Triangles of the mesh, or tetrahedra of a solid.
         warnings: What makes the numbers doubtful.
         state: The state at the end.
         frames: States at equal intervals, if they were asked for.
@@ -87,8 +89,6 @@ class Result(Numbers):
 
     def plot(self) -> Figure:
         """Draws contact force over time and over deformation; returns the figure."""
-        from ._plot import force
-
         return force([self])
 
     def animate(self, field: str = "element.von_mises_stress", interval: float = 250e-6) -> Animation:
@@ -98,8 +98,6 @@ class Result(Numbers):
             field: Field of triangles with one component that colours the section.
             interval: Time between two frames, s, if the drop was simulated without frames; it is simulated again then.
         """
-        from ._animation import Animation
-
         frames = self.frames or run(self.scenario, frames=interval).frames
         return Animation(frames, field)
 
@@ -117,18 +115,14 @@ class Result(Numbers):
         return rows
 
     def __repr__(self) -> str:
-        end = f"{1e3 * self.state.time:.2f} ms, {self.steps} steps, {self.elements} triangles"
+        end = f"{1e3 * self.state.time:.2f} ms, {self.steps} steps, {self.elements} elements"
         lines = [f"{name:<22} {value:>12} {unit}".rstrip() for name, value, unit, _ in self._rows()]
         note = ["* so far: cut off in contact, or held"] if self.cut else []
         return "\n".join([f"Result of {self.scenario!r}", f"{self.ending}: {end}", *self.warnings, *lines, *note])
 
     def _repr_html_(self) -> str:
-        from html import escape
-
-        from ._html import table
-
         note = " * so far: cut off in contact, or held." if self.cut else ""
-        head = f"{self.ending} after {1e3 * self.state.time:.2f} ms, {self.elements} triangles.{note} {' '.join(self.warnings)}"
+        head = f"{self.ending} after {1e3 * self.state.time:.2f} ms, {self.elements} elements.{note} {' '.join(self.warnings)}"
         return f"<p>{escape(repr(self.scenario))}: {escape(head)}</p>" + table(["", "value", "unit", "meaning"], self._rows())
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Mapping
+from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -244,8 +245,6 @@ class Scenario(Groups):
         return f"Scenario({self.preset!r}{given})"
 
     def _repr_html_(self) -> str:
-        from html import escape
-
         try:
             text = self.summary()
         except ValueError as error:

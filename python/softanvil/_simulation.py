@@ -32,9 +32,10 @@ class Simulation:
         self._core = _softanvil.Simulation(scenario._settings)
 
     @classmethod
-    def _of(cls, core: _softanvil.Simulation) -> Simulation:
+    def of_state(cls, state: State) -> Simulation:
+        """A simulation that goes on from a state."""
         made = cls.__new__(cls)
-        made._core = core
+        made._core = _softanvil.Simulation.of_view(state._view)
         return made
 
     @property
@@ -181,7 +182,7 @@ class Simulation:
 
     def copy(self) -> Simulation:
         """One that goes its own way."""
-        return self.state.simulation()
+        return self.of_state(self.state)
 
     __copy__ = copy
 

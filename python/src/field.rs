@@ -5,8 +5,8 @@ use std::sync::Arc;
 use numpy::ndarray::{ArrayView, Dim, ShapeBuilder};
 use numpy::{IntoPyArray, PyArray, PyArray1, PyArray2, PyArrayDyn, PyArrayMethods};
 use pyo3::prelude::*;
+use softanvil_kernel::mesh::{solid_position, tetrahedra};
 use softanvil_kernel::result::{Location, Source};
-use softanvil_kernel::scenario::Formulation;
 use softanvil_kernel::{FIELDS, Field, Output};
 use softanvil_tools::section::Mesh;
 
@@ -22,7 +22,8 @@ pub struct StateView {
     pub settings: Settings,
 }
 
-/// Points (n, 2), triangles (n, 3) and place of each triangle among the values of a field of triangles (n,).
+/// Points (n, 2), triangles (n, 3) and place of each triangle among the values of a field of triangles (n,); of a solid (n, 3),
+/// and tetrahedra (n, 4).
 type MeshArrays<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<usize>>, Bound<'py, PyArray1<usize>>);
 
 /// What makes another one like it, and with what.
@@ -49,17 +50,22 @@ impl StateView {
             error::scenario(py, format!("field {name:?} is unknown: expected {}", names.join(", ")))
         })?;
         match field.source {
-            Source::Stored(_) if !is_solid(&slf.get().state) => stored(slf, field),
+            Source::Stored(_) if !slf.get().is_solid() => stored(slf, field),
             _ => computed(slf, field),
         }
     }
 
+    /// Whether it is a solid, and no section.
+    #[getter]
+    fn is_solid(&self) -> bool {
+        self.state.constants().grid.is_solid()
+    }
+
     /// Positions of the nodes at rest (n, 2), m, nodes of the triangles (n, 3), and places of these among the values of a field
-    /// of triangles (n,).
+    /// of triangles (n,). Of a solid positions (n, 3) and nodes of the tetrahedra (n, 4).
     fn mesh<'py>(&self, py: Python<'py>) -> PyResult<MeshArrays<'py>> {
-        if is_solid(&self.state) {
-            let reason = "a solid has no triangles: softanvil run --vtu writes its tetrahedra with all fields";
-            return Err(error::scenario(py, reason));
+        if self.is_solid() {
+            return self.solid_mesh(py);
         }
         let mesh = Mesh::of(&self.state).or_raise(py)?;
         let points: Vec<f64> = mesh.reference.iter().flatten().copied().collect();
@@ -104,8 +110,35 @@ impl StateView {
     }
 }
 
-fn is_solid(state: &softanvil_kernel::Simulation) -> bool {
-    state.constants().scenario.geometry.formulation == Formulation::Solid
+impl StateView {
+    /// Nodes and tetrahedra of a solid, in the order of its fields: rows from the core to the surface, slices of a row.
+    fn solid_mesh<'py>(&self, py: Python<'py>) -> PyResult<MeshArrays<'py>> {
+        let constants = self.state.constants();
+        let (grid, columns) = (&constants.grid, constants.grid.n_u + 1);
+        let places = |rows: usize, slices: usize, columns: usize| {
+            let row = move |v| (0..slices).flat_map(move |w| (0..columns).map(move |u| [u, v, w]));
+            (0..rows).flat_map(row)
+        };
+        let position = |place| solid_position(&constants.scenario, grid, place);
+        let points: Vec<f64> = places(grid.node_rows(), grid.node_slices(), columns).flat_map(position).collect();
+        let number = |[u, v, w]: [usize; 3]| (v * grid.node_slices() + w) * columns + u;
+        let cells = places(grid.n_v, grid.n_w, grid.n_u).flat_map(|place| tetrahedra(grid, place));
+        let position = |node: usize| [0, 1, 2].map(|axis| points[3 * node + axis]);
+        let corners: Vec<usize> = cells.flat_map(|cell| right_handed(cell.map(number), position)).collect();
+        Ok((
+            points.into_pyarray(py).reshape([grid.node_rows() * grid.node_slices() * columns, 3])?,
+            corners.into_pyarray(py).reshape([grid.n_elem(), 4])?,
+            (0..grid.n_elem()).collect::<Vec<_>>().into_pyarray(py),
+        ))
+    }
+}
+
+/// The nodes of a tetrahedron in the order that gives it a positive volume.
+fn right_handed([a, b, c, d]: [usize; 4], position: impl Fn(usize) -> [f64; 3]) -> [usize; 4] {
+    let edge = |node| [0, 1, 2].map(|axis| position(node)[axis] - position(a)[axis]);
+    let [[x1, y1, z1], [x2, y2, z2], [x3, y3, z3]] = [b, c, d].map(edge);
+    let volume = x1 * (y2 * z3 - z2 * y3) - y1 * (x2 * z3 - z2 * x3) + z1 * (x2 * y3 - y2 * x3);
+    if volume < 0.0 { [a, b, d, c] } else { [a, b, c, d] }
 }
 
 /// The output called `name` of `state`.
@@ -176,13 +209,13 @@ fn computed<'py>(owner: &Bound<'py, StateView>, field: &Field) -> PyResult<Bound
     shaped(values.into_pyarray(py).reshape(shape)?.to_dyn(), field)
 }
 
-/// Without the axis of rows of a surface, and that of components of what has one.
+/// Without the axis of rows of a surface that has one row, and that of components of what has one.
 fn shaped<'py>(array: &Bound<'py, PyArrayDyn<f64>>, field: &Field) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
     let mut array = array.clone().into_any();
     if field.components == 1 {
         array = array.call_method1("squeeze", (2,))?;
     }
-    if field.location == Location::Surface {
+    if field.location == Location::Surface && array.getattr("shape")?.get_item(0)?.extract::<usize>()? == 1 {
         array = array.call_method1("squeeze", (0,))?;
     }
     Ok(array.cast_into()?)

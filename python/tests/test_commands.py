@@ -104,6 +104,24 @@ def test_a_pad_is_judged(tmp_path):
         sa.protect(anvil, thickness="10")
 
 
+def test_a_standard_judges_a_pad(tmp_path):
+    protector = sa.preset("en1621-1").update({"mesh.element_size": "4 mm"})
+    limits = {"level 1": 35e3, "level 2": 20e3}
+    for thickness, judgement, level in ((20e-3, "pass", "level 2"), (7e-3, "fail", "level 1")):
+        scenario = protector.copy().update({"pad.thickness": thickness})
+        scenario.write(tmp_path / "pad.toml")
+        verdict = sa.protect(scenario)
+        line = told("protect", "--preset", "en1621-1", "--scenario", tmp_path / "pad.toml")
+        assert (verdict["standard"], verdict["pads"]) == (line["standard"], line["pads"]) and verdict["bare"] is line["bare"] is None
+        assert {limit["level"]: limit["below"] for limit in verdict["standard"]["limits"]} == limits
+        [row] = verdict.table.itertuples()
+        assert (row.Index, row.verdict, row.level, row.thickness) == ("pad", judgement, level, thickness)
+        assert row.peak_transmitted_force == verdict["pads"][0]["peak_transmitted_force"]
+        assert (row.peak_transmitted_force < limits[level]) == (judgement == "pass")
+    other = sa.protect(protector.copy().update({"impactor.energy": "40 J"}))
+    assert other.table.loc["pad", "verdict"] == "other_test" and "4.000 m/s" in other["pads"][0]["verdict"]["changed"][0]
+
+
 def test_a_foam_gives_a_pad(root):
     data = root / "data/foam"
     foam = sa.fit(uniaxial=data / "compression.csv", foam=True)

@@ -94,9 +94,10 @@ def test_pictures(result, tmp_path):
         result.state.plot("element.principal_stress")
     both = sa.compare([result, result], ["a", "b"])
     assert [text.get_text() for text in both.axes[0].get_legend().get_texts()] == ["a", "b"]
-    animation = result.animate()
-    html = animation.to_html()
-    assert html.count("data:image/png;base64") >= len(result.frames) and animation._repr_html_().count("<script") > 0
+    assert result.animate().frames == result.frames
+    animation = sa.Animation(result.frames[::4])
+    html = animation._repr_html_()
+    assert html.count("data:image/png;base64") >= len(animation.frames) and "<script" in html
     animation.save(tmp_path / "impact.gif")
     assert (tmp_path / "impact.gif").read_bytes()[:3] == b"GIF"
     plt.close("all")

@@ -40,7 +40,7 @@ def test_however_it_is_cut_it_goes_on_with_the_same_bits(parts, how):
         elif how == "pickle":
             sim = pickle.loads(pickle.dumps(sim))
         elif how == "view":
-            sim = pickle.loads(pickle.dumps(sim.state)).simulation()
+            sim = sa.Simulation.of_state(pickle.loads(pickle.dumps(sim.state)))
         else:
             state = sim.save()
             sim = sa.Simulation(sim.scenario)
