@@ -64,15 +64,16 @@ def numbers(page, drop=0):
     return {row["output"]: row["value"] for row in data["numbers"]} | {"hash": data["hash"]}
 
 
-# Moves the slider of the energy a number of times to and fro by the default, each after the picture of the one before: the times from
-# input to picture, ms.
-MOVES = """async count => {
+# Moves the slider of the energy a number of times to and fro by the default, each so many ms after the picture of the one before:
+# the times from input to picture, ms.
+MOVES = """async ([count, pause]) => {
     const slider = document.querySelector('[aria-label="drop energy, slider"]'), drawn = () => performance.getEntriesByName("input to picture");
     const before = drawn().length;
     for (let i = 0; i < count; i++) {
         slider.value = i % 3 - 1;
         slider.dispatchEvent(new Event("input", { bubbles: true }));
         while (drawn().length <= before + i) await new Promise(wait => setTimeout(wait, 1));
+        await new Promise(wait => setTimeout(wait, pause));
     }
     return drawn().slice(before).map(measure => measure.duration);
 }"""

@@ -3,7 +3,7 @@
     tests/page/run.sh target/release VENV latency.py -s
 """
 
-from statistics import median, quantiles
+from statistics import median
 
 from conftest import MOVES
 
@@ -11,6 +11,8 @@ from conftest import MOVES
 def test_from_input_to_picture(open_page):
     page = open_page()
     # The first are those of a compiler that warms up.
-    page.evaluate(MOVES, 20)
-    times = page.evaluate(MOVES, 100)
-    print(f"\ninput to picture: {min(times):.0f} ms at best, {median(times):.0f} ms in the middle, {quantiles(times, n=10)[-1]:.0f} ms in nine of ten")
+    page.evaluate(MOVES, [20, 0])
+    print()
+    for pause, what in ((0, "drawn on"), (100, "one move")):
+        times = page.evaluate(MOVES, [60, pause])
+        print(f"input to picture, {what}: {min(times):.0f} ms at best, {median(times):.0f} ms in the middle")

@@ -305,7 +305,7 @@ def test_a_long_run_can_be_stopped_and_the_page_never_waits(open_page):
 def test_every_move_of_a_slider_ends_in_a_picture(open_page):
     """How soon is what latency.py measures."""
     page = open_page()
-    assert len(page.evaluate(MOVES, 10)) == 10
+    assert len(page.evaluate(MOVES, [10, 0])) == 10
 
 
 @pytest.mark.parametrize("name, options", [

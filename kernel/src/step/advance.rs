@@ -150,25 +150,24 @@ fn internal_forces<S: Simd>(
     }
     let viscous = state.viscous.chunks_exact_mut(entries).map(Some).chain(core::iter::repeat_with(|| None));
     let blocks = model.cells.iter().zip(state.cells.iter_mut()).zip(viscous).enumerate();
+    // Written over by every block, so that none has to fill it first.
+    let mut force = [[ZERO; 2]; 4];
     let (per_row, mut row, mut place, mut nodes) = (grid.blocks_per_row(), 0, 0, grid.first_nodes([0, 0]));
     for (index, ((constants, history), viscous)) in blocks {
         let block = Block { laws: model.constants.laws_of(index), constants, hoop: model.hoops.get(index) };
         let viscous = viscous.unwrap_or_default();
         let rows = state.nodes.rows(nodes);
-        // Each takes its own forces, which would be copied where the kinds of law meet.
         if !block.laws.is_plain() {
-            let force = simd.apart(WholeForce { block, rows, history, viscous, energy });
-            state.nodes.subtract_force(simd, nodes, &force);
-        } else {
+            simd.apart(WholeForce { block, rows, history, viscous, energy, force: &mut force });
+        } else if S::WIDTH > 1 && block.hoop.is_none() {
             // Written twice, so that a copy knows that it is not axisymmetric and need not ask all over the element; processors
             // without vectors have less room for it.
-            let force = if S::WIDTH > 1 && block.hoop.is_none() {
-                block_force::<S, PLAIN>(simd, &Block { hoop: None, ..block }, &rows, history, viscous, energy)
-            } else {
-                block_force::<S, PLAIN>(simd, &block, &rows, history, viscous, energy)
-            };
-            state.nodes.subtract_force(simd, nodes, &force);
+            let block = Block { hoop: None, ..block };
+            block_force::<S, PLAIN>(simd, &block, &rows, history, viscous, energy, &mut force);
+        } else {
+            block_force::<S, PLAIN>(simd, &block, &rows, history, viscous, energy, &mut force);
         }
+        state.nodes.subtract_force(simd, nodes, &force);
         // The next block follows in the row, or begins the next one.
         place += 1;
         nodes = [nodes[0] + LANES, nodes[1] + LANES];
@@ -187,20 +186,22 @@ struct WholeForce<'b> {
     history: &'b mut CellHistory,
     viscous: &'b mut [Deviator],
     energy: &'b mut ElementEnergy,
+    force: &'b mut Corners<Pack>,
 }
 
 impl Work for WholeForce<'_> {
-    type Output = Corners<Pack>;
+    type Output = ();
 
     #[inline(always)]
-    fn run<S: Simd>(self, simd: S) -> Corners<Pack> {
-        let Self { block, rows, history, viscous, energy } = self;
+    fn run<S: Simd>(self, simd: S) {
+        let Self { block, rows, history, viscous, energy, force } = self;
         if !block.laws.elastic.is_compressible() {
-            block_force::<S, SOFTENING>(simd, &block, &rows, history, viscous, energy)
+            block_force::<S, SOFTENING>(simd, &block, &rows, history, viscous, energy, force);
         } else if S::WIDTH > 1 && block.hoop.is_none() {
-            block_force::<S, COMPRESSIBLE>(simd, &Block { hoop: None, ..block }, &rows, history, viscous, energy)
+            let block = Block { hoop: None, ..block };
+            block_force::<S, COMPRESSIBLE>(simd, &block, &rows, history, viscous, energy, force);
         } else {
-            block_force::<S, COMPRESSIBLE>(simd, &block, &rows, history, viscous, energy)
+            block_force::<S, COMPRESSIBLE>(simd, &block, &rows, history, viscous, energy, force);
         }
     }
 }
@@ -212,7 +213,7 @@ const SOFTENING: u8 = 1;
 /// One that is not isochoric.
 const COMPRESSIBLE: u8 = 2;
 
-/// Internal forces on the corners of the cells of a block, N, by the forces of one of these kinds of law.
+/// Writes the internal forces on the corners of the cells of a block, N, by the forces of one of these kinds of law.
 #[inline(always)]
 fn block_force<S: Simd, const KIND: u8>(
     simd: S,
@@ -221,8 +222,8 @@ fn block_force<S: Simd, const KIND: u8>(
     history: &mut CellHistory,
     viscous: &mut [Deviator],
     energy: &mut ElementEnergy,
-) -> Corners<Pack> {
-    let mut force = [[ZERO; 2]; 4];
+    force: &mut Corners<Pack>,
+) {
     for chunk in 0..LANES / S::WIDTH {
         // The compiler would work out the addresses of all lanes ahead, which are more than there are registers, and keep
         // them in memory; of what it cannot see through it adds up an address where it is needed, at no cost.
@@ -242,7 +243,6 @@ fn block_force<S: Simd, const KIND: u8>(
             }
         }
     }
-    force
 }
 
 /// The first inverted triangle, as the error that it is.

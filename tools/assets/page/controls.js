@@ -38,6 +38,9 @@ function bare(drop, layers) {
 /** A value that follows from others without what rounding has left in its last digits. */
 const rounded = text => isNaN(text) || !text ? text ?? "" : String(Number(Number(text).toPrecision(12)));
 
+/** A bound, in powers of ten where it has many zeros. */
+const short = bound => Math.abs(bound) >= 1e5 ? bound.toExponential().replace("+", "") : String(bound);
+
 class Controls {
   /** In `place`, from the kernel's `table`; `changed` is called when the chosen drop asks for something else. */
   constructor(place, table, changed) {
@@ -133,7 +136,7 @@ class Controls {
       slider.setAttribute("aria-valuetext", `${text} ${row.unit === "1" ? "" : row.unit}`);
     }
     const idle = !drop.given.has(name) && scenario?.idle[name];
-    const range = row.kind === "choice" ? "" : `${row.range[0]} to ${row.range[1]}${row.unit === "1" ? "" : " " + row.unit}`;
+    const range = row.kind === "choice" ? "" : `${short(row.range[0])} to ${short(row.range[1])}${row.unit === "1" ? "" : " " + row.unit}`;
     field.legal.textContent = [range, field.isMain ? "" : row.description, idle ? `no effect: ${idle}` : ""].filter(part => part).join("; ");
     field.box.classList.toggle("idle", Boolean(idle));
     field.back.hidden = !drop.given.has(name);

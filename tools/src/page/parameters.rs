@@ -9,7 +9,7 @@ use softanvil_kernel::{Parameter, Scenario};
 
 /// Those that are sliders of their own, by their names, of every layer where they are of one; the coefficients of a layer's law
 /// are, too. All others are in the list.
-const MAIN: [&str; 11] = [
+const MAIN: [&str; 13] = [
     "impactor.drop_energy",
     "impactor.mass",
     "layers.count",
@@ -17,6 +17,8 @@ const MAIN: [&str; 11] = [
     "layers[].law",
     "layers[].bulk_modulus",
     "layers[].poissons_ratio",
+    "layers[].prony_g_1",
+    "layers[].prony_tau_1",
     "layers[].slider_stiffness",
     "layers[].slider_yield_stress",
     "core.friction_coefficient",
