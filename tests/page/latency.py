@@ -7,12 +7,25 @@ from statistics import median
 
 from conftest import MOVES
 
+# Times of the parts, ms: the default drop in the kernel, and the drawing of all that is shown.
+PARTS = """() => {
+    const timed = act => { const start = performance.now(); act(); return performance.now() - start; };
+    const drop = { kind: "drop", asked: askedOf(chosen()), label: "" }, times = [[], []];
+    for (let i = 0; i < 40; i++) {
+        times[0].push(timed(() => kernel(drop)));
+        times[1].push(timed(showAll));
+    }
+    return times;
+}"""
+
 
 def test_from_input_to_picture(open_page):
     page = open_page()
     # The first are those of a compiler that warms up.
     page.evaluate(MOVES, [20, 0])
+    parts = zip(("the drop in the kernel", "drawing"), page.evaluate(PARTS))
+    moves = [("a move right after the picture of the last one", 0), ("a move 100 ms after it", 100)]
+    moves = [(what, page.evaluate(MOVES, [60, pause])) for what, pause in moves]
     print()
-    for pause, what in ((0, "drawn on"), (100, "one move")):
-        times = page.evaluate(MOVES, [60, pause])
-        print(f"input to picture, {what}: {min(times):.0f} ms at best, {median(times):.0f} ms in the middle")
+    for what, times in [*parts, *moves]:
+        print(f"{what}: {min(times):.0f} ms at best, {median(times):.0f} ms in the middle")
