@@ -228,6 +228,8 @@ def test_files_go_in(open_page, tmp_path):
     page = open_page()
     (tmp_path / "mine.toml").write_text("[impactor]\nmass = 4.0\n")
     page.set_input_files("#file", tmp_path / "mine.toml")
+    # It is read before anything is simulated.
+    page.wait_for_function("chosen().toml")
     settle(page)
     same(page, cli("run", "--scenario", str(tmp_path / "mine.toml")))
     lines = ["time [ms],force [kN]", *(f"{1e3 * row['time [s]']},{row['contact.force [N]'] / 1e3}" for row in trace_of(page))]
