@@ -64,6 +64,50 @@ def test_the_bits_are_those_of_the_golden_trace_and_of_the_command_line(open_pag
         assert float(position) == sample["impactor.position [m]"]
 
 
+# A drop with what is shown of it before its run is over, by its preset and the values given over it.
+WITH_EARLY = """async ([preset, given]) => {
+    const early = [], asked = { kind: "drop", asked: { preset, toml: "", given }, label: "" };
+    return { whole: await simulator.ask("test", asked, undefined, answer => early.push(structuredClone(answer))), early };
+}"""
+
+
+def test_what_is_drawn_is_there_before_the_end_of_the_run(open_page):
+    """The digest and the numbers are those of the whole run, whose end adds nothing to the pictures."""
+    page = open_page()
+    found = page.evaluate(WITH_EARLY, ["study", []])
+    (early,), whole = found["early"], found["whole"]
+    assert early["hash"] is None and "numbers marked * are those so far" in early["remark"]
+    assert whole["hash"] == cli("run")["trace_hash"] and whole["remark"] == ""
+    assert "section" not in whole and "force_time" not in whole
+    peaks = [answer["numbers"][0]["value"] for answer in (early, whole)]
+    forces = [force for _, force in early["force_time"]["points"]]
+    assert peaks[0] == peaks[1] and abs(max(forces) - peaks[0]) < 0.01
+    # Until half a millisecond after the force is below 20 N, the threshold of the study, for good: samples of 0.05 ms.
+    below = next(i for i in range(len(forces)) if max(forces[i:]) <= 20)
+    assert 0 < below < len(forces) and len(forces) - below <= 12
+
+
+def test_a_second_impact_is_drawn_as_well(open_page):
+    page = open_page()
+    given = [["mesh.element_size", "0.006"], ["time.duration", "0.2"]]
+    found = page.evaluate(WITH_EARLY, ["study", given])
+    (early,), whole = found["early"], found["whole"]
+    # The mass comes back: rebound at some 0.6 m/s, twice that over gravity later.
+    assert early["force_time"]["points"][-1][0] < 20 and whole["force_time"]["points"][-1][0] > 100
+    assert whole["section"] and whole["hash"]
+
+
+def test_a_later_drop_does_not_wait_for_the_rest_of_one_that_is_shown(open_page):
+    page = open_page()
+    answers = page.evaluate("""async () => {
+        const ask = (energy, early) => simulator.ask("test", { kind: "drop", asked: { preset: "study", toml: "", given: [["impactor.drop_energy", energy]] }, label: "" }, undefined, early);
+        let second;
+        const first = await ask("10", () => { second = ask("9.8"); });
+        return [first, (await second).hash];
+    }""")
+    assert answers == [None, cli("run", "--energy", "9.8")["trace_hash"]]
+
+
 @pytest.mark.parametrize("preset", ["study", "study-14.7", "study-incompressible", "elastic", "block", "ecoflex-00-30"])
 def test_presets_are_those_of_the_command_line(open_page, preset):
     page = open_page()

@@ -9,16 +9,27 @@ let kernel, simulator, controls, player, plots = [];
 async function simulate(drop, since = performance.now()) {
   drop.asked++;
   waiting();
-  const answer = await simulator.ask(drop, { kind: "drop", asked: askedOf(drop), label: drop.name || drop.preset });
+  let isDrawn = false;
+  const draw = answer => {
+    if (!drops.includes(drop)) return;
+    take(drop, answer);
+    if (answer.section || drop.refusal) showAll();
+    else showResults();
+    if (!isDrawn) performance.measure("input to picture", { start: since, end: performance.now() });
+    isDrawn = true;
+  };
+  const answer = await simulator.ask(drop, { kind: "drop", asked: askedOf(drop), label: drop.name || drop.preset }, undefined, draw);
   drop.asked--;
   waiting();
-  if (answer === null || !drops.includes(drop)) return;
-  if (answer.refused) drop.refusal = answer.refused;
-  else if (answer.failed) drop.refusal = { fields: [], message: `The simulation failed: ${answer.failed}` };
-  else Object.assign(drop, { data: answer, refusal: null });
-  if (drop.file && drop.data && !drop.refusal) await lay(drop);
-  showAll();
-  performance.measure("input to picture", { start: since, end: performance.now() });
+  if (answer === null) return;
+  draw(answer);
+  if (drop.file && drop.data && !drop.refusal) lay(drop).then(showAll);
+}
+
+/** What has come of a drop: all that is shown of it, or what the end of its run has changed of that. */
+function take(drop, { refused, failed, more, ...answer }) {
+  if (refused || failed) drop.refusal = refused ?? { fields: [], message: `The simulation failed: ${failed}` };
+  else Object.assign(drop, { data: answer.section ? answer : { ...drop.data, ...answer }, refusal: null });
 }
 
 /** Lays the measured trace of a drop over it. */
@@ -76,9 +87,10 @@ function showChoice() {
 /** The chosen drop asks for something else. */
 function changed() {
   const since = window.event?.timeStamp ?? performance.now(), drop = chosen();
+  // First, because the worker is busy while the page shows the change.
+  simulate(drop, since);
   history.replaceState(null, "", "#" + toFragment());
   controls.show(drop);
-  simulate(drop, since);
 }
 
 /** One more drop, changed by `change`. */

@@ -19,7 +19,7 @@ function showResults() {
     if (two) cells.push(cell(numbers[0]?.value ? digits(100 * numbers[1].value / numbers[0].value, 0) + " %" : "–", "second of the first"));
     return make("tr", {}, make("th", { scope: "row", textContent: `${label} (${unit})` }), ...cells);
   });
-  const hashes = shownDrops.map((drop, i) => cell(drop.data.hash, head[i + 1]));
+  const hashes = shownDrops.map((drop, i) => cell(drop.data.hash ?? "…", head[i + 1]));
   rows.push(make("tr", { className: "hash" }, make("th", { scope: "row", textContent: "digest of the trace" }), ...hashes));
   const table = document.getElementById("results");
   table.tHead.replaceChildren(make("tr", {}, ...head.map(text => make("th", { scope: "col", textContent: text }))));
@@ -28,7 +28,7 @@ function showResults() {
 }
 
 function showWords(shownDrops) {
-  const about = shownDrops.flatMap(drop => drop.data.words.map(words => shownDrops.length > 1 ? `${labelOf(drop)}: ${words}` : words));
+  const about = shownDrops.flatMap(drop => [...drop.data.words, drop.data.remark].filter(words => words).map(words => shownDrops.length > 1 ? `${labelOf(drop)}: ${words}` : words));
   document.getElementById("words").replaceChildren(...about.map(textContent => make("li", { textContent })));
   document.getElementById("about").textContent = chosen()?.data?.about ?? "";
   document.getElementById("understood").textContent = chosen()?.understood ?? "";

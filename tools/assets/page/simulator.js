@@ -20,14 +20,23 @@ class Simulator {
     this.worker.postMessage({ module: this.module });
   }
 
-  /** Asks; `key` says of what kind. The answer, or null if another request of the kind came after it. */
-  ask(key, request, file) {
+  /** Asks; `key` says of what kind. The answer, or null if another request of the kind came after it. What there is to show
+      before the answer is whole goes to `early`. */
+  ask(key, request, file, early = () => {}) {
     return new Promise(answer => {
       this.waiting.get(key)?.answer(null);
-      this.waiting.set(key, { key, request, file, answer });
+      this.waiting.set(key, { key, request, file, early, answer });
       if (this.asked?.key === key && performance.now() - this.asked.since > Simulator.PATIENCE) this.stop();
+      this.giveWay();
       this.next();
     });
+  }
+
+  /** What has been shown gives way to a later request of its kind, and its rest is not awaited. */
+  giveWay() {
+    if (!this.asked?.isShown || !this.waiting.has(this.asked.key)) return;
+    this.asked.answer(null);
+    this.asked = null;
   }
 
   /** Breaks off what runs. */
@@ -51,7 +60,14 @@ class Simulator {
 
   take({ number, answer, broken }) {
     if (number !== this.asked?.number) return;
-    const { answer: tell, key } = this.asked;
+    const { answer: tell, early } = this.asked;
+    if (answer.more) {
+      this.asked.isShown = true;
+      early(answer);
+      this.giveWay();
+      this.next();
+      return;
+    }
     this.asked = null;
     if (broken) {
       this.worker.terminate();

@@ -1,13 +1,24 @@
 // The worker: simulates, so that the page never waits.
-let kernel = null;
+let kernel = null, newest = 0;
+const channel = new MessageChannel();
+/** Lets in what has been asked meanwhile. */
+const pause = () => new Promise(done => { channel.port1.onmessage = done; channel.port2.postMessage(null); });
+
 onmessage = async ({ data: { module, number, request, file } }) => {
   if (module) {
     kernel = startKernel(module);
     return;
   }
+  newest = number;
   try {
-    const answer = (await kernel)(request, file);
+    let answer = (await kernel)(request, file);
     postMessage({ number, answer: answer.section ? unpack(answer) : answer });
+    while (answer.more) {
+      await pause();
+      if (newest !== number) return;
+      answer = (await kernel)({ kind: "rest" });
+      if (!answer.more) postMessage({ number, answer: answer.section ? unpack(answer) : answer });
+    }
   } catch (error) {
     // After a panic or without memory the instance is no good any more.
     postMessage({ number, answer: { failed: String(error.message) }, broken: true });

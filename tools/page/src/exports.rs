@@ -2,7 +2,7 @@
 
 use std::cell::RefCell;
 
-use crate::request;
+use crate::request::Session;
 
 /// What lies between two calls.
 #[derive(Default)]
@@ -10,6 +10,7 @@ struct Exchange {
     request: Vec<u8>,
     file: Vec<u8>,
     answer: Vec<u8>,
+    session: Session,
 }
 
 thread_local! {
@@ -41,8 +42,8 @@ pub extern "C" fn softanvil_file(length: usize) -> *mut u8 {
 #[unsafe(no_mangle)]
 pub extern "C" fn softanvil_answer() -> usize {
     EXCHANGE.with_borrow_mut(|exchange| {
-        let Exchange { request, file, answer } = exchange;
-        *answer = request::answer(request, file).into_bytes();
+        let Exchange { request, file, answer, session } = exchange;
+        *answer = session.answer(request, file).into_bytes();
         file.clear();
         answer.len()
     })

@@ -8,4 +8,4 @@ mod exports;
 mod measured;
 mod request;
 
-pub use request::answer;
+pub use request::Session;

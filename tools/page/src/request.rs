@@ -1,8 +1,7 @@
 //! The requests of the page and their answers.
 
 use serde::Deserialize;
-use serde_json::{Value, json};
-use softanvil_kernel::Simulation;
+use serde_json::{Map, Value, json};
 use softanvil_tools::output::subject::Subject;
 use softanvil_tools::output::trace;
 use softanvil_tools::page::asked::{Asked, Refusal};
@@ -21,8 +20,11 @@ use crate::measured;
 enum Request {
     /// What does not depend on a drop: parameters, presets, legends.
     Table,
-    /// A drop with all that is drawn of it, under this label.
+    /// A drop with all that is drawn of it, under this label, as soon as that is there. Where its run goes on, the answer says
+    /// that there is `more`.
     Drop { asked: Asked, label: String },
+    /// A little of that run; at its end what it has changed.
+    Rest,
     /// Its scenario as a file.
     Toml { asked: Asked },
     /// Its trace as a file.
@@ -46,36 +48,71 @@ enum Of {
 
 /// A frame of the section is kept for every so many samples: the page draws those between by interpolation.
 const SAMPLES_IN_A_FRAME: usize = 6;
+/// Samples of a run whose end is not awaited, between two looks of the page for what it is asked meanwhile.
+const SAMPLES_IN_A_PIECE: usize = 5;
 /// Most numbers of the section in all frames together: finer meshes have fewer frames.
 const MOST_NUMBERS: usize = 4_000_000;
 
-/// The answer to `request`, JSON, to which `file` belongs: an object with what was asked for, with `refused` ([`Refusal`]), or
-/// with `failed`, a message.
-pub fn answer(request: &[u8], file: &[u8]) -> String {
-    let answer = match serde_json::from_slice(request) {
-        Ok(request) => carry_out(request, file).unwrap_or_else(|refusal| json!({ "refused": refusal })),
-        Err(error) => json!({ "failed": format!("the request is not understood: {error}") }),
-    };
-    answer.to_string()
+/// Answers requests one after another.
+#[derive(Default)]
+pub struct Session {
+    /// The drop that has been shown and whose run goes on.
+    underway: Option<Underway>,
 }
 
-fn carry_out(request: Request, file: &[u8]) -> Result<Value, Refusal> {
-    Ok(match request {
-        Request::Table => json!({ "table": parameters::table(), "legend": drop::legend() }),
-        Request::Drop { asked, label } => simulate(&asked.subject()?, &label)?,
-        Request::Toml { asked } => json!({ "text": scenario_file::to_toml(&asked.subject()?.scenario) }),
-        Request::Csv { asked } => {
-            let csv = trace::csv(&run(&asked.subject()?)?).map_err(|error| Refusal::of(error.to_string()))?;
-            json!({ "text": String::from_utf8_lossy(&csv) })
+impl Session {
+    /// The answer to `request`, JSON, to which `file` belongs: an object with what was asked for, with `refused` ([`Refusal`]),
+    /// or with `failed`, a message.
+    pub fn answer(&mut self, request: &[u8], file: &[u8]) -> String {
+        let answer = match serde_json::from_slice(request) {
+            Ok(request) => self.carry_out(request, file),
+            Err(error) => Ok(json!({ "failed": format!("the request is not understood: {error}") })),
+        };
+        answer.unwrap_or_else(|refusal| json!({ "refused": refusal })).to_string()
+    }
+
+    fn carry_out(&mut self, request: Request, file: &[u8]) -> Result<Value, Refusal> {
+        Ok(match request {
+            Request::Table => json!({ "table": parameters::table(), "legend": drop::legend() }),
+            Request::Drop { asked, label } => self.begin(&asked, label)?,
+            Request::Rest => self.go_on()?,
+            Request::Toml { asked } => json!({ "text": scenario_file::to_toml(&asked.subject()?.scenario) }),
+            Request::Csv { asked } => {
+                let csv = trace::csv(&run(&asked.subject()?)?).map_err(|error| Refusal::of(error.to_string()))?;
+                json!({ "text": String::from_utf8_lossy(&csv) })
+            }
+            Request::Measured { asked, name, beside } => {
+                measured::read(&asked.subject()?, &name, file, &beside).map_err(Refusal::of)?
+            }
+            Request::Levels { range } => drop::levels(range),
+            Request::Picture { of, size, window } => {
+                picture(of, size, window).unwrap_or_else(|failed| json!({ "failed": failed }))
+            }
+        })
+    }
+
+    fn begin(&mut self, asked: &Asked, label: String) -> Result<Value, Refusal> {
+        self.underway = None;
+        let mut underway = Underway::new(asked.subject()?, label)?;
+        let goes_on = underway.run_until_shown()?;
+        let mut all = underway.pictures();
+        all.append(&mut underway.outcome(goes_on));
+        if goes_on {
+            self.underway = Some(underway);
         }
-        Request::Measured { asked, name, beside } => {
-            measured::read(&asked.subject()?, &name, file, &beside).map_err(Refusal::of)?
+        Ok(Value::Object(all))
+    }
+
+    fn go_on(&mut self) -> Result<Value, Refusal> {
+        let Some(mut underway) = self.underway.take() else { return Ok(json!({ "failed": "nothing goes on" })) };
+        for _ in 0..SAMPLES_IN_A_PIECE {
+            if !underway.sample()? {
+                return Ok(Value::Object(underway.rest()));
+            }
         }
-        Request::Levels { range } => drop::levels(range),
-        Request::Picture { of, size, window } => {
-            picture(of, size, window).unwrap_or_else(|failed| json!({ "failed": failed }))
-        }
-    })
+        self.underway = Some(underway);
+        Ok(json!({ "more": true }))
+    }
 }
 
 fn picture(of: Of, size: [u32; 2], window: Option<[f64; 2]>) -> Result<Value, String> {
@@ -97,19 +134,69 @@ fn refused(error: RunError) -> Refusal {
     Refusal::of(error.to_string())
 }
 
-fn simulate(subject: &Subject, label: &str) -> Result<Value, Refusal> {
-    let drop = Drop::until(&subject.scenario, subject.until).map_err(refused)?;
-    let samples = drop.steps() / u64::from(drop.steps_per_sample());
-    let numbers = 8 * drop.elements();
-    let every = SAMPLES_IN_A_FRAME.max(samples as usize * numbers / MOST_NUMBERS);
-    let (mut animation, mut sample) = (Animation::default(), 0);
-    let run = drop.run_watched(|_, simulation: &mut Simulation| {
-        sample += 1;
-        if (sample - 1) % every != 0 {
-            return Ok(());
+/// A drop while it is simulated.
+struct Underway {
+    subject: Subject,
+    label: String,
+    drop: Drop,
+    animation: Animation,
+    /// Samples from one frame to the next.
+    every: usize,
+    /// Samples when the pictures were handed out.
+    shown: usize,
+}
+
+impl Underway {
+    fn new(subject: Subject, label: String) -> Result<Self, Refusal> {
+        let drop = Drop::until(&subject.scenario, subject.until).map_err(refused)?;
+        let samples = drop.steps() / u64::from(drop.steps_per_sample());
+        let every = SAMPLES_IN_A_FRAME.max(samples as usize * 8 * drop.elements() / MOST_NUMBERS);
+        let mut underway = Self { subject, label, drop, animation: Animation::default(), every, shown: 0 };
+        underway.take_frame()?;
+        Ok(underway)
+    }
+
+    fn take_frame(&mut self) -> Result<(), Refusal> {
+        self.animation.take(self.drop.simulation()).map_err(|error| refused(error.into()))
+    }
+
+    /// One more sample; false at the end of the run.
+    fn sample(&mut self) -> Result<bool, Refusal> {
+        if !self.drop.sample().map_err(refused)? {
+            return Ok(false);
         }
-        animation.take(simulation).map_err(RunError::from)
-    });
-    let run = run.map_err(refused)?;
-    Ok(drop::of(label, &subject.text(), &run, &animation))
+        if (self.drop.samples().len() - 1).is_multiple_of(self.every) {
+            self.take_frame()?;
+        }
+        Ok(true)
+    }
+
+    /// Until all is there that is drawn, or the run ends; whether it goes on.
+    fn run_until_shown(&mut self) -> Result<bool, Refusal> {
+        while !drop::is_shown(self.drop.constants(), self.drop.samples()) {
+            if !self.sample()? {
+                return Ok(false);
+            }
+        }
+        self.shown = self.drop.samples().len();
+        Ok(true)
+    }
+
+    fn pictures(&self) -> Map<String, Value> {
+        drop::pictures(&self.label, &self.subject.text(), &self.drop.so_far(), &self.animation)
+    }
+
+    fn outcome(&self, goes_on: bool) -> Map<String, Value> {
+        let run = self.drop.so_far();
+        if goes_on { drop::outcome_so_far(&run) } else { drop::outcome(&run) }
+    }
+
+    /// What has become of it since its pictures were handed out: everything, if it hit once more.
+    fn rest(&self) -> Map<String, Value> {
+        let mut rest = self.outcome(false);
+        if drop::shown_samples(self.drop.constants(), self.drop.samples()) > self.shown {
+            rest.append(&mut self.pictures());
+        }
+        rest
+    }
 }

@@ -4,8 +4,9 @@ use std::ops::Range;
 
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
-use serde_json::{Value, json};
-use softanvil_kernel::{OUTPUTS, Output, SAMPLING_INTERVAL};
+use serde_json::{Map, Value, json};
+use softanvil_kernel::state::Scalars;
+use softanvil_kernel::{Constants, OUTPUTS, Output, SAMPLING_INTERVAL};
 
 use crate::measurement::quantity::QUANTITIES;
 use crate::output::material_summary;
@@ -14,15 +15,17 @@ use crate::page::parameters;
 use crate::paper;
 use crate::plot::curve::{self, Curve};
 use crate::plot::{Balance, Shown, TERMS, style};
-use crate::run::{self, Run};
+use crate::run::{self, MARK, Run};
 use crate::section::animation::DISPLACEMENT;
 use crate::section::{Animation, Frame, Levels, Mesh, SHADES, SLAB};
 use crate::text::number::four_digits;
 
 /// Milliseconds in a second, millimetres in a metre.
 const MILLI: f64 = 1e3;
-/// Time shown before the contact and after it, s.
+/// Time shown before the contact and after the impact, s.
 const AROUND: f64 = 0.5e-3;
+/// Part of the peak force below which nothing is seen of it in a picture.
+const UNSEEN: f64 = 0.01;
 /// Most frames of the section, and most samples of the energies: what is between them is drawn by interpolation.
 const MOST_FRAMES: usize = 100;
 const MOST_SAMPLES: usize = 160;
@@ -33,25 +36,73 @@ const FAINT: f64 = 0.1;
 
 /// Everything that the scripts need of a run, which is called `label` and described by `about`; beside the experiment, if it is
 /// one of the paper's drops.
-pub fn of(label: &str, about: &str, run: &Run, animation: &Animation) -> Value {
+pub fn of(label: &str, about: &str, run: &Run, animation: &Animation) -> Map<String, Value> {
+    let mut all = pictures(label, about, run, animation);
+    all.append(&mut outcome(run));
+    all
+}
+
+/// Whether these samples are all that the pictures of a drop show, and more: only its numbers wait for the end of the run.
+pub fn is_shown(constants: &Constants, samples: &[Scalars]) -> bool {
+    faint(constants, samples) > 0.0 && shown_samples(constants, samples) < samples.len()
+}
+
+/// How many of the samples the pictures show: until [`AROUND`] after the impact, which is over where the force stays below what
+/// is measured and what is seen. The layer may still rest against the face then, for as long as the impact took.
+pub fn shown_samples(constants: &Constants, samples: &[Scalars]) -> usize {
+    let faint = faint(constants, samples);
+    let last = samples.iter().rposition(|sample| sample.sampler.last.contact_force > faint);
+    let after = 1 + (AROUND / SAMPLING_INTERVAL).round() as usize;
+    last.map_or(samples.len(), |last| samples.len().min(last + 1 + after))
+}
+
+/// The force that counts as none, N.
+fn faint(constants: &Constants, samples: &[Scalars]) -> f64 {
+    let peak = samples.iter().map(|sample| sample.sampler.last.contact_force).fold(0.0, f64::max);
+    constants.scenario.measurement.force_threshold.min(UNSEEN * peak)
+}
+
+/// What the end of a run may still change when its pictures are whole: its numbers, how it ended, and its digest.
+pub fn outcome(run: &Run) -> Map<String, Value> {
+    object(json!({
+        "hash": run.trace_hash(),
+        "ending": run.ending().key(),
+        "remark": one_line(&run::remark(run)),
+        "numbers": numbers(run),
+    }))
+}
+
+/// The same of a run that goes on.
+pub fn outcome_so_far(run: &Run) -> Map<String, Value> {
+    let remark = format!("The run goes on: numbers marked {MARK} are those so far.");
+    object(json!({ "hash": null, "ending": null, "remark": remark, "numbers": numbers(run), "more": true }))
+}
+
+/// The rest: the scenario, and what is drawn of the run.
+pub fn pictures(label: &str, about: &str, run: &Run, animation: &Animation) -> Map<String, Value> {
+    let run = &run.first(shown_samples(&run.constants, run.samples()));
     let paper = paper::case_of(&run.constants.scenario);
     let shown = [Shown { label: label.to_string(), run, experiment: paper.map(|case| case.experiment) }];
     let force_time = rounded(curve::force_time(&shown));
     let force_deformation = rounded(curve::force_deformation(&shown));
-    json!({
+    object(json!({
         "about": about,
         "scenario": parameters::values(&run.constants.scenario),
-        "hash": run.trace_hash(),
-        "ending": run.ending().key(),
         "triangles": run.constants.grid.n_elem(),
         "words": words(run),
-        "numbers": numbers(run),
         "instants": force_time.as_ref().zip(force_deformation.as_ref()).map(|(time, path)| instants(time, path)),
         "force_time": force_time,
         "force_deformation": force_deformation,
         "energy": balance(&shown[0]),
         "section": animation.mesh().map(|mesh| section(run, animation, mesh)),
-    })
+    }))
+}
+
+fn object(value: Value) -> Map<String, Value> {
+    match value {
+        Value::Object(map) => map,
+        _ => Map::new(),
+    }
 }
 
 /// Colours, dashes and marks of runs, and the terms of the balance: what a legend beside a picture shows.
@@ -89,7 +140,6 @@ fn hex([r, g, b]: [u8; 3]) -> String {
 
 /// What a reader has to know before the numbers.
 fn words(run: &Run) -> Vec<String> {
-    let one_line = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
     let layers = run.constants.scenario.layers.iter().enumerate();
     let unphysical = layers.filter(|(_, layer)| layer.material.poissons_ratio_0() < 0.0).map(|(place, layer)| {
         format!(
@@ -99,8 +149,11 @@ fn words(run: &Run) -> Vec<String> {
             layer.material.poissons_ratio_0()
         )
     });
-    let remark = one_line(&run::remark(run));
-    warnings(&run.constants).into_iter().chain(unphysical).chain((!remark.is_empty()).then_some(remark)).collect()
+    warnings(&run.constants).into_iter().chain(unphysical).collect()
+}
+
+fn one_line(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
 /// The results, those of the paper's table first, in the units of people.
@@ -148,7 +201,8 @@ fn balance(shown: &Shown) -> Balance {
 
 fn section(run: &Run, animation: &Animation, mesh: &Mesh) -> Value {
     let zero = start(run);
-    let frames = animation.frames().get(shown_frames(animation.frames(), zero)).unwrap_or_default();
+    let frames =
+        animation.frames().get(shown_frames(animation.frames(), zero, run.time(run.end()))).unwrap_or_default();
     let every = frames.len().div_ceil(MOST_FRAMES).max(1);
     let frames: Vec<&Frame> = frames.iter().step_by(every).collect();
     let displacement = packed(frames.iter().flat_map(|frame| frame.values(DISPLACEMENT)).copied().collect());
@@ -194,10 +248,8 @@ fn start(run: &Run) -> f64 {
     last.map_or(0.0, |sample| run.time(sample) - 0.5 * SAMPLING_INTERVAL)
 }
 
-/// Numbers of the frames in contact, and of some around them.
-fn shown_frames(frames: &[Frame], zero: f64) -> Range<usize> {
-    let loaded = frames.iter().rfind(|frame| frame.scalars.sampler.last.contact_force > 0.0);
-    let end = loaded.map_or(zero, |frame| frame.time) + AROUND;
+/// Numbers of the frames from [`AROUND`] before the contact to the end of what is shown, s.
+fn shown_frames(frames: &[Frame], zero: f64, end: f64) -> Range<usize> {
     let first = frames.iter().position(|frame| frame.time >= zero - AROUND).unwrap_or(0);
     first..frames.iter().rposition(|frame| frame.time <= end).map_or(frames.len(), |last| last + 1).max(first + 1)
 }

@@ -105,12 +105,23 @@ impl From<RunError> for Failure {
 /// let (planned, mut made) = (drop.steps(), 0);
 /// let whole = drop.run(|steps| made += steps)?;
 /// assert!(whole.ending() == Ending::Complete && made > planned);
+///
+/// // Sample by sample.
+/// let mut drop = Drop::new(&preset::study())?;
+/// while drop.simulation().time() < 5e-3 && drop.sample()? {}
+/// let early = drop.so_far();
+/// while drop.sample()? {}
+/// let whole = drop.so_far();
+/// assert!(early.ending() == Ending::InContact && whole.ending() == Ending::Complete);
+/// assert_eq!(whole.first(early.samples().len()).trace_hash(), early.trace_hash());
 /// # Ok::<(), softanvil_tools::run::RunError>(())
 /// ```
 pub struct Drop {
     simulation: Simulation,
     steps: u64,
     until: Until,
+    /// The state at the start and after every sample.
+    samples: Vec<Scalars>,
 }
 
 impl Drop {
@@ -132,7 +143,8 @@ impl Drop {
         }
         let simulation = Simulation::new(scenario)?;
         let steps = simulation.constants().steps_in(scenario.time.duration);
-        Ok(Self { simulation, steps, until })
+        let samples = vec![*simulation.scalars()];
+        Ok(Self { simulation, steps, until, samples })
     }
 
     /// Steps of the run up to `time.duration`.
@@ -180,8 +192,8 @@ impl Drop {
         mut self,
         watch: impl FnMut(u64, &mut Simulation) -> Result<(), E>,
     ) -> Result<(Run, Simulation), E> {
-        let samples = self.impact(watch)?;
-        Ok((self.record(samples), self.simulation))
+        self.impact(watch)?;
+        Ok((self.record(), self.simulation))
     }
 
     /// Runs several impacts on the same anvil to the end of each, with `rest` s between one and the next; `watch` sees them all.
@@ -197,25 +209,25 @@ impl Drop {
     ) -> Result<(Vec<Run>, Run, Simulation), E> {
         let mut runs = Vec::new();
         for _ in 1..impacts {
-            let samples = self.impact(&mut watch)?;
-            runs.push(self.record(samples));
+            self.impact(&mut watch)?;
+            runs.push(self.record());
             self.simulation.next_impact(rest).map_err(RunError::from)?;
+            self.samples.push(*self.simulation.scalars());
         }
         let (last, state) = self.run_to_state(watch)?;
         Ok((runs, last, state))
     }
 
-    /// One impact: the state at its start and after every sample.
+    /// One impact.
     fn impact<E: From<RunError>>(
         &mut self,
         mut watch: impl FnMut(u64, &mut Simulation) -> Result<(), E>,
-    ) -> Result<Vec<Scalars>, E> {
-        let mut samples = vec![*self.simulation.scalars()];
+    ) -> Result<(), E> {
         watch(0, &mut self.simulation)?;
-        while self.sample(&mut samples)? {
+        while self.sample()? {
             watch(self.stride(), &mut self.simulation)?;
         }
-        Ok(samples)
+        Ok(())
     }
 
     /// The same as long as `progress` says that it is still wanted; nothing if it ends by that.
@@ -223,33 +235,61 @@ impl Drop {
     /// # Errors
     /// The first step that fails.
     pub fn run_while(mut self, mut progress: impl FnMut(u64) -> bool) -> Result<Option<Run>, RunError> {
-        let mut samples = vec![*self.simulation.scalars()];
-        while self.sample(&mut samples)? {
+        while self.sample()? {
             if !progress(self.stride()) {
                 return Ok(None);
             }
         }
-        Ok(Some(self.record(samples)))
+        Ok(Some(self.record()))
     }
 
     fn stride(&self) -> u64 {
         u64::from(self.steps_per_sample())
     }
 
-    /// Simulates one sampling interval; false at the end.
-    fn sample(&mut self, samples: &mut Vec<Scalars>) -> Result<bool, RunError> {
+    /// Simulates one sampling interval; false at the end of the run, where it does nothing.
+    ///
+    /// # Errors
+    /// A step that fails.
+    pub fn sample(&mut self) -> Result<bool, RunError> {
         let stride = self.stride();
-        let (done, planned) = (samples.len() as u64 - 1, self.steps / stride);
+        let (done, planned) = (self.samples.len() as u64 - 1, self.steps / stride);
         let given_up = self.until == Until::Duration || done >= LONGEST_EXTENSION * planned;
-        if done >= planned && (given_up || is_over(self.simulation.constants(), samples)) {
+        if done >= planned && (given_up || is_over(self.constants(), &self.samples)) {
             return Ok(false);
         }
         self.simulation.step(stride, &StepInput::default())?;
-        samples.push(*self.simulation.scalars());
+        self.samples.push(*self.simulation.scalars());
         Ok(true)
     }
 
-    fn record(&self, samples: Vec<Scalars>) -> Run {
+    /// The simulation as it is now.
+    pub fn simulation(&mut self) -> &mut Simulation {
+        &mut self.simulation
+    }
+
+    /// Constants of the model.
+    pub fn constants(&self) -> &Constants {
+        self.simulation.constants()
+    }
+
+    /// The state at the start and after every sample up to now.
+    pub fn samples(&self) -> &[Scalars] {
+        &self.samples
+    }
+
+    /// The run up to now.
+    pub fn so_far(&self) -> Run {
+        self.run_of(self.samples.clone())
+    }
+
+    /// The run, whose samples are gone from here then.
+    fn record(&mut self) -> Run {
+        let samples = std::mem::take(&mut self.samples);
+        self.run_of(samples)
+    }
+
+    fn run_of(&self, samples: Vec<Scalars>) -> Run {
         Run { constants: self.simulation.constants().clone(), until: self.until, samples }
     }
 }
@@ -282,6 +322,12 @@ impl Run {
     /// Whether it went on beyond `time.duration`.
     pub fn was_extended(&self) -> bool {
         self.end().step_index > self.constants.steps_in(self.constants.scenario.time.duration)
+    }
+
+    /// The run as it was after its first `count` samples, that of the start counted.
+    pub fn first(&self, count: usize) -> Self {
+        let samples = self.samples.iter().take(count.max(1)).copied().collect();
+        Self { constants: self.constants.clone(), until: self.until, samples }
     }
 
     /// The state at the start and at the end of every sampling interval.
