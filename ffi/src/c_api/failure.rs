@@ -176,7 +176,7 @@ impl Failure {
             Self::Scenario(ScenarioError::Softening { r, .. }) => [r, 1.0, NAN],
             Self::Scenario(ScenarioError::BulkModulus { modulus, .. }) => [modulus, 0.0, NAN],
             Self::Model(ModelError::TooManyCells { cells, max }) => [cells, 1.0, max as f64],
-            Self::Model(ModelError::StepTooSmall { step, smallest }) => [step, smallest, NAN],
+            Self::Model(ModelError::StepTooSmall { step, smallest, .. }) => [step, smallest, NAN],
             Self::Model(ModelError::StepTooLarge { step, limit }) => [step, 0.0, limit],
             Self::Step(StepError::Unstable { limit, step, .. }) => [step, 0.0, limit],
             Self::Step(StepError::Input { error, .. }) => [error.value, error.min, error.max],

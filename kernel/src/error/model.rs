@@ -1,10 +1,13 @@
 //! Models that cannot be built.
 
+use core::fmt;
+
 use thiserror::Error;
 
 use super::memory::MemoryError;
 use super::scenario::ScenarioError;
 use crate::number::decimal::Decimal;
+use crate::number::math;
 use crate::number::real::Real;
 
 /// Why a model or a state could not be built.
@@ -34,12 +37,14 @@ pub enum ModelError {
         max: usize,
     },
     /// The stable step is below the smallest divisor of the sampling interval that is offered.
-    #[error("the stable time step is {} s: expected at least {} s (softer or coarser)", Decimal(*step), Decimal(*smallest))]
+    #[error("the stable time step is {} s{}: expected at least {} s", Decimal(*step), Pressed(*stretch), Decimal(*smallest))]
     StepTooSmall {
         /// Stable step, s.
         step: Real,
         /// Smallest step, s.
         smallest: Real,
+        /// Smallest principal stretch of the cell that limits the step, 1 at rest.
+        stretch: Real,
     },
     /// The given step is above the stability limit at rest.
     #[error("time.step = {} s is refused: expected above 0 s and up to {} s at rest", Decimal(*step), Decimal(*limit))]
@@ -64,4 +69,20 @@ pub enum ModelError {
     /// There is too little memory.
     #[error(transparent)]
     Memory(#[from] MemoryError),
+}
+
+/// Where a step is too small, and what helps: a cell that is pressed to this stretch, or one at rest.
+struct Pressed(Real);
+
+impl fmt::Display for Pressed {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.0 >= 1.0 {
+            return f.write_str(" at rest (larger cells or a softer layer allow more)");
+        }
+        let percent = Decimal(math::ceil(1e3 * self.0) / 10.0);
+        write!(
+            f,
+            " with a cell pressed to {percent} % of its size (less energy or depth, or a thicker or stiffer layer, allows more)"
+        )
+    }
 }

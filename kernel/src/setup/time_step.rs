@@ -62,10 +62,11 @@ pub(crate) fn with_chosen_step<'c>(
         }
         None => scenario.time.step,
     };
-    let count = steps_per_sample(step)?;
+    let stretch = forecast.map_or(1.0, |forecast| forecast.stretch);
+    let count = steps_per_sample(step, stretch)?;
     constants.set_step(SAMPLING_INTERVAL / count as Real, count);
     constants.fingerprint = fingerprint(scenario, &grid, arrays.nodes);
-    constants.design_stretch = forecast.map_or(1.0, |forecast| forecast.stretch);
+    constants.design_stretch = stretch;
     Ok(constants)
 }
 
@@ -115,12 +116,12 @@ fn margin(ratio: Real) -> Real {
     MARGIN * math::exp(MARGIN_POWER * math::ln(ratio))
 }
 
-/// Steps per sampling interval: as few as are not longer than `step`, s.
-fn steps_per_sample(step: Real) -> Result<u32, ModelError> {
+/// Steps per sampling interval: as few as are not longer than `step`, s, which a cell at this `stretch` asks for.
+fn steps_per_sample(step: Real, stretch: Real) -> Result<u32, ModelError> {
     // A step that is a whole divisor but for `SAME` counts as that divisor.
     let count = math::max(1.0, math::ceil(SAMPLING_INTERVAL / step * (1.0 - real::SAME)));
     if count > MAX_STEPS_PER_SAMPLE as Real {
-        return Err(ModelError::StepTooSmall { step, smallest: SMALLEST_STEP });
+        return Err(ModelError::StepTooSmall { step, smallest: SMALLEST_STEP, stretch });
     }
     Ok(count as u32)
 }

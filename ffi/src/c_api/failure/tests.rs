@@ -207,11 +207,11 @@ fn models_are_told_with_their_limits() {
             "mesh.element_size asks for 1000000000 cells",
         ),
         (
-            ModelError::StepTooSmall { step: 1.0, smallest: 2.0 }.into(),
+            ModelError::StepTooSmall { step: 1.0, smallest: 2.0, stretch: 0.0213 }.into(),
             Status::StepTooSmall,
             [1.0, 2.0, NAN],
             None,
-            "the stable time step is 1 s: expected at least 2 s",
+            "the stable time step is 1 s with a cell pressed to 2.2 % of its size (less energy or depth, or a thicker or stiffer layer, allows more): expected at least 2 s",
         ),
         (
             ModelError::StepTooLarge { step: 2.0, limit: 1.0 }.into(),
