@@ -10,6 +10,7 @@ mod pictures;
 mod protect;
 mod quasi_static;
 mod recovery;
+mod reference;
 mod report;
 mod run;
 mod series;
