@@ -15,4 +15,5 @@ mod report;
 mod run;
 mod series;
 mod sweep;
+mod tutorial;
 mod wrong_input;
