@@ -2,6 +2,7 @@
 
 mod calibrate;
 mod common;
+mod documentation;
 mod fit;
 mod golden;
 mod measure;
