@@ -3,8 +3,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Component, Path, PathBuf};
 
+use softanvil_kernel::material::ElasticLaw;
 use softanvil_kernel::mesh::Grid;
-use softanvil_kernel::{FIELDS, OUTPUTS, Parameter, preset};
+use softanvil_kernel::{FIELDS, INPUTS, OUTPUTS, Parameter, preset};
 
 use crate::common::read_csv;
 
@@ -159,33 +160,71 @@ fn every_path_that_a_page_names_is_there() {
     assert!(missing.is_empty(), "{missing:#?}");
 }
 
-/// Names in the table of symbols are those of parameters, outputs and fields.
+/// Whether a parameter, an input, an output or a field is called so.
+fn is_name(name: &str) -> bool {
+    // Variables that the FMU alone has.
+    let of_fmu = ["model.time", "model.time_step"];
+    Parameter::find(name).is_some()
+        || INPUTS.iter().any(|input| input.name == name)
+        || OUTPUTS.iter().any(|output| output.name == name)
+        || FIELDS.iter().any(|field| field.name == name)
+        || of_fmu.contains(&name)
+}
+
+/// Names in the table of symbols are those of parameters, outputs and fields; every law, every choice that has an equation and
+/// every energy has its place.
 #[test]
 fn the_theory_names_what_there_is() {
     let theory = &pages()[Path::new("docs/theory.md")];
     let (_, table) = theory.split_once("## Symbols").unwrap();
     let (table, _) = table.split_once("## Sources").unwrap();
-    let known = |name: &str| {
-        Parameter::find(name).is_some()
-            || Parameter::find(&format!("layers[0].{name}")).is_some()
-            || OUTPUTS.iter().any(|output| output.name == name)
-            || FIELDS.iter().any(|field| field.name == name)
-    };
     let rows: Vec<&str> = table.lines().filter(|line| line.starts_with("| `")).collect();
     assert!(rows.len() > 25);
     for row in rows {
         let cells: Vec<&str> = row.split('|').collect();
         assert_eq!(cells.len(), 8, "{row}");
         for (_, name) in pieces(cells[4]).filter(|(code, _)| *code) {
-            assert!(known(name), "{name}");
+            assert!(is_name(name) || is_name(&format!("layers[0].{name}")), "{name}");
         }
     }
-    let (_, energies) = theory.split_once("## Energies").unwrap();
-    for (_, token) in prose(energies).flat_map(pieces).filter(|(code, _)| *code) {
-        let is_output =
-            ["energy.", "result.", "contact.", "core.reaction"].iter().any(|group| token.starts_with(group));
-        assert!(!is_output || known(token), "{token}");
+    for law in ElasticLaw::ALL {
+        assert!(theory.contains(&format!("\n| `{}` |", law.description().name)), "{law:?}");
     }
+    for name in ["core.interface", "geometry.formulation"] {
+        for label in Parameter::find(name).unwrap().labels() {
+            assert!(theory.contains(&format!("\n| `{label}` |")), "{name}: {label}");
+        }
+    }
+    for label in Parameter::find("layers[0].volumetric_law").unwrap().labels() {
+        assert!(theory.contains(&format!("\n{label}: ")), "{label}");
+    }
+    for output in OUTPUTS.iter().filter(|output| output.name.starts_with("energy.")) {
+        assert!(theory.contains(output.name.strip_prefix("energy.").unwrap()), "{}", output.name);
+    }
+}
+
+/// What a page calls by a name of a group is there.
+#[test]
+fn the_names_on_the_pages_are_those_of_the_tables() {
+    let groups: BTreeSet<String> = Parameter::all()
+        .map(|parameter| parameter.name().group().to_string())
+        .chain(OUTPUTS.iter().map(|output| output.name.split('.').next().unwrap().into()))
+        .chain(FIELDS.iter().map(|field| field.name.split('.').next().unwrap().into()))
+        .collect();
+    let mut unknown = Vec::new();
+    for (page, text) in pages().iter().filter(|(page, _)| !page.ends_with("CHANGELOG.md")) {
+        for (_, token) in prose(text).flat_map(pieces).filter(|(code, _)| *code) {
+            let name = token.split([' ', '=']).next().unwrap();
+            let (group, field) = name.split_once('.').unwrap_or((name, ""));
+            let group = group.split('[').next().unwrap();
+            let is_file = ["rs", "py", "c", "sh", "toml", "md", "csv", "svg"].contains(&field);
+            let plain = !field.is_empty() && field.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
+            if plain && !is_file && groups.contains(group) && !is_name(name) {
+                unknown.push(format!("{}: {name}", page.display()));
+            }
+        }
+    }
+    assert!(unknown.is_empty(), "{unknown:#?}");
 }
 
 /// Numbers that stand in prose.
