@@ -7,7 +7,7 @@ use softanvil_kernel::material::ElasticLaw;
 use softanvil_kernel::mesh::Grid;
 use softanvil_kernel::{FIELDS, INPUTS, OUTPUTS, Parameter, preset};
 
-use crate::common::read_csv;
+use crate::common::{read_csv, succeed};
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().to_path_buf()
@@ -225,6 +225,28 @@ fn the_names_on_the_pages_are_those_of_the_tables() {
         }
     }
     assert!(unknown.is_empty(), "{unknown:#?}");
+}
+
+/// Commands of pages whose output nobody compares.
+#[test]
+fn the_commands_of_the_first_pages_run() {
+    let pages = pages();
+    for (name, least) in [("README.md", 4), ("docs/first-drop.md", 3), ("docs/scenarios.md", 5)] {
+        let (folder, mut count) = (tempfile::tempdir().unwrap(), 0);
+        for block in pages[Path::new(name)].split("\n```sh\n").skip(1) {
+            let (block, _) = block.split_once("\n```").unwrap();
+            for line in block.lines().filter_map(|line| line.strip_prefix("softanvil ")) {
+                let line = line.split(" # ").next().unwrap().trim();
+                let (arguments, file) = line.split_once(" > ").map_or((line, None), |(line, file)| (line, Some(file)));
+                let printed = succeed(folder.path(), &arguments.split_whitespace().collect::<Vec<_>>());
+                if let Some(file) = file {
+                    std::fs::write(folder.path().join(file), printed).unwrap();
+                }
+                count += 1;
+            }
+        }
+        assert!(count >= least, "{name}: {count} commands");
+    }
 }
 
 /// Numbers that stand in prose.
