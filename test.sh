@@ -81,7 +81,7 @@ if have_python; then
     page=1
     need chromium chromium || { page=; skip "page in a browser" "chromium is missing and cannot be installed"; }
 else
-    for name in "FMU in other tools" "programs and picture of the README" "fitted material files in other tools" \
+    for name in "FMU in other tools" "first programs and pictures of the README" "fitted material files in other tools" \
         "series for ParaView" "page in a browser" "Python package"; do
         skip "$name" "python3 with venv, or gcc, is missing and cannot be installed"
     done
@@ -110,7 +110,7 @@ fmu_tests() {
     run "FMU in other tools, checked program" tests/fmi/run.sh target/checked test_results.py -k "last_bit"
 }
 python_tests() {
-    run "programs and picture of the README" tests/readme.sh target/release "$SOFTANVIL_VENV"
+    run "first programs and pictures of the README" tests/readme.sh target/release "$SOFTANVIL_VENV"
     run "fitted material files in other tools" tests/identify/run.sh target/release "$SOFTANVIL_VENV"
     run "series for ParaView" tests/report/run.sh target/release "$SOFTANVIL_VENV"
 }

@@ -1,6 +1,7 @@
 """The notebooks run, in reduced size, from their first cell to their last, and draw."""
 
 import os
+import re
 
 import jupytext
 import nbclient
@@ -25,3 +26,14 @@ def test_notebook(root, tmp_path, monkeypatch, name):
 
         for number, picture in enumerate(pictures):
             (Path(kept) / f"{name}-{number}.png").write_bytes(base64.b64decode(picture))
+
+
+def test_first_drop_of_the_documentation(root, tmp_path, monkeypatch, capsys):
+    """The program of docs/first-drop.md prints the peak that the page states, and leaves its files."""
+    page = (root / "docs/first-drop.md").read_text()
+    (program,) = re.findall(r"## In Python\n.*?```python\n(.*?)```", page, re.DOTALL)
+    monkeypatch.chdir(tmp_path)
+    exec(program, {})
+    (stated,) = re.findall(r"the drop of 9\.8 J one of `(.*?)`", page)
+    assert capsys.readouterr().out == f"{stated}\n"
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["force.png", "sweep.csv"]

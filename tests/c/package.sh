@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs the package into a scratch prefix and builds from it what users build: the rigs in C and C++, which CTest runs,
-# and the README's program by CMake, by pkg-config and by plain gcc. With SOFTANVIL_CLI, peak force and trace hash must be
-# those of the command line program. Needs cmake and pkg-config.
+# and the program of docs/first-drop.md by CMake, by pkg-config and by plain gcc. With SOFTANVIL_CLI, peak force and trace hash
+# must be those of the command line program. Needs cmake and pkg-config.
 #
 #     tests/c/package.sh
 set -euo pipefail
@@ -40,10 +40,10 @@ done
 mv "$prefix" "$work/moved" && prefix=$work/moved
 export PKG_CONFIG_PATH=$prefix/lib/pkgconfig
 
-# The README's program, three ways.
+# The program of docs/first-drop.md, three ways.
 example=$work/example
 mkdir "$example"
-block() { sed -n "/^\`\`\`$1\$/,/^\`\`\`\$/p" "$root/README.md" | sed '1d;$d'; }
+block() { sed -n "/^\`\`\`$1\$/,/^\`\`\`\$/p" "$root/docs/first-drop.md" | sed '1d;$d'; }
 block c >"$example/drop.c"
 block cmake >"$example/CMakeLists.txt"
 quietly cmake -S "$example" -B "$example/build" -DCMAKE_PREFIX_PATH="$prefix"
@@ -52,7 +52,7 @@ gcc "$example/drop.c" $(pkg-config --cflags --libs softanvil) -Wl,-rpath,"$prefi
 gcc -I "$prefix/include" "$example/drop.c" "$prefix/lib/libsoftanvil.a" $(pkg-config --libs-only-l --static softanvil |
     sed 's/-lsoftanvil//') -o "$example/by-gcc"
 peak=$("$example/build/drop")
-echo "README's program: $peak"
+echo "program of docs/first-drop.md: $peak"
 [ "$("$example/by-pkg-config")" = "$peak" ] && [ "$("$example/by-gcc")" = "$peak" ]
 if [ -n "${SOFTANVIL_CLI:-}" ]; then
     [ "$peak" = "$("$SOFTANVIL_CLI" run --energy 14.7 --json | sed -n 's/.*"peak_force": *\([0-9.]*\).*/\1/p' |

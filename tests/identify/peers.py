@@ -1,6 +1,6 @@
 """Fits by Softanvil and by Python packages side by side, in one run: peers.py BUILD_FOLDER, which needs
 `pip install -r peers.txt`, `cargo build --release -p softanvil` and `cargo build --release -p softanvil-identify --example
-fit_law`. Rewrites peers.csv and the table of docs/identification.md.
+fit_law`. Rewrites peers.csv and the table of docs/fits.md.
 
 Laws: the three tests of Treloar in data/treloar, residuals of the nominal stress, each point with weight one. Relaxation:
 two Prony terms, made up, with 1 kPa of noise. Two times of each program, both the best of several:
@@ -256,8 +256,8 @@ def rows(build):
 
 
 def document(table):
-    """Puts the rows into docs/identification.md, between the marks."""
-    page = ROOT / "docs" / "identification.md"
+    """Puts the rows into docs/fits.md, between the marks."""
+    page = ROOT / "docs" / "fits.md"
     lines = [line for line in page.read_text().split("\n")]
     first, last = (lines.index(f"<!-- peers.csv {mark} -->") for mark in ("begins", "ends"))
     shown = [[*row[:2], *row[3:6]] for row in [HEAD, *table]]

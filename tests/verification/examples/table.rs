@@ -9,6 +9,7 @@ use softanvil_verification::table::{long_rows, markdown, markdown_checks, regula
 const HEAD: &str = "# Verification
 
 Every problem is a file in `tests/verification/tests/suite/`, which names the source of its reference. Errors are relative.
+[verification-guide.md](verification-guide.md) says how to read the tables, and which row answers which question.
 `cargo run --release -p softanvil-verification --example table` writes this page.
 ";
 

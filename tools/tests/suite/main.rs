@@ -2,6 +2,7 @@
 
 mod calibrate;
 mod common;
+mod documentation;
 mod fit;
 mod golden;
 mod measure;
@@ -10,8 +11,10 @@ mod pictures;
 mod protect;
 mod quasi_static;
 mod recovery;
+mod reference;
 mod report;
 mod run;
 mod series;
 mod sweep;
+mod tutorial;
 mod wrong_input;

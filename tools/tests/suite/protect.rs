@@ -2,7 +2,7 @@
 
 use tempfile::tempdir;
 
-use crate::common::{entries, fail, json, succeed, svg_texts};
+use crate::common::{entries, fail, json, run_page, succeed, svg_texts};
 
 const SOFT: &str = "[pad]\nfoam_mu_1 = 5e4\nfoam_mu_2 = 1e3\n";
 const STIFF: &str = "[pad]\nfoam_mu_1 = 3e5\nfoam_mu_2 = 5e3\n";
@@ -104,43 +104,4 @@ fn the_walk_through_of_the_documentation_runs() {
 #[test]
 fn the_drops_of_the_validation_run() {
     assert!(run_page("validation.md") > 1);
-}
-
-/// Runs a page: its files are written, its commands run, and what it quotes of their output is there. How many commands there are.
-fn run_page(page: &str) -> usize {
-    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
-    let page = std::fs::read_to_string(root.join("docs").join(page)).unwrap();
-    let (folder, mut printed, mut commands) = (tempdir().unwrap(), String::new(), 0);
-    for block in page.split("\n```").skip(1).step_by(2) {
-        let (language, lines) = block.split_once('\n').unwrap();
-        match language {
-            "toml" => {
-                let name = lines.lines().next().unwrap().strip_prefix("# ").unwrap();
-                std::fs::write(folder.path().join(name), lines).unwrap();
-            }
-            "sh" => {
-                for line in lines.replace("\\\n", " ").lines() {
-                    let words: Vec<String> = line
-                        .split_whitespace()
-                        .map(|word| word.replace("data/", &format!("{}/data/", root.display())))
-                        .collect();
-                    assert_eq!(words[0], "softanvil", "{line}");
-                    let arguments: Vec<&str> = words[1..].iter().map(String::as_str).collect();
-                    printed = succeed(folder.path(), &arguments);
-                    commands += 1;
-                }
-            }
-            // Columns are as wide as the names in them.
-            "text" => lines
-                .lines()
-                .for_each(|line| assert!(squeezed(&printed).contains(&squeezed(line)), "{line} in\n{printed}")),
-            _ => panic!("{language}"),
-        }
-    }
-    commands
-}
-
-/// With one blank wherever there are several.
-fn squeezed(text: &str) -> String {
-    text.split_whitespace().collect::<Vec<_>>().join(" ")
 }

@@ -76,3 +76,40 @@ pub fn svg_texts(path: &Path) -> Vec<String> {
         .map(|node| node.text().unwrap_or_default().trim().to_string())
         .collect()
 }
+
+/// Runs a page: its files are written, its commands run, and what it quotes of their output is there. How many commands there are.
+pub fn run_page(page: &str) -> usize {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
+    let data = format!("{}/data/", root.display());
+    let page = std::fs::read_to_string(root.join("docs").join(page)).unwrap();
+    let (folder, mut printed, mut commands) = (tempfile::tempdir().unwrap(), String::new(), 0);
+    for block in page.split("\n```").skip(1).step_by(2) {
+        let (language, lines) = block.split_once('\n').unwrap();
+        match language {
+            "toml" => {
+                let name = lines.lines().next().unwrap().strip_prefix("# ").unwrap();
+                std::fs::write(folder.path().join(name), lines.replace("data/", &data)).unwrap();
+            }
+            "sh" => {
+                for line in lines.replace("\\\n", " ").lines() {
+                    let words: Vec<String> = line.split_whitespace().map(|word| word.replace("data/", &data)).collect();
+                    assert_eq!(words[0], "softanvil", "{line}");
+                    let arguments: Vec<&str> = words[1..].iter().map(String::as_str).collect();
+                    printed = succeed(folder.path(), &arguments);
+                    commands += 1;
+                }
+            }
+            // Columns are as wide as the names in them.
+            "text" => lines
+                .lines()
+                .for_each(|line| assert!(squeezed(&printed).contains(&squeezed(line)), "{line} in\n{printed}")),
+            _ => panic!("{language}"),
+        }
+    }
+    commands
+}
+
+/// With one blank wherever there are several.
+fn squeezed(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
