@@ -37,3 +37,10 @@ def test_first_drop_of_the_documentation(root, tmp_path, monkeypatch, capsys):
     (stated,) = re.findall(r"the drop of 9\.8 J one of `(.*?)`", page)
     assert capsys.readouterr().out == f"{stated}\n"
     assert sorted(path.name for path in tmp_path.iterdir()) == ["force.png", "sweep.csv"]
+
+
+def test_program_of_the_readme(root, tmp_path, monkeypatch):
+    (program,) = re.findall(r"```python\n(.*?)```", (root / "README.md").read_text(), re.DOTALL)
+    monkeypatch.chdir(tmp_path)
+    exec(program, {})
+    assert [path.name for path in tmp_path.iterdir()] == ["force.png"]
