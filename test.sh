@@ -116,7 +116,7 @@ python_tests() {
 }
 page_tests() {
     [ -z "$page" ] || run "page in a browser" tests/page/run.sh target/release "$SOFTANVIL_VENV"
-    run "page is what the sources make" tests/page/rebuilt.sh target/release
+    run "page is of these sources" tests/page/rebuilt.sh target/release
 }
 # The package has a workspace of its own.
 wheel_tests() { run "Python package" python/test.sh; }
