@@ -22,6 +22,9 @@ pub enum Until {
 /// heavy impactors last some of it, and what comes to rest on the layer never leaves it.
 pub const LONGEST_EXTENSION: u64 = 20;
 
+/// Samples that room is made for before a run, at most.
+const MOST_AT_ONCE: u64 = 10_000;
+
 /// Samples without force after which an impact counts as over: the layer rings and may touch once more.
 const CLEAR: usize = 10;
 
@@ -143,7 +146,9 @@ impl Drop {
         }
         let simulation = Simulation::new(scenario)?;
         let steps = simulation.constants().steps_in(scenario.time.duration);
-        let samples = vec![*simulation.scalars()];
+        let stride = u64::from(simulation.constants().steps_per_sample);
+        let mut samples = Vec::with_capacity((steps / stride + 1).min(MOST_AT_ONCE) as usize);
+        samples.push(*simulation.scalars());
         Ok(Self { simulation, steps, until, samples })
     }
 
