@@ -20,6 +20,7 @@ pub mod patch;
 pub mod patch_distorted;
 pub mod slider;
 pub mod softening;
+pub mod solid_section;
 pub mod swinging_plate;
 pub mod tear;
 pub mod viscoelastic;
