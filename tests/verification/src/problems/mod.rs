@@ -18,6 +18,7 @@ pub mod lame;
 pub mod maxwell;
 pub mod patch;
 pub mod patch_distorted;
+pub mod reduction;
 pub mod slider;
 pub mod softening;
 pub mod solid_section;

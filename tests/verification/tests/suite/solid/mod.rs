@@ -2,5 +2,6 @@
 
 mod element;
 mod limits;
+mod reduction;
 mod section;
 mod state;
