@@ -5,7 +5,7 @@ use std::fmt::Write;
 use crate::problems::{
     bar_wave, bonded_strip, checkerboard, closed_forms, contact_convergence, cook, coulomb_block, cylinder, foam,
     harmonic, hertz, impactor, indentation, interface, lame, maxwell, patch, patch_distorted, slider, softening,
-    solid_section, swinging_plate, tear, viscoelastic, volumetric,
+    solid_press, solid_section, swinging_plate, tear, viscoelastic, volumetric,
 };
 use crate::row::{Check, Row};
 
@@ -56,6 +56,7 @@ pub fn regular_rows() -> Vec<Row> {
         checkerboard::rows(),
         softening::rows(),
         solid_section::rows(),
+        solid_press::rows(),
     ]
     .into_iter()
     .flatten()

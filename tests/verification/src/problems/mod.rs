@@ -21,6 +21,7 @@ pub mod patch_distorted;
 pub mod reduction;
 pub mod slider;
 pub mod softening;
+pub mod solid_press;
 pub mod solid_section;
 pub mod swinging_plate;
 pub mod tear;
