@@ -5,7 +5,7 @@ use std::fmt::Write;
 use crate::problems::{
     bar_wave, bonded_strip, checkerboard, closed_forms, contact_convergence, cook, coulomb_block, cylinder, foam,
     harmonic, hertz, impactor, indentation, interface, lame, maxwell, patch, patch_distorted, slider, softening,
-    swinging_plate, tear, viscoelastic, volumetric,
+    solid_press, solid_section, swinging_plate, tear, viscoelastic, volumetric,
 };
 use crate::row::{Check, Row};
 
@@ -55,6 +55,8 @@ pub fn regular_rows() -> Vec<Row> {
         lame::rows(&lame::CELLS),
         checkerboard::rows(),
         softening::rows(),
+        solid_section::rows(),
+        solid_press::rows(),
     ]
     .into_iter()
     .flatten()

@@ -2,5 +2,7 @@
 
 mod element;
 mod limits;
+mod press;
+mod reduction;
 mod section;
 mod state;
