@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use serde_json::{Value, json};
 use softanvil_kernel::mesh::Grid;
 use softanvil_kernel::preset::Preset;
-use softanvil_kernel::scenario::{DropBy, Formulation, Motion, Section, Shape};
+use softanvil_kernel::scenario::{Body, DropBy, Ends, Formulation, Geometry, Motion, Section, Shape, Symmetry};
 use softanvil_kernel::{Constants, ModelError, Scenario};
 
 use crate::output::material_summary;
@@ -122,16 +122,36 @@ fn anvil(scenario: &Scenario) -> String {
         1 => format!("a layer of {} mm", in_mm(scenario.thickness())),
         _ => format!("{}, from the core to the surface,", parts.collect::<Vec<_>>().join(", ")),
     };
-    let axisymmetric = geometry.formulation == Formulation::Axisymmetric;
-    let on = match (geometry.shape, axisymmetric) {
+    let on = match (geometry.shape, is_revolved(geometry)) {
         (Shape::Round, false) => format!("a core of {} mm diameter", in_mm(2.0 * geometry.core_radius)),
         (Shape::Round, true) => format!("a ball of {} mm diameter", in_mm(2.0 * geometry.core_radius)),
         (Shape::Block, false) => format!("a flat core, {} mm wide", in_mm(geometry.block_width)),
         (Shape::Block, true) => format!("a flat core, {} mm in diameter", in_mm(geometry.block_width)),
     };
-    let kind = if axisymmetric { "axisymmetric" } else { "plane strain" };
-    let section = if geometry.section == Section::Full { "whole" } else { "half" };
-    format!("Anvil: {layer} on {on}; {kind}, {section} section.")
+    format!("Anvil: {layer} on {on}; {}.", formulation(geometry))
+}
+
+fn is_revolved(geometry: &Geometry) -> bool {
+    geometry.formulation == Formulation::Axisymmetric
+        || geometry.formulation.is_solid() && geometry.body == Body::Revolved
+}
+
+/// In how many dimensions it is simulated, and how much of it.
+fn formulation(geometry: &Geometry) -> String {
+    if !geometry.formulation.is_solid() {
+        let kind = if is_revolved(geometry) { "axisymmetric" } else { "plane strain" };
+        let section = if geometry.section == Section::Full { "whole" } else { "half" };
+        return format!("{kind}, {section} section");
+    }
+    let part = match geometry.symmetry {
+        Symmetry::Quarter => "a quarter",
+        Symmetry::Half => "a half",
+        Symmetry::Full => "the whole",
+    };
+    let ends = if geometry.ends == Ends::Held { "held" } else { "free" };
+    let long = format!("{} mm long with {ends} ends, ", short(1e3 * geometry.length));
+    let long = if is_revolved(geometry) { "" } else { &long };
+    format!("in three dimensions, {long}{part} of it meshed")
 }
 
 /// What makes the numbers of a model doubtful before it runs, in lines without a break.
@@ -189,5 +209,22 @@ mod tests {
         assert_eq!(drop(&scenario), "Drop: 5 kg with 14.7 J, at 2.425 m/s, as from a height of 0.300 m.");
         scenario.impactor.motion = Motion::Prescribed;
         assert_eq!(drop(&scenario), "Press: at 0.1000 m/s to a depth of 5 mm, then held.");
+    }
+
+    #[test]
+    fn a_solid_is_told_as_one() {
+        let mut scenario = preset::study();
+        let on = "Anvil: a layer of 15 mm on a core of 75 mm diameter;";
+        assert_eq!(anvil(&scenario), format!("{on} plane strain, half section."));
+        let geometry = &mut scenario.geometry;
+        geometry.formulation = Formulation::Solid;
+        let length = short(1e3 * geometry.length);
+        assert_eq!(
+            anvil(&scenario),
+            format!("{on} in three dimensions, {length} mm long with free ends, a quarter of it meshed.")
+        );
+        scenario.geometry.body = Body::Revolved;
+        let dome = "Anvil: a layer of 15 mm on a ball of 75 mm diameter; in three dimensions, a quarter of it meshed.";
+        assert_eq!(anvil(&scenario), dome);
     }
 }

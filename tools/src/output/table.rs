@@ -1,5 +1,6 @@
 //! Results as tables for people.
 
+use softanvil_kernel::mesh::Grid;
 use softanvil_kernel::preset::Fitted;
 use softanvil_kernel::scenario::StepBy;
 use softanvil_kernel::{Constants, OUTPUTS, Output};
@@ -53,10 +54,10 @@ pub fn notes(validation: &Validation) -> String {
         let scenario = Threshold::Force(run.constants.scenario.measurement.force_threshold);
         let threshold = validation.reading.threshold.unwrap_or(scenario);
         notes += &format!(
-            "Softanvil: preset {}, {} triangles; {};\nimpact duration at forces from {threshold} on.\n\
+            "Softanvil: preset {}, {}; {};\nimpact duration at forces from {threshold} on.\n\
              The preset is\n{}.\n",
             validation.preset.name,
-            run.constants.grid.n_elem(),
+            elements(&run.constants.grid),
             validation.reading,
             validation.preset.description,
         );
@@ -146,16 +147,20 @@ pub const IMPACT_RESULTS: [&str; 4] =
 
 /// What a run was made with, in a sentence.
 pub fn settings(run: &Run) -> String {
-    let grid = &run.constants.grid;
     let text = format!(
-        "{} triangles, {} steps of {:.4} us{}, trace {}",
-        grid.n_elem(),
+        "{}, {} steps of {:.4} us{}, trace {}",
+        elements(&run.constants.grid),
         run.end().step_index,
         run.constants.dt * 1e6,
         chosen_for(&run.constants),
         run.trace_hash()
     );
     filled(&text).trim_end().to_string()
+}
+
+/// How many elements of which kind there are.
+fn elements(grid: &Grid) -> String {
+    format!("{} {}", grid.n_elem(), if grid.is_solid() { "tetrahedra" } else { "triangles" })
 }
 
 /// What the step was chosen for; nothing if it was given.
