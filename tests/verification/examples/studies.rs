@@ -9,9 +9,9 @@ use softanvil_verification::problems::reduction::{
     BULK_MODULI, DEPTHS, EDGES, SIZES, label, line, ratios, ratios_with_fine_edge,
 };
 
-const HEAD: &str = include_str!("studies/head.md");
-const EDGE: &str = include_str!("studies/edge.md");
-const TAIL: &str = include_str!("studies/tail.md");
+const HEAD: &str = include_str!("studies/head.txt");
+const EDGE: &str = include_str!("studies/edge.txt");
+const TAIL: &str = include_str!("studies/tail.txt");
 
 /// Poisson's ratio and size of elements against depths.
 fn meshes() -> Vec<String> {
