@@ -1,7 +1,8 @@
 //! `softanvil validate`: the paper's table, side by side.
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 use softanvil_kernel::preset::Preset;
+use softanvil_kernel::scenario::Formulation;
 
 use super::reading_options::ReadingOptions;
 use crate::failure::Failure;
@@ -15,6 +16,10 @@ pub struct Options {
     /// Preset to validate
     #[arg(long, value_name = "NAME", default_value = "study", value_parser = presets::parse)]
     preset: &'static Preset,
+    /// Simulate it as this: the section that the preset was fitted on, or the solid in three dimensions, of a hundred times the
+    /// elements
+    #[arg(long, value_enum, default_value_t = By::PlaneStrain)]
+    formulation: By,
     #[command(flatten)]
     reading: ReadingOptions,
     /// Print JSON in SI units instead of the table
@@ -22,11 +27,23 @@ pub struct Options {
     json: bool,
 }
 
+/// Formulations of the paper's anvil, a cylinder.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+#[value(rename_all = "snake_case")]
+enum By {
+    PlaneStrain,
+    Solid,
+}
+
 /// Runs the drops; returns the table.
 ///
 /// # Errors
 /// A simulation that failed.
 pub fn carry_out(options: &Options) -> Result<String, Failure> {
-    let validation = Validation::new(options.preset, options.reading.reading()?)?;
+    let formulation = match options.formulation {
+        By::PlaneStrain => Formulation::PlaneStrain,
+        By::Solid => Formulation::Solid,
+    };
+    let validation = Validation::formulated(options.preset, formulation, options.reading.reading()?, |_, _| Ok(()))?;
     Ok(if options.json { json::text(&json::of_validation(&validation)) } else { table::of_validation(&validation) })
 }

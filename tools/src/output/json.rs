@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value, json};
 use softanvil_kernel::preset::Fitted;
-use softanvil_kernel::{OUTPUTS, Output};
+use softanvil_kernel::{OUTPUTS, Output, Parameter};
 
 use crate::measurement::quantity::{COUNT, QUANTITIES};
 use crate::output::subject::{self, Subject};
@@ -77,6 +77,7 @@ pub fn of_ending(run: &Run) -> Map<String, Value> {
 pub fn of_validation(validation: &Validation) -> Value {
     json!({
         "preset": validation.preset.name,
+        "formulation": formulation(validation),
         "source": paper::SOURCE,
         "reading": validation.reading.to_string(),
         "fitted": fitted(&validation.preset.fitted),
@@ -89,6 +90,12 @@ pub fn of_validation(validation: &Validation) -> Value {
         },
         "cases": validation.cases.iter().map(of_case).collect::<Vec<_>>(),
     })
+}
+
+/// The formulation by its name in scenario files.
+fn formulation(validation: &Validation) -> Option<&'static str> {
+    let parameter = Parameter::find("geometry.formulation")?;
+    parameter.labels().get(validation.formulation as usize).copied()
 }
 
 fn fitted(fitted: &Fitted) -> Value {

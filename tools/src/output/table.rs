@@ -13,7 +13,7 @@ use crate::paper;
 use crate::paper::validation::{TableComparison, Validation};
 use crate::run::Run;
 use crate::text::number::four_digits;
-use crate::text::table::{align_right, new_plain_table, new_table, text};
+use crate::text::table::{FIXED_BLANK, align_right, new_plain_table, new_table, text};
 use crate::text::wrap::filled;
 
 /// The paper's table: experiment, LS-DYNA and Softanvil side by side, 80 characters wide.
@@ -23,11 +23,11 @@ pub fn of_validation(validation: &Validation) -> String {
         table.add_row(case_row(case));
     }
     let means = |mean: f64, peak: f64, fitted: &Fitted| {
-        format!("{mean:.1} %\n{peak:.1} %\n{} / {}", fitted.parameters, fitted.numbers)
+        unbroken(format!("{mean:.1} %\n{peak:.1} %\n{} / {}", fitted.parameters, fitted.numbers))
     };
     table.add_row([
         "all",
-        "mean |error|\nthe same, peak force\nfitted (see below)",
+        &unbroken("mean |error|\nthe same, peak force\nfitted (see below)".into()),
         "",
         "",
         &means(validation.ls_dyna_mean_error(), validation.ls_dyna_peak_error(), &paper::FITTED),
@@ -61,6 +61,9 @@ pub fn notes(validation: &Validation) -> String {
             validation.reading,
             validation.preset.description,
         );
+        if validation.formulation != (validation.preset.scenario)().geometry.formulation {
+            notes += "In three dimensions: the parameters are those that were fitted on the section.\n";
+        }
         notes += &core_peaks(validation);
     }
     notes
@@ -77,9 +80,14 @@ fn core_peaks(validation: &Validation) -> String {
 }
 
 /// One row with a line per quantity.
+/// Lines of a cell that stand beside those of other cells, and so must not break.
+fn unbroken(lines: String) -> String {
+    lines.replace(' ', &FIXED_BLANK.to_string())
+}
+
 fn case_row(case: &TableComparison) -> [String; 7] {
     let lines = |line: &dyn Fn(usize, &Quantity) -> String| {
-        QUANTITIES.iter().enumerate().map(|(i, quantity)| line(i, quantity)).collect::<Vec<_>>().join("\n")
+        unbroken(QUANTITIES.iter().enumerate().map(|(i, quantity)| line(i, quantity)).collect::<Vec<_>>().join("\n"))
     };
     let values = |values: &[f64; COUNT], decimals: &dyn Fn(usize) -> usize| {
         lines(&|i, quantity| format!("{:.*}", decimals(i), values[i] * quantity.display_scale))

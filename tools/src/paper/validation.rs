@@ -1,7 +1,8 @@
 //! Simulated drops against the paper's table: errors recomputed from values.
 
-use softanvil_kernel::Simulation;
 use softanvil_kernel::preset::Preset;
+use softanvil_kernel::scenario::Formulation;
+use softanvil_kernel::{Scenario, Simulation};
 
 use crate::failure::Failure;
 use crate::measurement::errors::{errors_percent, mean_absolute};
@@ -36,6 +37,8 @@ pub struct TableComparison {
 pub struct Validation {
     /// The preset.
     pub preset: &'static Preset,
+    /// In which formulation its scenario was simulated.
+    pub formulation: Formulation,
     /// How the runs were read.
     pub reading: Reading,
     /// One comparison per energy.
@@ -70,9 +73,24 @@ impl Validation {
     pub fn watched(
         preset: &'static Preset,
         reading: Reading,
+        watch: impl FnMut(usize, &mut Simulation) -> Result<(), Failure>,
+    ) -> Result<Self, Failure> {
+        Self::formulated(preset, (preset.scenario)().geometry.formulation, reading, watch)
+    }
+
+    /// The same in another formulation than the preset's.
+    ///
+    /// # Errors
+    /// As [`Validation::watched`].
+    pub fn formulated(
+        preset: &'static Preset,
+        formulation: Formulation,
+        reading: Reading,
         mut watch: impl FnMut(usize, &mut Simulation) -> Result<(), Failure>,
     ) -> Result<Self, Failure> {
-        let drops = TABLE_1.iter().map(|case| prepare(preset, case)).collect::<Result<Vec<_>, _>>()?;
+        let mut scenario = (preset.scenario)();
+        scenario.geometry.formulation = formulation;
+        let drops = TABLE_1.iter().map(|case| prepare(&scenario, case)).collect::<Result<Vec<_>, _>>()?;
         let bar = progress::bar(drops.iter().map(Drop::steps).sum());
         let mut cases = Vec::new();
         for (number, (paper, drop)) in TABLE_1.iter().zip(drops).enumerate() {
@@ -84,7 +102,7 @@ impl Validation {
             let record = reading.take(&run).map_err(|error| Failure::Input(error.to_string()))?;
             cases.push(TableComparison { paper, record, run });
         }
-        Ok(Self { preset, reading, cases })
+        Ok(Self { preset, formulation, reading, cases })
     }
 
     /// Mean of our absolute errors, all energies and quantities, %.
@@ -108,8 +126,8 @@ impl Validation {
     }
 }
 
-fn prepare(preset: &'static Preset, case: &Case) -> Result<Drop, Failure> {
-    let mut scenario = (preset.scenario)();
+fn prepare(scenario: &Scenario, case: &Case) -> Result<Drop, Failure> {
+    let mut scenario = scenario.clone();
     scenario.impactor = scenario.impactor.with_energy(case.energy);
     Ok(Drop::until(&scenario, Until::Over)?)
 }

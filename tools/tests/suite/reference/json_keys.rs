@@ -98,6 +98,7 @@ const MEANINGS: &[(&str, &str)] = &[
     ("cora.progression", "its rating of the shape"),
     // validate
     ("preset", "preset"),
+    ("formulation", "formulation of the scenario"),
     ("source", "where the measured numbers or the limits come from"),
     ("reading", "how the force was read"),
     ("fitted.parameters", "parameters that were fitted to the table"),
