@@ -1,8 +1,8 @@
 //! A trial of a scenario with a step that follows its limit: from the first touch to the deepest point, to find how far the
 //! limit falls.
 //!
-//! A drop begins at the surface with the speed that the mass has there, and ends where it turns; on a foam, whose free sides may
-//! fold as it comes back, where the mass is up at the surface again or falls anew. A driven or prescribed
+//! A drop begins at the surface with the speed that the mass has there, and ends where it turns; on a foam or a solid, whose free sides
+//! may fold as it comes back, where the mass is up at the surface again or falls anew. A driven or prescribed
 //! face goes down to the depth it is expected at, slowly against the waves in the layer.
 
 use crate::error::{ModelError, StepError};
@@ -136,7 +136,7 @@ impl Trial<'_> {
             turned |= rises;
             let comes_back = rises
                 && matches!(motion, TrialMotion::Drop { .. })
-                && self.constants.has_foam()
+                && (self.constants.has_foam() || self.constants.grid.is_solid())
                 && view.scalars.impactor.deformation() > 0.0;
             let ended = falls_anew || (motion.has_ended(self.constants, &view, time) && !comes_back);
             self.look(arrays, state, stopped);

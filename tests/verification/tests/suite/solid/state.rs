@@ -119,3 +119,13 @@ fn the_next_impact_meets_what_the_last_one_left() {
     let second = anvil.scalars().metrics.max_deformation;
     assert!(second > 1.001 * first, "{second} m after {first} m");
 }
+
+/// The free sides of a block fold as the mass comes back, by which the limit of the step falls once more: the step is chosen for that.
+#[test]
+fn a_block_holds_its_step_on_the_way_back() {
+    let mut scenario = (preset::PRESETS.iter().find(|preset| preset.name == "block").unwrap().scenario)();
+    scenario.geometry.formulation = Formulation::Solid;
+    scenario.impactor = scenario.impactor.with_energy(9.8);
+    // The limit was passed at 5.8 ms.
+    new(&scenario).run(6.5e-3, &StepInput::default()).unwrap();
+}
