@@ -256,6 +256,11 @@ fn errors_stand_beside_how_many_parameters_were_fitted_to_how_many_numbers() {
         let (parameters, numbers) = (preset.fitted.parameters, preset.fitted.numbers);
         let text = succeed(folder.path(), &["validate", "--preset", preset.name]);
         assert!(text.contains(&format!("{parameters} / {numbers}")), "{text}");
+        // Every quantity stands on the line of its numbers.
+        for quantity in ["peak force (N)", "max deformation (mm)", "impact duration (ms)", "impulse (N s)"] {
+            let lines: Vec<&str> = text.lines().filter(|line| line.contains(quantity)).collect();
+            assert!(lines.len() == 3 && lines.iter().all(|line| line.ends_with(" %")), "{text}");
+        }
         assert!(text.replace('\n', " ").contains(&preset.fitted.to_string()), "{text}");
         let result = json(folder.path(), &["validate", "--preset", preset.name, "--json"]);
         assert_eq!(result["fitted"], serde_json::json!({ "parameters": parameters, "numbers": numbers }));
