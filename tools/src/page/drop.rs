@@ -47,7 +47,7 @@ pub fn is_shown(constants: &Constants, samples: &[Scalars]) -> bool {
     faint(constants, samples) > 0.0 && shown_samples(constants, samples) < samples.len()
 }
 
-/// How many of the samples the pictures show: until [`AROUND`] after the impact, which is over where the force stays below what
+/// How many of the samples the pictures show: until a little after the impact, which is over where the force stays below what
 /// is measured and what is seen. The layer may still rest against the face then, for as long as the impact took.
 pub fn shown_samples(constants: &Constants, samples: &[Scalars]) -> usize {
     let faint = faint(constants, samples);
