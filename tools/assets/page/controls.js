@@ -10,6 +10,12 @@ const make = (name, properties = {}, ...children) => {
   return made;
 };
 
+/** Says something in an element; a text that stands there stays, because a new one has the page laid out anew. */
+const say = (element, text) => { if (element.textContent !== text) element.textContent = text; };
+
+/** The same of an attribute. */
+const mark = (element, name, value) => { if (element.getAttribute(name) !== String(value)) element.setAttribute(name, value); };
+
 /** Plausible coefficients of each law, and how many layers there can be: from the kernel. */
 const materials = { laws: {}, most_layers: 1 };
 
@@ -65,7 +71,7 @@ class Controls {
     for (const field of this.fields.values()) this.update(field, drop);
     const { fields: refused = [], message = "" } = drop.refusal ?? {};
     const general = refused.length ? refused.filter(([name]) => !this.fields.has(name)).map(([, reason]) => reason) : [message];
-    document.getElementById("refusal").textContent = general.join(" ");
+    say(document.getElementById("refusal"), general.join(" "));
   }
 
   build(layers, laws) {
@@ -129,20 +135,20 @@ class Controls {
     const { row, input, slider } = field, name = row.name, scenario = drop.data?.scenario;
     const text = drop.given.get(name) ?? rounded(scenario?.values[name]);
     if (field.base === null && scenario && name in scenario.values) field.base = Number(scenario.values[name]);
-    if (document.activeElement !== input || row.kind === "choice") input.value = text;
+    if (input.value !== text && (document.activeElement !== input || row.kind === "choice")) input.value = text;
     if (slider && document.activeElement !== slider) slider.value = this.placeOf(field, Number(text));
     if (slider) {
       slider.hidden = !(field.base > 0 || row.unit === "1");
-      slider.setAttribute("aria-valuetext", `${text} ${row.unit === "1" ? "" : row.unit}`);
+      mark(slider, "aria-valuetext", `${text} ${row.unit === "1" ? "" : row.unit}`);
     }
     const idle = !drop.given.has(name) && scenario?.idle[name];
     const range = row.kind === "choice" ? "" : `${short(row.range[0])} to ${short(row.range[1])}${row.unit === "1" ? "" : " " + row.unit}`;
-    field.legal.textContent = [range, field.isMain ? "" : row.description, idle ? `no effect: ${idle}` : ""].filter(part => part).join("; ");
+    say(field.legal, [range, field.isMain ? "" : row.description, idle ? `no effect: ${idle}` : ""].filter(part => part).join("; "));
     field.box.classList.toggle("idle", Boolean(idle));
     field.back.hidden = !drop.given.has(name);
     const refused = drop.refusal?.fields.find(([of]) => of === name);
-    field.refusal.textContent = refused?.[1] ?? "";
-    input.setAttribute("aria-invalid", Boolean(refused));
+    say(field.refusal, refused?.[1] ?? "");
+    mark(input, "aria-invalid", Boolean(refused));
   }
 
   /** A value that a person gives, or takes back (null). */
