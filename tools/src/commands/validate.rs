@@ -16,10 +16,9 @@ pub struct Options {
     /// Preset to validate
     #[arg(long, value_name = "NAME", default_value = "study", value_parser = presets::parse)]
     preset: &'static Preset,
-    /// Simulate it as this: the section that the preset was fitted on, or the solid in three dimensions, of a hundred times the
-    /// elements
-    #[arg(long, value_enum, default_value_t = By::PlaneStrain)]
-    formulation: By,
+    /// Simulate it as this, instead of what the preset is: a section, or a solid in three dimensions, of a hundred times the elements
+    #[arg(long, value_enum)]
+    formulation: Option<By>,
     #[command(flatten)]
     reading: ReadingOptions,
     /// Print JSON in SI units instead of the table
@@ -41,8 +40,9 @@ enum By {
 /// A simulation that failed.
 pub fn carry_out(options: &Options) -> Result<String, Failure> {
     let formulation = match options.formulation {
-        By::PlaneStrain => Formulation::PlaneStrain,
-        By::Solid => Formulation::Solid,
+        Some(By::PlaneStrain) => Formulation::PlaneStrain,
+        Some(By::Solid) => Formulation::Solid,
+        None => (options.preset.scenario)().geometry.formulation,
     };
     let validation = Validation::formulated(options.preset, formulation, options.reading.reading()?, |_, _| Ok(()))?;
     Ok(if options.json { json::text(&json::of_validation(&validation)) } else { table::of_validation(&validation) })

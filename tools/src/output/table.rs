@@ -62,7 +62,7 @@ pub fn notes(validation: &Validation) -> String {
             validation.preset.description,
         );
         if validation.formulation != (validation.preset.scenario)().geometry.formulation {
-            notes += "In three dimensions: the parameters are those that were fitted on the section.\n";
+            notes += "The parameters are those that were fitted in the preset's own formulation.\n";
         }
         notes += &core_peaks(validation);
     }

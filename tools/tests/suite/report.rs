@@ -264,6 +264,9 @@ fn errors_stand_beside_how_many_parameters_were_fitted_to_how_many_numbers() {
         assert!(text.replace('\n', " ").contains(&preset.fitted.to_string()), "{text}");
         let result = json(folder.path(), &["validate", "--preset", preset.name, "--json"]);
         assert_eq!(result["fitted"], serde_json::json!({ "parameters": parameters, "numbers": numbers }));
+        let formulation = softanvil_kernel::Parameter::find("geometry.formulation").unwrap();
+        let own = formulation.get(&(preset.scenario)()) as usize;
+        assert_eq!(result["formulation"], formulation.labels()[own], "{}", preset.name);
     }
     succeed(folder.path(), &["--out", "out"]);
     let page = fs::read_to_string(folder.path().join("out/report.html")).unwrap();
