@@ -1,8 +1,6 @@
 //! The vectors of the processor, by the crate `pulp`: which there are, and work done with them.
 
 mod register;
-#[cfg(target_arch = "x86_64")]
-mod sse2;
 #[cfg(not(target_arch = "x86_64"))]
 mod two;
 #[cfg(target_arch = "x86_64")]
