@@ -6,7 +6,8 @@ set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/.." && pwd)
 venv=${SOFTANVIL_VENV_PYTHON:-$root/.venv-python}
-export CARGO_TARGET_DIR=$root/target/python PYTHONDONTWRITEBYTECODE=1
+# The folder of the other workspace: what both take from elsewhere is compiled once.
+export CARGO_TARGET_DIR=$root/target PYTHONDONTWRITEBYTECODE=1
 
 cd "$here"
 cargo fmt --check

@@ -36,6 +36,16 @@ def test_profiles_are_those_of_the_workspace(root):
         assert theirs["package"][name] == profile, name
 
 
+def test_versions_are_those_of_the_workspace(root):
+    """A crate that both workspaces build is built once, and what Python has is what the other tests have tried."""
+    theirs, ours = (
+        {(package["name"], package["version"]) for package in tomllib.loads((root / lock).read_text())["package"]}
+        for lock in ("Cargo.lock", "python/Cargo.lock"))
+    known = {name for name, _ in theirs}
+    other = {package for package in ours - theirs if package[0] in known}
+    assert not other, "cargo update -p NAME --precise VERSION"
+
+
 def test_modules_import_each_other_one_way(root, tmp_path):
     found = importlib.util.spec_from_file_location("imports", root / "tests/imports.py")
     imports = importlib.util.module_from_spec(found)

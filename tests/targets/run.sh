@@ -31,12 +31,12 @@ skip() { not_run skipped SKIPPED "$@"; }
 not_applicable() { not_run not_applicable 'NOT APPLICABLE' "$@"; }
 fail() { line failed "$(printf '%-44s FAILED: %s' "$1" "$2")"; }
 
-# beside COMMAND...: makes a row while others are made.
+# beside COMMAND...: makes a row while others are made, and notes the seconds of processors that it took.
 processors=$(nproc)
 beside() {
     while [ "$(jobs -rp | wc -l)" -ge "$processors" ]; do wait -n; done
     next_row
-    "$@" &
+    { "$@"; times | awk -F '[ms ]+' 'END { printf "%5d s  ", 60 * ($1 + $3) + $2 + $4 }' >"$work/seconds"; } &
 }
 
 # The runner, and the folder of its firmware; at the end those in single precision take their place.
@@ -284,6 +284,8 @@ fi
 wait
 verdict() { find "$rows" -name "$1" | wc -l; }
 for row in "$rows"/*/; do cat "$row"/{same,failed,skipped,not_applicable} 2>/dev/null; done >>"$table"
+printf '\nseconds of processors:\n'
+for row in "$rows"/*/; do [ ! -f "$row/seconds" ] || cat "$row"/{seconds,same} 2>/dev/null | cut -c1-54; done | sort -rn
 printf '\n'
 cat "$table"
 printf '%d rows, %d failed, %d skipped, %d not applicable; the table is in %s\n' "$count" "$(verdict failed)" \

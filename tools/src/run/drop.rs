@@ -1,5 +1,7 @@
 //! A simulated drop, recorded at every force sample.
 
+use std::slice;
+
 use softanvil_kernel::scenario::{Motion, prescribed};
 use softanvil_kernel::state::Scalars;
 use softanvil_kernel::{Constants, ModelError, Output, Scenario, Simulation, StepError, StepInput};
@@ -148,7 +150,7 @@ impl Drop {
         let steps = simulation.constants().steps_in(scenario.time.duration);
         let stride = u64::from(simulation.constants().steps_per_sample);
         let mut samples = Vec::with_capacity((steps / stride + 1).min(MOST_AT_ONCE) as usize);
-        samples.push(*simulation.scalars());
+        samples.extend_from_slice(slice::from_ref(simulation.scalars()));
         Ok(Self { simulation, steps, until, samples })
     }
 
@@ -217,7 +219,7 @@ impl Drop {
             self.impact(&mut watch)?;
             runs.push(self.record());
             self.simulation.next_impact(rest).map_err(RunError::from)?;
-            self.samples.push(*self.simulation.scalars());
+            self.keep();
         }
         let (last, state) = self.run_to_state(watch)?;
         Ok((runs, last, state))
@@ -264,8 +266,13 @@ impl Drop {
             return Ok(false);
         }
         self.simulation.step(stride, &StepInput::default())?;
-        self.samples.push(*self.simulation.scalars());
+        self.keep();
         Ok(true)
+    }
+
+    /// Keeps the state. Copied once, also where nothing is optimised: it is some kilobytes.
+    fn keep(&mut self) {
+        self.samples.extend_from_slice(slice::from_ref(self.simulation.scalars()));
     }
 
     /// The simulation as it is now.
