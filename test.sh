@@ -82,7 +82,7 @@ if have_python; then
     need chromium chromium || { page=; skip "page in a browser" "chromium is missing and cannot be installed"; }
 else
     for name in "FMU in other tools" "first programs and pictures of the README" "fitted material files in other tools" \
-        "series for ParaView" "page in a browser" "Python package"; do
+        "series for ParaView" "page in a browser" "Python package" "files for a host of the repository"; do
         skip "$name" "python3 with venv, or gcc, is missing and cannot be installed"
     done
 fi
@@ -171,7 +171,10 @@ kernel_alone() {
 }
 run "kernel alone, no_std and without pads" kernel_alone
 run "packages of the crates" tests/package.sh
-[ -z "$python" ] || run "Python packages of the tests" tests/fmi/venv.sh "$SOFTANVIL_VENV"
+if [ -n "$python" ]; then
+    run "Python packages of the tests" tests/fmi/venv.sh "$SOFTANVIL_VENV"
+    run "files for a host of the repository" tests/host.sh "$SOFTANVIL_VENV"
+fi
 run "main job" main_job
 run "processors that lack something" tests/targets/processors.sh
 
