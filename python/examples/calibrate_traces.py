@@ -71,5 +71,5 @@ for energy in (2.0, 4.0):
     over_time.plot(1e3 * compared.index, compared["force"], label=f"{energy:g} J")
 over_time.set(xlabel="time (ms)", ylabel="contact force (N)")
 over_time.legend(frameon=False, title="simulated")
-course.semilogy(found.evaluations["score [1]"].cummin())
-course.set(xlabel="evaluations", ylabel="best score so far");
+course.plot(found.evaluations["score [1]"].cummin())
+course.set(xlabel="evaluations", ylabel="best score so far", ylim=(0, None));

@@ -40,6 +40,8 @@ figure, axes = plt.subplots(figsize=(7, 4), layout="constrained")
 for depth, rows in table.groupby("pad.thickness"):
     axes.semilogx(1e-3 * rows["pad.c10"], 1e-3 * rows["peak_force"], "o-", label=f"{1e3 * depth:.0f} mm")
 axes.axhline(1e-3 * bare.peak_force, color="0.5", ls="--", label="bare")
+axes.set_xticks([1e-3 * c10 for c10 in stiffness], [f"{1e-3 * c10:g}" for c10 in stiffness], minor=False)
+axes.minorticks_off()
 axes.set(xlabel="c10 of the pad (kPa)", ylabel="peak force (kN)", ylim=(0, None))
 axes.legend(frameon=False, title="thickness");
 

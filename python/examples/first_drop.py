@@ -13,6 +13,7 @@
 # A 5 kg flat mass falls on 15 mm of silicone over a steel core. Open this file as a notebook with jupytext.
 
 # %%
+import matplotlib.pyplot as plt
 import numpy as np
 
 import softanvil as sa
@@ -61,4 +62,6 @@ driven = sa.preset("study").update({"impactor.motion": "driven", "impactor.gap":
 sim = sa.Simulation(driven)
 position = -3e-3 * np.sin(np.pi * np.linspace(0, 1, 201)[1:]) ** 2
 table = sim.drive(position, steps=round(5e-5 / sim.time_step))
-axes = table.plot(x="impactor.position", y="contact.force", ylabel="contact force (N)", xlabel="height of the face (m)", legend=False)
+figure, axes = plt.subplots()
+axes.plot(-1e3 * table["impactor.position"], 1e-3 * table["contact.force"])
+axes.set(xlabel="depth (mm)", ylabel="contact force (kN)");
