@@ -186,6 +186,34 @@ fn a_material_test_counts_beside_the_impacts() {
     assert!(line.contains("this is the log of another problem"), "{line}");
 }
 
+/// A search in a folder of its own for each weight, each as it would be alone.
+#[test]
+fn weights_of_the_material_tests_make_a_front() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let test = "[[material_test]]\nname = \"a\"\nquantity = \"shear_modulus\"\nstrain = 0.5\nvalue = 9e5\n\
+                standard_deviation = 1e5\n";
+    fs::write(folder.join("problem.toml"), format!("{PROBLEM}{test}")).unwrap();
+    let search = ["calibrate", "problem.toml", "--evaluations", "12", "--out"];
+    let text = succeed(folder, &[&search[..], &["front", "--material-weights", "0", "100"]].concat());
+    assert!(text.contains("on the front"), "{text}");
+    let csv = fs::read_to_string(folder.join("front/front.csv")).unwrap();
+    let rows: Vec<Vec<f64>> =
+        csv.lines().skip(1).map(|line| line.split(',').map_while(|cell| cell.parse().ok()).collect()).collect();
+    assert_eq!((rows.len(), rows[0][0], rows[1][0]), (2, 0.0, 100.0));
+    // More weight leads nearer to the test.
+    assert!(rows[1][3] < rows[0][3], "{csv}");
+    assert!(fs::read_to_string(folder.join("front/front.svg")).unwrap().contains("distance from the material tests"));
+    succeed(folder, &[&search[..], &["alone"]].concat());
+    let alone = |path: &str| fs::read_to_string(folder.join(path)).unwrap();
+    succeed(folder, &[&search[..], &["front", "--material-weights", "1"]].concat());
+    assert_eq!(alone("alone/evaluations.csv"), alone("front/weight-1/evaluations.csv"));
+    // Without a test there is nothing to weigh.
+    fs::write(folder.join("problem.toml"), PROBLEM).unwrap();
+    let line = fail(folder, &[&search[..], &["none", "--material-weights", "1"]].concat(), 2);
+    assert!(line.contains("no effect: no [[material_test]] counts"), "{line}");
+}
+
 #[test]
 fn values_that_give_way_too_much_at_once_are_refused() {
     use softanvil_tools::calibration::{objective::evaluate, problem::Problem};
