@@ -74,10 +74,10 @@ def spread_rows(parameters):
         spread = row["spread"]
         bound = f" ({row['bound']})" if row["bound"] else ""
         if spread["part"] is None:  # The search has not converged.
-            yield [name, f"{row['value']:.3g}{bound}", row["unit"], "-", "-"]
+            yield [name, f"{row['value']:.3g}{bound}", row["unit"], "-", "-", "-"]
             continue
         best, low, high = (f"{value:.3g}" for value in (row["value"], spread["min"], spread["max"]))
-        yield [name, best + bound, row["unit"], f"{low} to {high}", f"{spread['part']:.2f}"]
+        yield [name, best + bound, row["unit"], f"{low} to {high}", f"{spread['part']:.2f}", row["determined"]]
 
 
 def of_validation(cases, key):
@@ -129,11 +129,12 @@ Every error; those in italics were predicted:
 What (b) pins: the best value of each parameter, and the spread among the {best["equally_good"]} evaluations that score within
 5 % of it, with its part of the range searched. A part near 1 says that the impacts say nothing about the parameter.
 
-{table(["parameter", "best", "unit", "spread", "of the range"], spread_rows(best["parameters"]))}
-What (e) makes of the material tests, in MPa and in standard deviations, and what both kinds of data pin:
+{table(["parameter", "best", "unit", "spread", "of the range", "determined"], spread_rows(best["parameters"]))}
+What (e) makes of the material tests, in MPa and in standard deviations, and what both kinds of data pin. A dash stands where no
+second descent of the search has confirmed the best, so that the spread says nothing:
 
 {table(["test", "of", "measured", "model", "distance"], test_rows(with_tests["material_tests"]))}
-{table(["parameter", "best", "unit", "spread", "of the range"], spread_rows(with_tests["parameters"]))}"""
+{table(["parameter", "best", "unit", "spread", "of the range", "determined"], spread_rows(with_tests["parameters"]))}"""
     (ROOT / "docs" / "protocols.md").write_text(text)
 
 
