@@ -2,12 +2,16 @@
 //!
 //! Every number that counts gives a relative error, %; a trace gives the root mean square of its difference over the
 //! measured peak, %. The score is (1 - s) mean |e| + s sqrt(mean e^2), weighted means with the share s of the root mean
-//! square, plus the mean excess over the limits, plus the penalty of the prior. Lower is better; values that cannot be
-//! simulated score more than any that are worth anything.
+//! square, plus the mean excess over the limits, plus the mean square distance from the material tests times its weight, plus
+//! the penalty of the prior. Lower is better; values that cannot be simulated score more than any that are worth anything.
+//!
+//! With `objective.rounding` an error in the score is what is left of it beyond the rounding of the printed number. Errors that
+//! are reported are always those from the printed number itself.
 
 use rayon::prelude::*;
 use softanvil_kernel::Scenario;
 
+use super::material_test;
 use super::problem::Problem;
 use super::variable;
 use crate::measurement::curve_score::CurveScore;
@@ -65,6 +69,7 @@ pub fn scenario(problem: &Problem, values: &[f64]) -> Result<Scenario, String> {
 fn attempt(problem: &Problem, values: &[f64]) -> Result<Evaluation, (f64, String)> {
     let refuse = |reason: String| (REFUSED, reason);
     let scenario = scenario(problem, values).map_err(refuse)?;
+    check_poissons_ratio(problem, &scenario)?;
     let drops = prepare(problem, &scenario)?;
     let runs: Vec<Run> = drops
         .into_par_iter()
@@ -78,8 +83,23 @@ fn attempt(problem: &Problem, values: &[f64]) -> Result<Evaluation, (f64, String
         .collect::<Result<_, _>>()
         .map_err(|error| refuse(error.to_string()))?;
     let penalty = problem.prior.map_or(0.0, |prior| prior.penalty(&scenario.layers[0].material));
-    let score = score(problem, &impacts) + penalty;
+    let material = problem.objective.material_weight * material_test::mean_square(&problem.material_tests, &scenario);
+    let score = score(problem, &impacts) + material + penalty;
     Ok(Evaluation { score, mean_error: mean_error(problem, &impacts), impacts, refusal: None })
+}
+
+/// Refuses a layer that gives way more at once than the problem allows.
+fn check_poissons_ratio(problem: &Problem, scenario: &Scenario) -> Result<(), (f64, String)> {
+    let Some(least) = problem.objective.poissons_ratio_at_once else { return Ok(()) };
+    let ratios = scenario.layers.iter().map(|layer| layer.material.poissons_ratio_0());
+    match ratios.fold(f64::INFINITY, f64::min) {
+        // A slope that leads back.
+        ratio if ratio < least => Err((
+            REFUSED * 0.5 + 100.0 * (least - ratio),
+            format!("Poisson's ratio is {ratio} at once; at least {least} is allowed"),
+        )),
+        _ => Ok(()),
+    }
 }
 
 /// The drops of all targets.
@@ -113,22 +133,35 @@ fn measure(problem: &Problem, index: usize, run: &Run) -> Result<Simulated, Seri
     Ok(Simulated { values: record.values, ending: run.ending(), curve })
 }
 
-/// Errors of all impacts, %, with whether they count.
-fn errors<'a>(problem: &'a Problem, impacts: &'a [Simulated]) -> impl Iterator<Item = (usize, f64, bool)> + 'a {
+/// Errors of all impacts, %.
+fn errors<'a>(problem: &'a Problem, impacts: &'a [Simulated]) -> impl Iterator<Item = f64> + 'a {
     problem.targets.iter().zip(impacts).flat_map(|(target, simulated)| {
-        (0..COUNT).filter_map(|i| Some((i, error_percent(simulated.values[i], target.measured[i]?), target.counts[i])))
+        (0..COUNT).filter_map(|i| Some(error_percent(simulated.values[i], target.measured[i]?)))
+    })
+}
+
+/// Errors that count in the score, %.
+fn scored_errors<'a>(problem: &'a Problem, impacts: &'a [Simulated]) -> impl Iterator<Item = (usize, f64)> + 'a {
+    let rounding = problem.objective.rounding;
+    problem.targets.iter().zip(impacts).flat_map(move |(target, simulated)| {
+        (0..COUNT).filter(|i| target.counts[*i]).filter_map(move |i| {
+            let measured = target.measured[i]?;
+            let error = error_percent(simulated.values[i], measured);
+            let within = if rounding { 100.0 * target.half_unit[i] / measured } else { 0.0 };
+            Some((i, error.signum() * (error.abs() - within).max(0.0)))
+        })
     })
 }
 
 fn mean_error(problem: &Problem, impacts: &[Simulated]) -> f64 {
-    crate::measurement::errors::mean_absolute(errors(problem, impacts).map(|(_, error, _)| error))
+    crate::measurement::errors::mean_absolute(errors(problem, impacts))
 }
 
 fn score(problem: &Problem, impacts: &[Simulated]) -> f64 {
     let options = &problem.objective;
     let (weights, limits) = (options.weights(), options.limits());
     let mut sums = Sums::default();
-    for (i, error, _) in errors(problem, impacts).filter(|(_, _, counts)| *counts) {
+    for (i, error) in scored_errors(problem, impacts) {
         sums.add(error, weights[i]);
         sums.excess += (error.abs() - limits[i]).max(0.0);
     }

@@ -8,6 +8,7 @@ use serde_json::{Map, Value, json};
 use softanvil_kernel::preset::Preset;
 use softanvil_kernel::{Changes, Parameter, Scenario};
 
+use super::material_test::MaterialTest;
 use super::prior::Prior;
 use super::target::{Impact, Target, read_impacts};
 use super::variable::{Range, Variable, apply, check_fits_impacts};
@@ -38,6 +39,8 @@ struct File {
     #[serde(default)]
     impact: Vec<Impact>,
     impacts: Option<PathBuf>,
+    #[serde(default)]
+    material_test: Vec<MaterialTest>,
 }
 
 fn study() -> String {
@@ -70,7 +73,7 @@ fn fifth() -> f64 {
 }
 
 /// What the score is made of.
-#[derive(Clone, Debug, Default, Deserialize, Serialize)]
+#[derive(Clone, Debug, Deserialize, Serialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct ObjectiveOptions {
     /// Share of the root mean square of the errors in the score; the rest is the mean of their absolute values.
@@ -85,6 +88,28 @@ pub struct ObjectiveOptions {
     pub cfc: Option<f64>,
     /// Most steps per sampling interval of 50 us: stiffer materials are refused, for the sake of speed. 0 allows all.
     pub steps_per_sample: u32,
+    /// Smallest Poisson's ratio that a layer may have at once, before anything has relaxed; none if left out.
+    pub poissons_ratio_at_once: Option<f64>,
+    /// Whether an error counts only as far as it is outside the interval that the printed number has been rounded from.
+    pub rounding: bool,
+    /// Points of score for a mean square distance of one from the material tests, in standard deviations.
+    pub material_weight: f64,
+}
+
+impl Default for ObjectiveOptions {
+    fn default() -> Self {
+        Self {
+            root_mean_square: 0.0,
+            weights: BTreeMap::new(),
+            limits: BTreeMap::new(),
+            force: Sensor::default(),
+            cfc: None,
+            steps_per_sample: 0,
+            poissons_ratio_at_once: None,
+            rounding: false,
+            material_weight: 1.0,
+        }
+    }
 }
 
 /// Key of the weight of a trace's difference.
@@ -106,7 +131,11 @@ impl ObjectiveOptions {
         QUANTITIES.each_ref().map(|quantity| self.limits.get(quantity.key).copied().unwrap_or(f64::INFINITY))
     }
 
-    fn check(&self) -> Result<(), String> {
+    /// Whether the numbers make sense.
+    ///
+    /// # Errors
+    /// What is refused.
+    pub fn check(&self) -> Result<(), String> {
         let known = |key: &String| QUANTITIES.iter().any(|quantity| quantity.key == key);
         if let Some(key) = self.weights.keys().find(|key| !known(key) && *key != TRACE) {
             return Err(format!("objective.weights: {key} is unknown"));
@@ -117,6 +146,12 @@ impl ObjectiveOptions {
         let bad = |value: &&f64| !(**value >= 0.0 && value.is_finite());
         if self.weights.values().chain(self.limits.values()).any(|value| bad(&value)) {
             return Err("objective: weights and limits have to be 0 or more".into());
+        }
+        if !(self.material_weight >= 0.0 && self.material_weight.is_finite()) {
+            return Err("objective.material_weight has to be 0 or more".into());
+        }
+        if let Some(ratio) = self.poissons_ratio_at_once.filter(|ratio| !(-1.0..0.5).contains(ratio)) {
+            return Err(format!("objective.poissons_ratio_at_once = {ratio} is refused: expected -1 to less than 0.5"));
         }
         if !(0.0..=1.0).contains(&self.root_mean_square) {
             return Err("objective.root_mean_square has to be from 0 to 1".into());
@@ -138,6 +173,8 @@ pub struct Problem {
     pub targets: Vec<Target>,
     /// What the score is made of.
     pub objective: ObjectiveOptions,
+    /// Tests of the material by itself.
+    pub material_tests: Vec<MaterialTest>,
     /// The demand of quasi-static tests.
     pub prior: Option<Prior>,
     /// How to search.
@@ -162,6 +199,7 @@ impl Problem {
             "parameters": self.variables.iter().map(variable).collect::<Map<_, _>>(),
             "impacts": self.targets.iter().map(Target::inputs).collect::<Vec<_>>(),
             "objective": self.objective,
+            "material_tests": self.material_tests,
             "prior": self.prior,
             "search": {
                 "seed": self.search.seed, "population": self.search.population, "step": self.search.step,
@@ -221,13 +259,25 @@ impl Problem {
         if let Some(prior) = &file.prior {
             prior.check()?;
         }
+        for test in &file.material_test {
+            test.check(&scenario)?;
+        }
         let search = file.search;
         if search.evaluations == 0 || !(search.step > 0.0 && search.step <= 1.0) {
             return Err("search: evaluations has to be above 0, step above 0 and at most 1".into());
         }
         let own_duration = scenario.time.duration != (preset.scenario)().time.duration;
         let until = if own_duration { Until::Duration } else { Until::Over };
-        Ok(Self { scenario, variables, targets, objective: file.objective, prior: file.prior, search, until })
+        Ok(Self {
+            scenario,
+            variables,
+            targets,
+            objective: file.objective,
+            material_tests: file.material_test,
+            prior: file.prior,
+            search,
+            until,
+        })
     }
 }
 

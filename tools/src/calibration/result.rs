@@ -6,7 +6,9 @@ use serde_json::{Map, Value, json};
 use softanvil_records::understood::Understood;
 
 use super::convergence::{Convergence, Descent};
+use super::determined::{self, Determined};
 use super::log::Entry;
+use super::material_test::MaterialTest;
 use super::objective::{Evaluation, evaluate, scenario};
 use super::problem::Problem;
 use super::search::best;
@@ -70,7 +72,9 @@ impl Found {
     fn head(&self, problem: &Problem) -> String {
         let (score, evaluations) = (self.entry.score, self.evaluations);
         let found = format!("The best of {evaluations} evaluations by `softanvil calibrate`, score {score:.3}.\n");
-        let lines = found + &self.convergence.text(problem.variables.len()) + &self.bounds(problem);
+        let impacts = format!("Mean |error| of all measured numbers {:.2} %.\n", self.evaluation.mean_error);
+        let lines = found + &impacts + &self.material_lines(problem) + &self.convergence.text(problem.variables.len());
+        let lines = lines + &self.bounds(problem) + &self.determined(problem);
         lines.lines().map(|line| format!("# {line}\n")).collect::<String>() + "#\n"
     }
 
@@ -88,7 +92,11 @@ impl Found {
     /// The tables for people.
     pub fn text(&self, problem: &Problem) -> String {
         let mut text = format!("{}\n\n{}\n\n", self.parameters(problem), self.impacts(problem));
+        if !problem.material_tests.is_empty() {
+            let _ = write!(text, "{}\n\n", self.material_tests(problem));
+        }
         text += &filled(&(self.convergence.text(problem.variables.len()) + &self.bounds(problem)));
+        text += &filled(&self.determined(problem));
         let (factor, points) = EQUALLY_GOOD;
         let spread = match self.convergence.is_reached() {
             true => format!(
@@ -125,6 +133,45 @@ impl Found {
             }
         }
         text
+    }
+
+    /// What the data determine, in lines; nothing before the search has converged.
+    fn determined(&self, problem: &Problem) -> String {
+        if self.convergence.is_reached() { determined::text(problem, &self.spread) } else { String::new() }
+    }
+
+    /// The material tests with what the best values give, Pa.
+    fn tested<'a>(&self, problem: &'a Problem) -> Vec<(&'a MaterialTest, f64)> {
+        let Ok(scenario) = scenario(problem, &self.entry.values) else { return Vec::new() };
+        problem.material_tests.iter().map(|test| (test, test.model(&scenario))).collect()
+    }
+
+    fn material_tests(&self, problem: &Problem) -> String {
+        let mut table = new_table(&["material test", "of", "measured (MPa)", "model (MPa)", "distance", "counts"]);
+        let mega = |value: f64| format!("{:.3}", 1e-6 * value);
+        for (test, model) in self.tested(problem) {
+            table.add_row([
+                test.name.clone(),
+                format!("{} in {}", test.read(), test.course()),
+                format!("{} +- {}", mega(test.value), mega(test.standard_deviation)),
+                mega(model),
+                format!("{:+.1} sd", test.distance(model)),
+                if test.predict { "no" } else { "yes" }.into(),
+            ]);
+        }
+        align_right(&mut table, 2..5);
+        table_text(&mut table)
+    }
+
+    /// The same, a line each.
+    fn material_lines(&self, problem: &Problem) -> String {
+        let line = |(test, model): (&MaterialTest, f64)| {
+            let (measured, scatter) = (1e-6 * test.value, 1e-6 * test.standard_deviation);
+            let (model, distance) = (1e-6 * model, test.distance(model));
+            let name = &test.name;
+            format!("{name}: {model:.3} MPa, measured {measured:.3} +- {scatter:.3} MPa, {distance:+.1} sd.\n")
+        };
+        self.tested(problem).into_iter().map(line).collect()
     }
 
     fn demands(&self, problem: &Problem) -> Vec<String> {
@@ -202,6 +249,7 @@ impl Found {
                 "bound": variable.bound(*value),
                 "spread": {"min": told(spread.min), "median": told(spread.median), "max": told(spread.max),
                     "part": told(spread.part)},
+                "determined": self.convergence.is_reached().then(|| Determined::of(spread).key()),
             });
             (variable.name.clone(), numbers)
         };
@@ -218,6 +266,11 @@ impl Found {
             }
             Value::Object(object)
         };
+        let material_test = |(test, model): (&MaterialTest, f64)| {
+            json!({ "name": test.name, "layer": test.layer, "load": test.load, "quantity": test.quantity, "strain": test.strain,
+                "rate": test.rate, "hold": test.hold, "measured": test.value, "standard_deviation": test.standard_deviation,
+                "model": model, "distance": test.distance(model), "counts": !test.predict })
+        };
         json!({
             "score": self.entry.score,
             "mean_error_percent": self.evaluation.mean_error,
@@ -225,6 +278,7 @@ impl Found {
             "convergence": self.convergence.json(&self.descents),
             "equally_good": self.equally_good,
             "parameters": self.entry.values.iter().enumerate().map(parameter).collect::<Map<_, _>>(),
+            "material_tests": self.tested(problem).into_iter().map(material_test).collect::<Vec<_>>(),
             "impacts": problem.targets.iter().zip(&self.evaluation.impacts).map(impact).collect::<Vec<_>>(),
         })
     }

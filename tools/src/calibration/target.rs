@@ -1,5 +1,6 @@
 //! The measured impacts that a search aims at.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use serde::Deserialize;
@@ -13,7 +14,7 @@ use crate::files::folder;
 use crate::measurement::measured::Measured;
 use crate::measurement::quantity::{COUNT, QUANTITIES};
 use crate::measurement::series::Series;
-use crate::paper::TABLE_1;
+use crate::paper::{DECIMALS, TABLE_1};
 
 /// An impact as the problem file states it: by what was measured, or as a line of the study's table.
 #[derive(Clone, Debug, Default, Deserialize)]
@@ -37,6 +38,9 @@ pub struct Impact {
     /// Whether the trace has been filtered already: `objective.cfc` is for the simulated force alone then.
     #[serde(default)]
     pub filtered: bool,
+    /// Half of the last printed digit of numbers, by key, in SI; that of the table if it is from there.
+    #[serde(default)]
+    pub half_unit: BTreeMap<String, f64>,
     /// Keys of numbers that are reported but do not count.
     #[serde(default)]
     pub ignore: Vec<String>,
@@ -118,6 +122,8 @@ pub struct Target {
     pub energy: f64,
     /// What was measured, in SI and in the order of [`QUANTITIES`].
     pub measured: [Option<f64>; COUNT],
+    /// By how much it may have been rounded, in SI.
+    pub half_unit: [f64; COUNT],
     /// Which of them count.
     pub counts: [bool; COUNT],
     /// Measured force trace.
@@ -157,6 +163,7 @@ impl Target {
             (true, Some(case)) => std::array::from_fn(|i| given[i].or(Some(case.experiment[i]))),
             (true, None) => return refuse("the study's table has 14.7, 9.8 and 4.9 J".into()),
         };
+        let half_unit = half_units(impact, &measured).map_err(|error| format!("impact of {energy} J: {error}"))?;
         let mut counts = measured.map(|value| value.is_some() && !impact.predict);
         for key in &impact.ignore {
             match QUANTITIES.iter().position(|quantity| quantity.key == key) {
@@ -187,7 +194,7 @@ impl Target {
         if measured.iter().all(Option::is_none) && trace.is_none() {
             return refuse(format!("nothing was measured: give some of {}, trace, or table_1 = true", keys()));
         }
-        Ok(Self { energy, measured, counts, trace, understood, predict: impact.predict })
+        Ok(Self { energy, measured, half_unit, counts, trace, understood, predict: impact.predict })
     }
 }
 
@@ -197,12 +204,36 @@ impl Target {
         let mut object = Map::new();
         object.insert("energy".into(), self.energy.into());
         for (i, quantity) in QUANTITIES.iter().enumerate() {
-            object.insert(quantity.key.into(), json!({ "measured": self.measured[i], "counts": self.counts[i] }));
+            object.insert(
+                quantity.key.into(),
+                json!({
+                    "measured": self.measured[i], "half_unit": self.half_unit[i], "counts": self.counts[i],
+                }),
+            );
         }
         object.insert("trace".into(), self.trace.as_ref().map(digest_of).into());
         object.insert("predict".into(), self.predict.into());
         Value::Object(object)
     }
+}
+
+/// By how much the numbers of `impact` may have been rounded, in SI: as it says, else as the table prints what is from there.
+fn half_units(impact: &Impact, measured: &[Option<f64>; COUNT]) -> Result<[f64; COUNT], String> {
+    let given = [impact.peak_force, impact.max_deformation, impact.impact_duration, impact.impulse];
+    let printed = |i: usize| 0.5 * 10f64.powi(-(DECIMALS[i] as i32)) / QUANTITIES[i].display_scale;
+    let mut half = std::array::from_fn(|i| if impact.table_1 && given[i].is_none() { printed(i) } else { 0.0 });
+    for (key, value) in &impact.half_unit {
+        let Some(i) = QUANTITIES.iter().position(|quantity| quantity.key == key) else {
+            return Err(format!("half_unit: {key} is unknown; expected {}", keys()));
+        };
+        if measured[i].is_none() || !(*value >= 0.0 && value.is_finite()) {
+            return Err(format!(
+                "half_unit: {key} = {value} is refused: expected 0 or more, of a number that was measured"
+            ));
+        }
+        half[i] = *value;
+    }
+    Ok(half)
 }
 
 /// Digest of the numbers of a trace.
@@ -272,6 +303,8 @@ mod tests {
         let target = Target::new(&impact, &scenario(), Path::new("."), None).unwrap();
         assert_eq!(target.measured, [Some(4071.0), Some(3.5e-3), Some(8.1e-3), Some(13.0)]);
         assert_eq!(target.counts, [true, false, true, true]);
+        let rounded = [0.5, 0.05e-3, 0.05e-3, 0.5];
+        assert!(target.half_unit.iter().zip(rounded).all(|(a, b)| (a - b).abs() < 1e-12), "{:?}", target.half_unit);
         let target = Target::new(&Impact { predict: true, ..impact }, &scenario(), Path::new("."), None).unwrap();
         assert_eq!(target.counts, [false; COUNT]);
     }

@@ -1,11 +1,12 @@
 //! `softanvil calibrate`: parameters from measured impacts.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 
 use clap::Args;
 
 use super::output_files::Overwrite;
+use crate::calibration::front::{self, Point};
 use crate::calibration::log::{self, Log};
 use crate::calibration::problem::Problem;
 use crate::calibration::result::{self, Found};
@@ -37,6 +38,10 @@ pub struct Options {
     /// Threads [default: one per core]
     #[arg(long, value_name = "N", default_value_t = 0, hide_default_value = true)]
     threads: usize,
+    /// Search once for each of these weights of the material tests, in folders of their own, and show what impacts and tests
+    /// cost each other: front.csv, front.svg and front.txt
+    #[arg(long, value_name = "W", num_args = 1.., value_delimiter = ',')]
+    material_weights: Vec<f64>,
     #[command(flatten)]
     overwrite: Overwrite,
 }
@@ -49,31 +54,62 @@ pub fn carry_out(options: &Options, stop: &AtomicBool) -> Result<String, Failure
     let mut problem = Problem::read(&options.problem)?;
     problem.search.evaluations = options.evaluations.unwrap_or(problem.search.evaluations);
     problem.search.seed = options.seed.unwrap_or(problem.search.seed);
+    if options.material_weights.is_empty() {
+        return Ok(search_in(&problem, &options.out, options, stop)?.0);
+    }
+    show_front(&mut problem, options, stop)
+}
+
+/// A search for each weight of the material tests.
+fn show_front(problem: &mut Problem, options: &Options, stop: &AtomicBool) -> Result<String, Failure> {
+    if problem.material_tests.iter().all(|test| test.predict) {
+        return Err(Failure::Input("--material-weights has no effect: no [[material_test]] counts".into()));
+    }
     let mut folder = Folder::new(&options.out, options.overwrite.overwrite);
+    folder.check(front::FILES)?;
+    let mut points = Vec::new();
+    for weight in &options.material_weights {
+        problem.objective.material_weight = *weight;
+        problem.objective.check().map_err(Failure::Input)?;
+        let out = options.out.join(format!("weight-{weight}"));
+        let (_, found) = search_in(problem, &out, options, stop)?;
+        points.push(Point::of(problem, &found));
+    }
+    let picture = front::picture(&points).map_err(|error| Failure::Failed(error.to_string()))?;
+    let text = front::text(&points);
+    let contents = [front::csv(&points), picture, text.clone()].map(String::into_bytes);
+    folder.write(&front::FILES.map(String::from).into_iter().zip(contents).collect::<Vec<_>>())?;
+    Ok(format!("{text}Written: {} in {}\n", front::FILES.join(", "), options.out.display()))
+}
+
+/// Searches with the results in the folder `out`; returns them as a text, too.
+fn search_in(problem: &Problem, out: &Path, options: &Options, stop: &AtomicBool) -> Result<(String, Found), Failure> {
+    let mut folder = Folder::new(out, options.overwrite.overwrite);
     folder.check(result::FILES.into_iter().chain([log::PROBLEM]))?;
-    let mut log = Log::open(&mut folder, &problem, options.overwrite.overwrite)?;
+    let mut log = Log::open(&mut folder, problem, options.overwrite.overwrite)?;
     let bar = progress::evaluations(problem.search.evaluations as u64);
     let pool = rayon::ThreadPoolBuilder::new().num_threads(options.threads).build();
     let pool = pool.map_err(|error| Failure::Failed(format!("threads: {error}")))?;
     let descents = pool.install(|| {
-        search(&problem, &mut log, stop, &|done, best| {
+        search(problem, &mut log, stop, &|done, best| {
             bar.set_position(done as u64);
             bar.set_message(format!("score {:.3}, mean error {:.2} %", best.score, best.mean_error));
         })
     })?;
     bar.finish_and_clear();
     let failed = || Failure::Failed("interrupted at once".into());
-    let found = Found::new(&problem, &log.entries, descents).ok_or_else(failed)?;
+    let found = Found::new(problem, &log.entries, descents).ok_or_else(failed)?;
     let warnings = warnings_of(&problem.scenario).unwrap_or_default();
-    let mut text = warning_lines(&warnings) + &found.write(&problem, &mut folder)?;
+    let mut text = warning_lines(&warnings) + &found.write(problem, &mut folder)?;
     if found.evaluations < problem.search.evaluations {
         text += "Interrupted: the same command continues.\n";
     }
-    Ok(format!(
+    let text = format!(
         "{text}Written: {}, {} and {} in {}\n",
         result::FILES.join(", "),
         log::NAME,
         log::PROBLEM,
-        options.out.display()
-    ))
+        out.display()
+    );
+    Ok((text, found))
 }

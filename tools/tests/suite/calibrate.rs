@@ -152,6 +152,102 @@ fn a_search_that_has_not_converged_says_so_and_tells_no_spread() {
     assert!(long["parameters"]["silicone.c10"]["spread"]["part"].as_f64().unwrap() > 0.0, "{long}");
 }
 
+/// The impact alone asks for a softer layer; a test of the material that counts enough decides, and the results say so.
+#[test]
+fn a_material_test_counts_beside_the_impacts() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let one = PROBLEM.replace("\"geometry.length\" = { min = 0.06, max = 0.15 }\n", "");
+    let test = "[[material_test]]\nname = \"slow press\"\nquantity = \"shear_modulus\"\nstrain = 0.01\nvalue = 4.8e5\n\
+                standard_deviation = 2e4\n";
+    let problem = |weight: u32| {
+        let text = format!("{one}{test}[objective]\nmaterial_weight = {weight}\n");
+        fs::write(folder.join("problem.toml"), text).unwrap();
+        let out = format!("out{weight}");
+        let text = succeed(folder, &["calibrate", "problem.toml", "--evaluations", "120", "--out", &out]);
+        let read = |name: &str| fs::read_to_string(folder.join(&out).join(name)).unwrap();
+        let summary: serde_json::Value = serde_json::from_str(&read("summary.json")).unwrap();
+        (text, read("best.toml"), summary)
+    };
+    let [free, bound] = [0, 1000].map(problem);
+    let distance = |found: &(String, String, serde_json::Value)| {
+        let test = &found.2["material_tests"][0];
+        let (model, measured) = (test["model"].as_f64().unwrap(), test["measured"].as_f64().unwrap());
+        let distance = test["distance"].as_f64().unwrap();
+        assert!((distance - (model / measured).ln() * 24.0).abs() < 1e-9, "{test}");
+        distance
+    };
+    assert!(distance(&free).abs() > 3.0 && distance(&bound).abs() < 0.3, "{} {}", distance(&free), distance(&bound));
+    assert!(bound.0.contains("slow press") && bound.0.contains("0.480 +- 0.020"), "{}", bound.0);
+    assert!(bound.1.contains("# slow press: 0.4") && bound.1.contains("measured 0.480 +- 0.020 MPa"), "{}", bound.1);
+    // Another test is another problem.
+    fs::write(folder.join("problem.toml"), one + &test.replace("0.01", "0.02")).unwrap();
+    let line = fail(folder, &["calibrate", "problem.toml", "--out", "out0", "--evaluations", "120"], 2);
+    assert!(line.contains("this is the log of another problem"), "{line}");
+}
+
+/// A search in a folder of its own for each weight, each as it would be alone.
+#[test]
+fn weights_of_the_material_tests_make_a_front() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let test = "[[material_test]]\nname = \"a\"\nquantity = \"shear_modulus\"\nstrain = 0.5\nvalue = 9e5\n\
+                standard_deviation = 1e5\n";
+    fs::write(folder.join("problem.toml"), format!("{PROBLEM}{test}")).unwrap();
+    let search = ["calibrate", "problem.toml", "--evaluations", "12", "--out"];
+    let text = succeed(folder, &[&search[..], &["front", "--material-weights", "0", "100"]].concat());
+    assert!(text.contains("on the front"), "{text}");
+    let csv = fs::read_to_string(folder.join("front/front.csv")).unwrap();
+    let rows: Vec<Vec<f64>> =
+        csv.lines().skip(1).map(|line| line.split(',').map_while(|cell| cell.parse().ok()).collect()).collect();
+    assert_eq!((rows.len(), rows[0][0], rows[1][0]), (2, 0.0, 100.0));
+    // More weight leads nearer to the test.
+    assert!(rows[1][3] < rows[0][3], "{csv}");
+    assert!(fs::read_to_string(folder.join("front/front.svg")).unwrap().contains("distance from the material tests"));
+    succeed(folder, &[&search[..], &["alone"]].concat());
+    let alone = |path: &str| fs::read_to_string(folder.join(path)).unwrap();
+    succeed(folder, &[&search[..], &["front", "--material-weights", "1"]].concat());
+    assert_eq!(alone("alone/evaluations.csv"), alone("front/weight-1/evaluations.csv"));
+    // Without a test there is nothing to weigh.
+    fs::write(folder.join("problem.toml"), PROBLEM).unwrap();
+    let line = fail(folder, &[&search[..], &["none", "--material-weights", "1"]].concat(), 2);
+    assert!(line.contains("no effect: no [[material_test]] counts"), "{line}");
+}
+
+#[test]
+fn values_that_give_way_too_much_at_once_are_refused() {
+    use softanvil_tools::calibration::{objective::evaluate, problem::Problem};
+    let refusal = |least: &str| {
+        let text = format!("{PROBLEM}[objective]\npoissons_ratio_at_once = {least}\n");
+        Problem::parse(&text, Path::new(".")).map(|problem| evaluate(&problem, &[0.1, 2e5]).refusal)
+    };
+    // The preset's Prony term makes it 0.25.
+    assert_eq!(refusal("0.1"), Ok(None));
+    let told = refusal("0.3").unwrap().unwrap();
+    assert!(told.contains("Poisson's ratio is 0.2") && told.contains("at least 0.3 is allowed"), "{told}");
+    assert!(refusal("0.6").unwrap_err().contains("expected -1 to less than 0.5"));
+}
+
+/// What a printed number may have been rounded from costs nothing; the error that is reported stays.
+#[test]
+fn an_error_within_the_rounding_does_not_count() {
+    use softanvil_tools::calibration::{objective::evaluate, problem::Problem};
+    let impact = |rounding: bool, half: f64, objective: &str| {
+        let text = PROBLEM.replace("table_1 = true", &format!("impulse = 15.0\nhalf_unit = {{ impulse = {half} }}"));
+        let text = format!("{text}[objective]\nrounding = {rounding}\n{objective}");
+        let problem = Problem::parse(&text, Path::new(".")).unwrap();
+        let evaluation = evaluate(&problem, &[0.1, 1e5]);
+        let error = evaluation.impacts[0].values[3] / 15.0 - 1.0;
+        assert!((evaluation.mean_error - 100.0 * error.abs()).abs() < 1e-9);
+        (evaluation.score, 100.0 * error.abs())
+    };
+    let (score, error) = impact(false, 0.5, "");
+    assert!((score - error).abs() < 1e-9 && error > 1.0, "{error}");
+    let beyond = 0.5 * error / 100.0 * 15.0;
+    assert!((impact(true, beyond, "").0 - 0.5 * error).abs() < 1e-9);
+    assert_eq!(impact(true, 2.0 * beyond + 1e-9, "").0, 0.0);
+}
+
 #[test]
 fn a_best_value_on_a_bound_of_its_range_is_marked() {
     let folder = tempfile::tempdir().unwrap();
@@ -211,7 +307,7 @@ fn the_protocols_of_the_repository_are_legal() {
             count += 1;
         }
     }
-    assert_eq!(count, 7);
+    assert_eq!(count, 8);
 }
 
 /// The page is of the presets as they are: `calibration/run.sh` writes it anew.

@@ -9,6 +9,7 @@ mod measure;
 mod measured_data;
 mod pictures;
 mod protect;
+mod protocols;
 mod quasi_static;
 mod recovery;
 mod reference;

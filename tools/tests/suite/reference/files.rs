@@ -21,7 +21,7 @@ struct Keys {
     meanings: &'static [(&'static str, &'static str)],
 }
 
-const PROBLEM: [Keys; 7] = [
+const PROBLEM: [Keys; 8] = [
     Keys {
         title: "The file",
         about: "",
@@ -37,6 +37,7 @@ const PROBLEM: [Keys; 7] = [
             ("parameters", "table of what is searched for: names with their ranges"),
             ("impact", "a table `[[impact]]` for each impact that was measured"),
             ("impacts", "CSV file beside the problem file with further impacts, a line each"),
+            ("material_test", "a table `[[material_test]]` for each test of a material by itself"),
         ],
     },
     Keys {
@@ -67,7 +68,8 @@ const PROBLEM: [Keys; 7] = [
     },
     Keys {
         title: "`[objective]`",
-        about: "The score is the weighted mean of the absolute errors in %, plus what exceeds the limits, plus the prior. The \
+        about: "The score is the weighted mean of the absolute errors in %, plus what exceeds the limits, plus the material \
+                tests, plus the prior. The \
                 keys of numbers are `peak_force`, `max_deformation`, `impact_duration` and `impulse`.",
         command: "calibrate",
         file: "[search]\nevaluations = 1\n[parameters]\n[objective]\nzzz = 1\n",
@@ -84,6 +86,18 @@ const PROBLEM: [Keys; 7] = [
             ("force", "`contact` or `core`: which force is compared with the measured one; `contact`"),
             ("cfc", "channel frequency class in Hz of the filter on the simulated force and on traces; none"),
             ("steps_per_sample", "most steps in 50 us: stiffer materials are refused; 0 allows all; 0"),
+            (
+                "poissons_ratio_at_once",
+                "smallest Poisson's ratio that a layer may have before anything has relaxed; none",
+            ),
+            (
+                "rounding",
+                "`true` lets an error count only as far as it is outside what the printed number may have been rounded from; `false`",
+            ),
+            (
+                "material_weight",
+                "points of score for a mean square distance of one standard deviation from the material tests; 1",
+            ),
         ],
     },
     Keys {
@@ -104,6 +118,29 @@ const PROBLEM: [Keys; 7] = [
         ],
     },
     Keys {
+        title: "`[[material_test]]`",
+        about: "A test of the material by itself, a ramp of nominal strain and a hold, of which one value was read. The specimen is \
+                taken as incompressible and free at its sides. The distance of the model is ln(model / value) in standard \
+                deviations, which are relative ones then; the score grows by `material_weight` times the mean of its squares.",
+        command: "calibrate",
+        file: "[search]\nevaluations = 1\n[parameters]\n[[material_test]]\nzzz = 1\n",
+        meanings: &[
+            ("name", "what the test is called in the results"),
+            ("layer", "name of the layer that the material is of; the layer next to the core"),
+            ("load", "`compression` or `tension`; `compression`"),
+            (
+                "quantity",
+                "what `value` is: `youngs_modulus` (nominal stress over strain), `shear_modulus` (a third of that) or `stress`",
+            ),
+            ("strain", "nominal strain at the end of the ramp, above 0, in compression below 1"),
+            ("rate", "rate of nominal strain, 1/s; left out, the ramp is so slow that all overstress has relaxed"),
+            ("hold", "time for which the strain has been held when the value was read, s; 0"),
+            ("value", "what was measured, Pa"),
+            ("standard_deviation", "its standard deviation, Pa"),
+            ("predict", "`true` where the test is reported and does not count; `false`"),
+        ],
+    },
+    Keys {
         title: "`[[impact]]`",
         about: "Numbers are in SI units. An impact has at least one of them, a trace, or `table_1`.",
         command: "calibrate",
@@ -119,6 +156,11 @@ const PROBLEM: [Keys; 7] = [
             (
                 "filtered",
                 "`true` where the trace has been filtered already: `cfc` is for the simulated force alone then",
+            ),
+            (
+                "half_unit",
+                "table of half a unit of the last printed digit, by key of a number, in SI, for `rounding`; that of the table for its \
+                 numbers, else 0",
             ),
             ("ignore", "list of keys of numbers that are reported and do not count"),
             ("predict", "`true` where nothing of the impact counts: it is simulated and reported as a prediction"),
@@ -294,7 +336,8 @@ fn write_inputs(folder: &Path) {
     std::fs::write(folder.join("rel.csv"), format!("time [s],shear modulus [MPa]\n{rows}")).unwrap();
     std::fs::write(folder.join("impacts.csv"), "energy,zzz\n14.7,1\n").unwrap();
     let problem = "[search]\nevaluations = 4\npopulation = 4\n[fixed]\n\"mesh.element_size\" = 7.5e-3\n[parameters]\n\"silicone.c10\" = \
-                   { min = 1e4, max = 1e6, scale = \"log\" }\n[[impact]]\nenergy = 14.7\ntrace = \"tr.csv\"\npeak_force = 5499\n";
+                   { min = 1e4, max = 1e6, scale = \"log\" }\n[[impact]]\nenergy = 14.7\ntrace = \"tr.csv\"\npeak_force = 5499\n[[material_test]]\n\
+                   name = \"a\"\nquantity = \"shear_modulus\"\nstrain = 0.5\nvalue = 3e5\nstandard_deviation = 3e4\n";
     std::fs::write(folder.join("problem.toml"), problem).unwrap();
 }
 
