@@ -7,6 +7,7 @@
 //!    interrupted search continues.
 //! 4. [`result`] is what came out: the best values, whether the search has converged ([`convergence`]), and the
 //!    [`spread`] of values that are about as good.
+//! 5. [`uncertainty`] goes on from there to the posterior of the values, and to bands of what they predict.
 
 pub mod convergence;
 pub mod log;
@@ -17,4 +18,5 @@ pub mod result;
 pub mod search;
 pub mod spread;
 pub mod target;
+pub mod uncertainty;
 pub mod variable;

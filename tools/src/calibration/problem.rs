@@ -10,6 +10,7 @@ use softanvil_kernel::{Changes, Parameter, Scenario};
 
 use super::prior::Prior;
 use super::target::{Impact, Target, read_impacts};
+use super::uncertainty::options::UncertaintyOptions;
 use super::variable::{Range, Variable, apply, check_fits_impacts};
 use crate::failure::Failure;
 use crate::files::folder;
@@ -34,6 +35,8 @@ struct File {
     #[serde(default)]
     objective: ObjectiveOptions,
     prior: Option<Prior>,
+    #[serde(default)]
+    uncertainty: UncertaintyOptions,
     parameters: BTreeMap<String, Value>,
     #[serde(default)]
     impact: Vec<Impact>,
@@ -140,6 +143,8 @@ pub struct Problem {
     pub objective: ObjectiveOptions,
     /// The demand of quasi-static tests.
     pub prior: Option<Prior>,
+    /// What is known of the errors of the measured numbers, for a posterior.
+    pub uncertainty: UncertaintyOptions,
     /// How to search.
     pub search: SearchOptions,
     /// When the simulations end: a duration of the file's own is kept, even if it cuts an impact off.
@@ -221,13 +226,15 @@ impl Problem {
         if let Some(prior) = &file.prior {
             prior.check()?;
         }
+        file.uncertainty.check()?;
         let search = file.search;
         if search.evaluations == 0 || !(search.step > 0.0 && search.step <= 1.0) {
             return Err("search: evaluations has to be above 0, step above 0 and at most 1".into());
         }
         let own_duration = scenario.time.duration != (preset.scenario)().time.duration;
         let until = if own_duration { Until::Duration } else { Until::Over };
-        Ok(Self { scenario, variables, targets, objective: file.objective, prior: file.prior, search, until })
+        let (objective, prior, uncertainty) = (file.objective, file.prior, file.uncertainty);
+        Ok(Self { scenario, variables, targets, objective, prior, uncertainty, search, until })
     }
 }
 

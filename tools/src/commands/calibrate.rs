@@ -1,7 +1,7 @@
 //! `softanvil calibrate`: parameters from measured impacts.
 
 use std::path::PathBuf;
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Args;
 
@@ -10,6 +10,7 @@ use crate::calibration::log::{self, Log};
 use crate::calibration::problem::Problem;
 use crate::calibration::result::{self, Found};
 use crate::calibration::search::search;
+use crate::calibration::uncertainty::{self, Outcome, posterior, runs};
 use crate::failure::Failure;
 use crate::files::folder::Folder;
 use crate::output::subject::{warning_lines, warnings_of};
@@ -37,6 +38,10 @@ pub struct Options {
     /// Threads [default: one per core]
     #[arg(long, value_name = "N", default_value_t = 0, hide_default_value = true)]
     threads: usize,
+    /// After the search has converged, infer the posterior of the parameters, posterior.json, by which `softanvil run
+    /// --uncertainty` draws bands
+    #[arg(long)]
+    uncertainty: bool,
     #[command(flatten)]
     overwrite: Overwrite,
 }
@@ -50,7 +55,7 @@ pub fn carry_out(options: &Options, stop: &AtomicBool) -> Result<String, Failure
     problem.search.evaluations = options.evaluations.unwrap_or(problem.search.evaluations);
     problem.search.seed = options.seed.unwrap_or(problem.search.seed);
     let mut folder = Folder::new(&options.out, options.overwrite.overwrite);
-    folder.check(result::FILES.into_iter().chain([log::PROBLEM]))?;
+    folder.check(result::FILES.into_iter().chain([log::PROBLEM, posterior::NAME]))?;
     let mut log = Log::open(&mut folder, &problem, options.overwrite.overwrite)?;
     let bar = progress::evaluations(problem.search.evaluations as u64);
     let pool = rayon::ThreadPoolBuilder::new().num_threads(options.threads).build();
@@ -65,7 +70,15 @@ pub fn carry_out(options: &Options, stop: &AtomicBool) -> Result<String, Failure
     let failed = || Failure::Failed("interrupted at once".into());
     let found = Found::new(&problem, &log.entries, descents).ok_or_else(failed)?;
     let warnings = warnings_of(&problem.scenario).unwrap_or_default();
-    let mut text = warning_lines(&warnings) + &found.write(&problem, &mut folder)?;
+    let outcome = match options.uncertainty {
+        true => Some(pool.install(|| infer(&mut problem, &found, &mut folder, stop))?),
+        false => None,
+    };
+    let mut text = warning_lines(&warnings) + &found.write(&problem, outcome.as_ref(), &mut folder)?;
+    if let Some(Outcome::Posterior(posterior, _)) = &outcome {
+        folder.write(&[(posterior::NAME.into(), posterior.text().into_bytes())])?;
+        text += &format!("Written: {} and {}\n", posterior::NAME, runs::NAME);
+    }
     if found.evaluations < problem.search.evaluations {
         text += "Interrupted: the same command continues.\n";
     }
@@ -76,4 +89,22 @@ pub fn carry_out(options: &Options, stop: &AtomicBool) -> Result<String, Failure
         log::PROBLEM,
         options.out.display()
     ))
+}
+
+/// The posterior, with progress; refused where the search has not converged.
+fn infer(problem: &mut Problem, found: &Found, folder: &mut Folder, stop: &AtomicBool) -> Result<Outcome, Failure> {
+    if stop.load(Ordering::Relaxed) {
+        return Ok(Outcome::Interrupted);
+    }
+    if !found.convergence.is_reached() {
+        return Ok(Outcome::Refused("the search has not converged; more --evaluations continue it".into()));
+    }
+    let bar = progress::evaluations(0);
+    let outcome = uncertainty::infer(problem, &found.entry.values, folder, stop, &|count, what| {
+        bar.inc_length(count as u64);
+        bar.inc(count as u64);
+        bar.set_message(what.to_string());
+    });
+    bar.finish_and_clear();
+    outcome
 }

@@ -11,6 +11,7 @@ use softanvil_kernel::preset::PRESETS;
 use super::drop_options::DropOptions;
 use super::output_files::Overwrite;
 use super::run::{load, simulate_watched};
+use crate::calibration::uncertainty::shipped;
 use crate::failure::Failure;
 use crate::files::own_folder::OwnFolder;
 use crate::measurement::reading::Reading;
@@ -50,7 +51,10 @@ pub fn carry_out(options: &Options) -> Result<String, Failure> {
     let place = OwnFolder::new(&options.out, &report::KIND, options.overwrite.overwrite)?;
     let mut animations: [Animation; TABLE_1.len()] = Default::default();
     let watch = |number: usize, simulation: &mut Simulation| Ok(animations[number].take(simulation)?);
-    let validation = Validation::watched(&PRESETS[0], Reading::PLAIN, watch)?;
+    let (preset, scenario) = (&PRESETS[0], PRESETS[0].scenario);
+    let validation = Validation::watched(preset, Reading::PLAIN, watch)?;
+    let posterior = shipped::of(preset).ok().filter(|posterior| posterior.check_belongs(&scenario()).is_ok());
+    let validation = validation.with(&posterior.map(|posterior| posterior.impacts).unwrap_or_default());
     options.write(&Content::of_validation(&validation, &animations), place)
 }
 
