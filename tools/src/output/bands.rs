@@ -6,7 +6,7 @@ use crate::measurement::band::{Band, Expected};
 use crate::measurement::quantity::{COUNT, QUANTITIES, Quantity};
 use crate::paper::validation::{TableComparison, Validation};
 use crate::paper::{Case, DECIMALS};
-use crate::text::table::{align_right, new_plain_table, text};
+use crate::text::table::{FIXED_BLANK, align_right, new_plain_table, text};
 use crate::text::wrap::filled;
 
 /// Index of the impulse.
@@ -26,7 +26,7 @@ pub fn of_validation(validation: &Validation) -> String {
             let (parameters, measured) = (&expected.parameters[i], &expected.measured[i]);
             table.add_row([
                 if i == 0 { format!("{} J", case.paper.energy) } else { String::new() },
-                format!("{} ({})", quantity.label, quantity.display_unit),
+                title(quantity),
                 format!("{:.*}", DECIMALS[i], case.paper.experiment[i] * quantity.display_scale),
                 format!("{:.*}", quantity.decimals, case.record.values[i] * quantity.display_scale),
                 shown(quantity, parameters),
@@ -51,7 +51,7 @@ pub fn of_drop(expected: &Expected) -> String {
     for (i, quantity) in QUANTITIES.iter().enumerate() {
         let (parameters, measured) = (&expected.parameters[i], &expected.measured[i]);
         table.add_row([
-            format!("{} ({})", quantity.label, quantity.display_unit),
+            title(quantity),
             shown(quantity, parameters),
             format!("{:.*}", quantity.decimals, parameters.median * quantity.display_scale),
             shown(quantity, measured),
@@ -64,6 +64,11 @@ pub fn of_drop(expected: &Expected) -> String {
         expected.samples
     );
     format!("{}\n{}", text(&mut table), filled(&about))
+}
+
+/// Name and unit, which stay in one line.
+fn title(quantity: &Quantity) -> String {
+    format!("{} ({})", quantity.label, quantity.display_unit).replace(' ', &FIXED_BLANK.to_string())
 }
 
 fn shown(quantity: &Quantity, band: &Band) -> String {
