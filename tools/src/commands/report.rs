@@ -51,10 +51,7 @@ pub fn carry_out(options: &Options) -> Result<String, Failure> {
     let place = OwnFolder::new(&options.out, &report::KIND, options.overwrite.overwrite)?;
     let mut animations: [Animation; TABLE_1.len()] = Default::default();
     let watch = |number: usize, simulation: &mut Simulation| Ok(animations[number].take(simulation)?);
-    let (preset, scenario) = (&PRESETS[0], PRESETS[0].scenario);
-    let validation = Validation::watched(preset, Reading::PLAIN, watch)?;
-    let posterior = shipped::of(preset).ok().filter(|posterior| posterior.check_belongs(&scenario()).is_ok());
-    let validation = validation.with(&posterior.map(|posterior| posterior.impacts).unwrap_or_default());
+    let validation = shipped::add_bands(Validation::watched(&PRESETS[0], Reading::PLAIN, watch)?);
     options.write(&Content::of_validation(&validation, &animations), place)
 }
 

@@ -172,8 +172,8 @@ fn mean(values: &[f64]) -> f64 {
 /// as they should be are outside of them.
 #[test]
 fn bands_hold_the_truth_about_as_often_as_they_say() {
-    let trials = Trials::new(PROBLEM, 240);
-    let found: Vec<Found> = (0..32).into_par_iter().map(|number| trials.trial(number)).collect();
+    let trials = Trials::new(PROBLEM, 200);
+    let found: Vec<Found> = (0..24).into_par_iter().map(|number| trials.trial(number)).collect();
     let (wide, half) = (coverage(&found, 0.9), coverage(&found, 0.5));
     assert!((0.82..0.97).contains(&mean(&wide)), "{wide:?}");
     assert!((0.38..0.62).contains(&mean(&half)), "{half:?}");
