@@ -362,7 +362,8 @@ def calibrate(
     Raises:
         FileError: A problem that is refused, or the log of another one.
     """
-    options = {"out": out, "evaluations": evaluations, "seed": seed, "threads": threads, "overwrite": overwrite}
+    options = {"out": out, "evaluations": evaluations, "seed": seed, "threads": threads, "uncertainty": uncertainty,
+               "overwrite": overwrite}
     text = _call("calibrate", [_text(problem), *_arguments(options)])
     folder = Path(out)
     summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
