@@ -188,7 +188,7 @@ fn coverage_of_200_trials() {
     let found: Vec<Found> = (0..200).into_par_iter().map(|number| trials.trial(number)).collect();
     let converged = found.iter().filter(|one| one.converged).count();
     let error = trials.emulator.variances.iter().copied().fold(0.0, f64::max).sqrt();
-    // Shorter chains than the program asks of itself have wider errors of their own, which cost coverage and give none.
+    // Not asked for here: chains of that length would take hours.
     println!(
         "{converged} of {} chains as long as the program asks for; emulator of degree {}, relative error up to {error:.4}",
         found.len(),
