@@ -342,6 +342,7 @@ def calibrate(
     evaluations: int | None = None,
     seed: int | None = None,
     threads: int = 0,
+    uncertainty: bool = False,
     overwrite: bool = False,
 ) -> Calibration:
     """Searches for the parameters with which simulated impacts come closest to measured ones (docs/calibration.md).
@@ -354,12 +355,15 @@ def calibrate(
         evaluations: How many to spend in all, instead of the problem's.
         seed: Instead of the problem's.
         threads: 0 for one per core.
+        uncertainty: Whether to infer a posterior after the search has converged: `posterior.json` in `out`, and what it
+            tells under `uncertainty` in the summary.
         overwrite: Whether files of others, or the log of another problem, in `out` may be replaced.
 
     Raises:
         FileError: A problem that is refused, or the log of another one.
     """
-    options = {"out": out, "evaluations": evaluations, "seed": seed, "threads": threads, "overwrite": overwrite}
+    options = {"out": out, "evaluations": evaluations, "seed": seed, "threads": threads, "uncertainty": uncertainty,
+               "overwrite": overwrite}
     text = _call("calibrate", [_text(problem), *_arguments(options)])
     folder = Path(out)
     summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))

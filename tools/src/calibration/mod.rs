@@ -9,6 +9,7 @@
 //! 4. [`result`] is what came out: the best values, whether the search has converged ([`convergence`]), and the
 //!    [`spread`] of values that are about as good, from which [`determined`] tells what the data determine;
 //!    [`front`] is what impacts and material tests cost each other.
+//! 5. [`uncertainty`] goes on from there to the posterior of the values, and to bands of what they predict.
 
 pub mod convergence;
 pub mod determined;
@@ -22,5 +23,6 @@ pub mod result;
 pub mod search;
 pub mod spread;
 pub mod target;
+pub mod uncertainty;
 pub mod uniaxial;
 pub mod variable;

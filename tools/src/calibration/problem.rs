@@ -11,6 +11,7 @@ use softanvil_kernel::{Changes, Parameter, Scenario};
 use super::material_test::MaterialTest;
 use super::prior::Prior;
 use super::target::{Impact, Target, read_impacts};
+use super::uncertainty::options::UncertaintyOptions;
 use super::variable::{Range, Variable, apply, check_fits_impacts};
 use crate::failure::Failure;
 use crate::files::folder;
@@ -35,6 +36,8 @@ struct File {
     #[serde(default)]
     objective: ObjectiveOptions,
     prior: Option<Prior>,
+    #[serde(default)]
+    uncertainty: UncertaintyOptions,
     parameters: BTreeMap<String, Value>,
     #[serde(default)]
     impact: Vec<Impact>,
@@ -177,6 +180,8 @@ pub struct Problem {
     pub material_tests: Vec<MaterialTest>,
     /// The demand of quasi-static tests.
     pub prior: Option<Prior>,
+    /// What is known of the errors of the measured numbers, for a posterior.
+    pub uncertainty: UncertaintyOptions,
     /// How to search.
     pub search: SearchOptions,
     /// When the simulations end: a duration of the file's own is kept, even if it cuts an impact off.
@@ -262,6 +267,7 @@ impl Problem {
         for test in &file.material_test {
             test.check(&scenario)?;
         }
+        file.uncertainty.check()?;
         let search = file.search;
         if search.evaluations == 0 || !(search.step > 0.0 && search.step <= 1.0) {
             return Err("search: evaluations has to be above 0, step above 0 and at most 1".into());
@@ -275,6 +281,7 @@ impl Problem {
             objective: file.objective,
             material_tests: file.material_test,
             prior: file.prior,
+            uncertainty: file.uncertainty,
             search,
             until,
         })

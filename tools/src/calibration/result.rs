@@ -13,6 +13,7 @@ use super::objective::{Evaluation, evaluate, scenario};
 use super::problem::Problem;
 use super::search::best;
 use super::spread::{EQUALLY_GOOD, Spread, spread};
+use super::uncertainty::{Outcome, summary};
 use crate::failure::Failure;
 use crate::files::folder::Folder;
 use crate::measurement::errors::error_percent;
@@ -54,15 +55,25 @@ impl Found {
         Some(Self { entry, evaluation, evaluations: entries.len(), equally_good, spread, descents, convergence })
     }
 
-    /// Writes [`FILES`] to `folder`; returns the text.
+    /// Writes [`FILES`] to `folder`, with what a posterior tells where one was asked for; returns the text.
     ///
     /// # Errors
     /// A file that is not to be replaced, or cannot be written.
-    pub fn write(&self, problem: &Problem, folder: &mut Folder) -> Result<String, Failure> {
+    pub fn write(
+        &self,
+        problem: &Problem,
+        uncertainty: Option<&Outcome>,
+        folder: &mut Folder,
+    ) -> Result<String, Failure> {
         let scenario = scenario(problem, &self.entry.values).map_err(Failure::Failed)?;
-        let text = self.text(problem);
+        let mut text = self.text(problem);
+        let mut json = self.json(problem);
+        if let Some(outcome) = uncertainty {
+            text = format!("{}\n\n{}", text.trim_end(), summary::of_outcome(outcome));
+            json["uncertainty"] = summary::json(outcome);
+        }
         let toml = self.head(problem) + &scenario_file::to_toml(&scenario);
-        let contents = [toml, crate::output::json::text(&self.json(problem)), text.clone()];
+        let contents = [toml, crate::output::json::text(&json), text.clone()];
         let files = FILES.map(String::from).into_iter().zip(contents.map(String::into_bytes));
         folder.write(&files.collect::<Vec<_>>())?;
         Ok(text)

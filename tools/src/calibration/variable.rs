@@ -131,7 +131,14 @@ impl Variable {
 
     /// The part (0 to 1) of the range at which `value` lies.
     pub fn part(&self, value: f64) -> f64 {
-        let Range { min, max, scale, .. } = self.range;
+        self.range.part(value)
+    }
+}
+
+impl Range {
+    /// The part (0 to 1) of the range at which `value` lies.
+    pub fn part(&self, value: f64) -> f64 {
+        let Self { min, max, scale, .. } = *self;
         match scale {
             Scale::Linear => (value - min) / (max - min),
             Scale::Log => (value / min).ln() / (max / min).ln(),

@@ -1,7 +1,7 @@
 //! `softanvil calibrate`: parameters from measured impacts.
 
 use std::path::{Path, PathBuf};
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Args;
 
@@ -11,6 +11,7 @@ use crate::calibration::log::{self, Log};
 use crate::calibration::problem::Problem;
 use crate::calibration::result::{self, Found};
 use crate::calibration::search::search;
+use crate::calibration::uncertainty::{self, Outcome, posterior, runs};
 use crate::failure::Failure;
 use crate::files::folder::Folder;
 use crate::output::subject::{warning_lines, warnings_of};
@@ -42,6 +43,10 @@ pub struct Options {
     /// cost each other: front.csv, front.svg and front.txt
     #[arg(long, value_name = "W", num_args = 1.., value_delimiter = ',')]
     material_weights: Vec<f64>,
+    /// After the search has converged, infer the posterior of the parameters, posterior.json, by which `softanvil run
+    /// --uncertainty` draws bands
+    #[arg(long)]
+    uncertainty: bool,
     #[command(flatten)]
     overwrite: Overwrite,
 }
@@ -55,7 +60,7 @@ pub fn carry_out(options: &Options, stop: &AtomicBool) -> Result<String, Failure
     problem.search.evaluations = options.evaluations.unwrap_or(problem.search.evaluations);
     problem.search.seed = options.seed.unwrap_or(problem.search.seed);
     if options.material_weights.is_empty() {
-        return Ok(search_in(&problem, &options.out, options, stop)?.0);
+        return Ok(search_in(&mut problem, &options.out, options, stop)?.0);
     }
     show_front(&mut problem, options, stop)
 }
@@ -83,9 +88,14 @@ fn show_front(problem: &mut Problem, options: &Options, stop: &AtomicBool) -> Re
 }
 
 /// Searches with the results in the folder `out`; returns them as a text, too.
-fn search_in(problem: &Problem, out: &Path, options: &Options, stop: &AtomicBool) -> Result<(String, Found), Failure> {
+fn search_in(
+    problem: &mut Problem,
+    out: &Path,
+    options: &Options,
+    stop: &AtomicBool,
+) -> Result<(String, Found), Failure> {
     let mut folder = Folder::new(out, options.overwrite.overwrite);
-    folder.check(result::FILES.into_iter().chain([log::PROBLEM]))?;
+    folder.check(result::FILES.into_iter().chain([log::PROBLEM, posterior::NAME]))?;
     let mut log = Log::open(&mut folder, problem, options.overwrite.overwrite)?;
     let bar = progress::evaluations(problem.search.evaluations as u64);
     let pool = rayon::ThreadPoolBuilder::new().num_threads(options.threads).build();
@@ -100,7 +110,15 @@ fn search_in(problem: &Problem, out: &Path, options: &Options, stop: &AtomicBool
     let failed = || Failure::Failed("interrupted at once".into());
     let found = Found::new(problem, &log.entries, descents).ok_or_else(failed)?;
     let warnings = warnings_of(&problem.scenario).unwrap_or_default();
-    let mut text = warning_lines(&warnings) + &found.write(problem, &mut folder)?;
+    let outcome = match options.uncertainty {
+        true => Some(pool.install(|| infer(problem, &found, &mut folder, stop))?),
+        false => None,
+    };
+    let mut text = warning_lines(&warnings) + &found.write(problem, outcome.as_ref(), &mut folder)?;
+    if let Some(Outcome::Posterior(posterior, _)) = &outcome {
+        folder.write(&[(posterior::NAME.into(), posterior.text().into_bytes())])?;
+        text += &format!("Written: {} and {}\n", posterior::NAME, runs::NAME);
+    }
     if found.evaluations < problem.search.evaluations {
         text += "Interrupted: the same command continues.\n";
     }
@@ -112,4 +130,22 @@ fn search_in(problem: &Problem, out: &Path, options: &Options, stop: &AtomicBool
         out.display()
     );
     Ok((text, found))
+}
+
+/// The posterior, with progress; refused where the search has not converged.
+fn infer(problem: &mut Problem, found: &Found, folder: &mut Folder, stop: &AtomicBool) -> Result<Outcome, Failure> {
+    if stop.load(Ordering::Relaxed) {
+        return Ok(Outcome::Interrupted);
+    }
+    if !found.convergence.is_reached() {
+        return Ok(Outcome::Refused("the search has not converged; more --evaluations continue it".into()));
+    }
+    let bar = progress::evaluations(0);
+    let outcome = uncertainty::infer(problem, &found.entry.values, folder, stop, &|count, what| {
+        bar.inc_length(count as u64);
+        bar.inc(count as u64);
+        bar.set_message(what.to_string());
+    });
+    bar.finish_and_clear();
+    outcome
 }

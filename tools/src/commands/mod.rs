@@ -16,4 +16,5 @@ pub mod run;
 pub mod scenario;
 pub mod sweep;
 pub mod trace_options;
+mod uncertainty_options;
 pub mod validate;

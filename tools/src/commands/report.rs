@@ -11,6 +11,7 @@ use softanvil_kernel::preset::PRESETS;
 use super::drop_options::DropOptions;
 use super::output_files::Overwrite;
 use super::run::{load, simulate_watched};
+use crate::calibration::uncertainty::shipped;
 use crate::failure::Failure;
 use crate::files::own_folder::OwnFolder;
 use crate::measurement::reading::Reading;
@@ -50,7 +51,7 @@ pub fn carry_out(options: &Options) -> Result<String, Failure> {
     let place = OwnFolder::new(&options.out, &report::KIND, options.overwrite.overwrite)?;
     let mut animations: [Animation; TABLE_1.len()] = Default::default();
     let watch = |number: usize, simulation: &mut Simulation| Ok(animations[number].take(simulation)?);
-    let validation = Validation::watched(&PRESETS[0], Reading::PLAIN, watch)?;
+    let validation = shipped::add_bands(Validation::watched(&PRESETS[0], Reading::PLAIN, watch)?);
     options.write(&Content::of_validation(&validation, &animations), place)
 }
 

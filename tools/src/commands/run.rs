@@ -9,11 +9,13 @@ use softanvil_kernel::{SAMPLING_INTERVAL, Simulation};
 
 use super::drop_options::DropOptions;
 use super::output_files::{self, Overwrite};
+use super::uncertainty_options::UncertaintyOptions;
 use crate::failure::Failure;
 use crate::files::own_folder::OwnFolder;
 use crate::files::staging;
+use crate::measurement::band::Expected;
 use crate::output::subject::{Subject, warning_lines, warnings};
-use crate::output::{json, table, trace};
+use crate::output::{bands, json, table, trace};
 use crate::plot::{self, Shown};
 use crate::progress;
 use crate::run;
@@ -46,6 +48,8 @@ pub struct Options {
     /// Time between one impact and the next in s
     #[arg(long, value_name = "S", default_value_t = 60.0, allow_negative_numbers = true, requires = "impacts")]
     rest: f64,
+    #[command(flatten)]
+    uncertainty: UncertaintyOptions,
     /// Print JSON in SI units instead of the table
     #[arg(long)]
     json: bool,
@@ -60,17 +64,24 @@ pub struct Options {
 pub fn carry_out(options: &Options) -> Result<String, Failure> {
     let subject = options.drop.subject()?;
     options.overwrite.check(options.plot.as_deref(), options.csv.as_deref())?;
+    let posterior = options.uncertainty.posterior(&subject)?;
     let mut series = options.series()?;
     let (earlier, run) = options.simulate(&subject, &mut series)?;
-    let files = options.files(&run)?;
+    let expected = posterior.map(|posterior| posterior.expect(&subject)).transpose()?;
+    let files = options.files(&run, expected.as_ref())?;
     staging::write_files(&files).map_err(|(path, error)| Failure::writing(&path, error))?;
     let series = series.map(Series::finish).transpose()?;
     if options.json {
-        return Ok(json::text(&json::of_impacts(&earlier, &run, &subject)));
+        let mut value = json::of_impacts(&earlier, &run, &subject);
+        if let Some(expected) = &expected {
+            value["bands"] = json::of_bands(expected);
+        }
+        return Ok(json::text(&value));
     }
     let head = subject.text() + &warning_lines(&warnings(&run.constants)) + &run::remark(&run);
     let impacts = if earlier.is_empty() { String::new() } else { table::of_impacts(&earlier, &run, options.rest) };
-    let mut text = format!("{head}{impacts}{}{}\n", table::of_run(&run), table::settings(&run));
+    let bands = expected.as_ref().map_or(String::new(), bands::of_drop);
+    let mut text = format!("{head}{impacts}{}{bands}{}\n", table::of_run(&run), table::settings(&run));
     for (path, _) in &files {
         let _ = writeln!(text, "written: {}", path.display());
     }
@@ -98,13 +109,14 @@ impl Options {
         Series::new(OwnFolder::new(folder, &paraview::KIND, self.overwrite.overwrite)?, self.vtu_interval).map(Some)
     }
 
-    fn files(&self, run: &Run) -> Result<Vec<(&Path, Vec<u8>)>, Failure> {
+    fn files(&self, run: &Run, expected: Option<&Expected>) -> Result<Vec<(&Path, Vec<u8>)>, Failure> {
         let mut files = Vec::new();
         if let Some(path) = &self.csv {
             files.push((path.as_path(), trace::csv(run)?));
         }
         if let Some(path) = &self.plot {
-            let shown = Shown { label: label(run), run, experiment: None };
+            let shown =
+                Shown { label: label(run), run, experiment: None, band: expected.map(|expected| &expected.force) };
             files.push((path.as_path(), output_files::picture(path, plot::force_time_and_deformation(&[shown])?)?));
         }
         Ok(files)

@@ -5,6 +5,7 @@ use softanvil_kernel::preset::Preset;
 use softanvil_kernel::scenario::Formulation;
 
 use super::reading_options::ReadingOptions;
+use crate::calibration::uncertainty::shipped;
 use crate::failure::Failure;
 use crate::output::{json, table};
 use crate::paper::validation::Validation;
@@ -45,5 +46,6 @@ pub fn carry_out(options: &Options) -> Result<String, Failure> {
         None => (options.preset.scenario)().geometry.formulation,
     };
     let validation = Validation::formulated(options.preset, formulation, options.reading.reading()?, |_, _| Ok(()))?;
+    let validation = shipped::add_bands(validation);
     Ok(if options.json { json::text(&json::of_validation(&validation)) } else { table::of_validation(&validation) })
 }

@@ -1,5 +1,6 @@
 //! What an impact measures: simulated, or read from a file of instruments.
 
+pub mod band;
 pub mod contact;
 pub mod curve_score;
 pub mod errors;

@@ -4,6 +4,7 @@ use serde_json::{Map, Value, json};
 use softanvil_kernel::preset::Fitted;
 use softanvil_kernel::{OUTPUTS, Output, Parameter};
 
+use crate::measurement::band::{Band, Expected};
 use crate::measurement::quantity::{COUNT, QUANTITIES};
 use crate::output::subject::{self, Subject};
 use crate::output::table::IMPACT_RESULTS;
@@ -111,9 +112,20 @@ fn of_case(case: &TableComparison) -> Value {
     object.insert("experiment".into(), by_key(&case.paper.experiment).into());
     object.insert("ls_dyna".into(), by_key(&case.paper.ls_dyna).into());
     object.insert("ls_dyna_error_percent".into(), by_key(&case.ls_dyna_errors()).into());
+    if let Some(expected) = &case.expected {
+        object.insert("bands".into(), of_bands(expected));
+    }
     object.insert("energy_residual".into(), case.run.end().energy.residual().into());
     object.insert("trace_hash".into(), case.run.trace_hash().into());
     Value::Object(object)
+}
+
+/// The 90 % bands of the four numbers.
+pub fn of_bands(expected: &Expected) -> Value {
+    let of = |bands: &[Band; COUNT]| -> Map<String, Value> {
+        QUANTITIES.iter().zip(bands).map(|(quantity, band)| (quantity.key.into(), json!(band))).collect()
+    };
+    json!({ "parameters": of(&expected.parameters), "measured": of(&expected.measured) })
 }
 
 fn by_key(values: &[f64; COUNT]) -> Map<String, Value> {

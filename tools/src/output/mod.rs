@@ -1,5 +1,6 @@
 //! Results as tables, sentences, CSV and JSON.
 
+pub mod bands;
 pub mod json;
 pub mod material_summary;
 pub mod subject;

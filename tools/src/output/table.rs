@@ -9,6 +9,7 @@ use crate::measurement::errors::error_percent;
 use crate::measurement::quantity::{COUNT, QUANTITIES, Quantity};
 use crate::measurement::reading::Threshold;
 use crate::measurement::series::{Sensor, Series};
+use crate::output::bands;
 use crate::paper;
 use crate::paper::validation::{TableComparison, Validation};
 use crate::run::Run;
@@ -36,7 +37,7 @@ pub fn of_validation(validation: &Validation) -> String {
     ]);
     align_right(&mut table, 2..7);
     let remarks: String = validation.cases.iter().map(|case| crate::run::remark(&case.run)).collect();
-    format!("{}\n{remarks}{}", text(&mut table), notes(validation))
+    format!("{}\n{remarks}{}{}", text(&mut table), bands::of_validation(validation), notes(validation))
 }
 
 /// What the numbers of the table rest on.
@@ -65,6 +66,7 @@ pub fn notes(validation: &Validation) -> String {
             notes += "The parameters are those that were fitted in the preset's own formulation.\n";
         }
         notes += &core_peaks(validation);
+        notes += &filled(&bands::misses(validation));
     }
     notes
 }

@@ -82,7 +82,7 @@ pub fn outcome_so_far(run: &Run) -> Map<String, Value> {
 pub fn pictures(label: &str, about: &str, run: &Run, animation: &Animation) -> Map<String, Value> {
     let run = &run.first(shown_samples(&run.constants, run.samples()));
     let paper = paper::case_of(&run.constants.scenario);
-    let shown = [Shown { label: label.to_string(), run, experiment: paper.map(|case| case.experiment) }];
+    let shown = [Shown { label: label.to_string(), run, experiment: paper.map(|case| case.experiment), band: None }];
     let force_time = rounded(curve::force_time(&shown));
     let force_deformation = rounded(curve::force_deformation(&shown));
     object(json!({

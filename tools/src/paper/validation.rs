@@ -5,6 +5,7 @@ use softanvil_kernel::scenario::Formulation;
 use softanvil_kernel::{Scenario, Simulation};
 
 use crate::failure::Failure;
+use crate::measurement::band::Expected;
 use crate::measurement::errors::{errors_percent, mean_absolute};
 use crate::measurement::quantity::{COUNT, PEAK_FORCE};
 use crate::measurement::reading::{Reading, Record};
@@ -20,6 +21,8 @@ pub struct TableComparison {
     pub run: Run,
     /// The run as it was read, with our four numbers.
     pub record: Record,
+    /// Where a posterior expects the numbers and the force, if there is one.
+    pub expected: Option<Expected>,
 }
 
 /// All energies of the paper, with one preset.
@@ -100,9 +103,17 @@ impl Validation {
                 watch(number, simulation)
             })?;
             let record = reading.take(&run).map_err(|error| Failure::Input(error.to_string()))?;
-            cases.push(TableComparison { paper, record, run });
+            cases.push(TableComparison { paper, record, run, expected: None });
         }
         Ok(Self { preset, formulation, reading, cases })
+    }
+
+    /// The same with what a posterior expects of its impacts.
+    pub fn with(mut self, impacts: &[Expected]) -> Self {
+        for case in &mut self.cases {
+            case.expected = impacts.iter().find(|impact| impact.energy == case.paper.energy).cloned();
+        }
+        self
     }
 
     /// Mean of our absolute errors, all energies and quantities, %.

@@ -1,6 +1,7 @@
 //! Pictures of runs, as SVG whose text is text: force over time, and force over deformation.
 
 mod axis;
+mod band;
 mod chart;
 pub mod curve;
 mod energy;
@@ -61,6 +62,7 @@ pub fn forces(title: &str, y_description: &str, curves: Vec<(String, Vec<(f64, f
         y_description,
         measured_label: "",
         legend_at: SeriesLabelPosition::UpperRight,
+        bands: Vec::new(),
         curves,
     }])
 }
@@ -74,7 +76,7 @@ pub fn force_time_and_deformation(shown: &[Shown]) -> Result<String, PlotError> 
 }
 
 fn time_panel<'a>(title: &'a str, shown: &[Shown]) -> Panel<'a> {
-    time_panel_of(title, curve::force_time(shown))
+    Panel { bands: shown.iter().map(band::of).collect(), ..time_panel_of(title, curve::force_time(shown)) }
 }
 
 fn time_panel_of(title: &str, curves: Vec<Curve>) -> Panel<'_> {
@@ -84,6 +86,7 @@ fn time_panel_of(title: &str, curves: Vec<Curve>) -> Panel<'_> {
         y_description: CONTACT_FORCE,
         measured_label: "experiment: peak",
         legend_at: SeriesLabelPosition::UpperRight,
+        bands: Vec::new(),
         curves,
     }
 }
@@ -99,6 +102,7 @@ fn deformation_panel_of(title: &str, curves: Vec<Curve>) -> Panel<'_> {
         y_description: CONTACT_FORCE,
         measured_label: "experiment: maxima",
         legend_at: LEGEND_UPPER_LEFT,
+        bands: Vec::new(),
         curves,
     }
 }

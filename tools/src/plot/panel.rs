@@ -5,6 +5,7 @@ use plotters::coord::ranged1d::Ranged;
 use plotters::element::{Circle, DashedPathElement};
 
 use super::axis::Axis;
+use super::band::{self, Corners};
 use super::chart::{self, Area, Chart, legend_line};
 use super::curve::{Curve, Measured};
 use super::error::PlotError;
@@ -24,6 +25,8 @@ pub struct Panel<'a> {
     pub measured_label: &'static str,
     /// Where the curves leave room for the legend.
     pub legend_at: SeriesLabelPosition,
+    /// Bands about them, those that there are; a window shows none.
+    pub bands: Vec<Corners>,
     /// The curves.
     pub curves: Vec<Curve>,
 }
@@ -35,6 +38,9 @@ pub fn draw(area: &Area, panel: &Panel, look: &Look) -> Result<Place, PlotError>
     let window = look.window.map(|_| [across.range().start, across.range().end]);
     let mut chart = chart::axes(area, title, [across, up], MARGIN)?;
     chart::grid(&mut chart, chart::grid_style(), [panel.x_description, panel.y_description])?;
+    if window.is_none() {
+        band::draw(&mut chart, &panel.bands)?;
+    }
     for (index, curve) in panel.curves.iter().enumerate() {
         strokes::draw(&mut chart, &curve.points, (index, &curve.label), window)?;
     }
@@ -47,7 +53,7 @@ pub fn draw(area: &Area, panel: &Panel, look: &Look) -> Result<Place, PlotError>
 
 /// The axes: from zero over everything, or over what a window shows.
 fn axes(panel: &Panel, look: &Look) -> [Axis; 2] {
-    let (x_end, y_end) = extent(&panel.curves);
+    let (x_end, y_end) = extent(panel);
     let Some([low, high]) = look.window else { return [Axis::from_zero(x_end), Axis::from_zero(y_end)] };
     let across = Axis::linear(low, high);
     let (low, high) = (across.range().start, across.range().end);
@@ -58,11 +64,13 @@ fn axes(panel: &Panel, look: &Look) -> [Axis; 2] {
 }
 
 /// The largest coordinates.
-fn extent(curves: &[Curve]) -> (f64, f64) {
-    let corners = curves.iter().filter_map(|curve| curve.measured.as_ref().map(Measured::corner));
-    curves
+fn extent(panel: &Panel) -> (f64, f64) {
+    let corners = panel.curves.iter().filter_map(|curve| curve.measured.as_ref().map(Measured::corner));
+    panel
+        .curves
         .iter()
         .flat_map(|curve| curve.points.iter().copied())
+        .chain(panel.bands.iter().flatten().copied())
         .chain(corners)
         .fold((0.0, 0.0), |largest: (f64, f64), point| (largest.0.max(point.0), largest.1.max(point.1)))
 }

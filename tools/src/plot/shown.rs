@@ -1,5 +1,6 @@
 //! What a picture shows of a run.
 
+use crate::measurement::band::ForceBand;
 use crate::measurement::quantity::COUNT;
 use crate::run::Run;
 
@@ -11,4 +12,6 @@ pub struct Shown<'a> {
     pub run: &'a Run,
     /// What the experiment measured, in SI and in the order of [`crate::measurement::quantity::QUANTITIES`].
     pub experiment: Option<[f64; COUNT]>,
+    /// Where 90 % of the forces are to be expected.
+    pub band: Option<&'a ForceBand>,
 }

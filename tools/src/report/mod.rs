@@ -10,6 +10,7 @@ use crate::failure::Failure;
 use crate::files::folder::digest;
 use crate::files::own_folder::{Kind, Listed, OwnFolder};
 use crate::files::staging;
+use crate::measurement::band::Expected;
 use crate::output::subject::{Subject, warning_lines, warnings};
 use crate::output::{json, table, trace};
 use crate::page;
@@ -67,6 +68,8 @@ pub struct Reported<'a> {
     pub animation: &'a Animation,
     /// What was measured, if it is one of the paper's drops.
     pub paper: Option<&'static paper::Case>,
+    /// What a posterior expects of it.
+    pub expected: Option<&'a Expected>,
 }
 
 /// What the drops of a report are.
@@ -87,13 +90,14 @@ impl<'a> Content<'a> {
             run: &case.run,
             animation,
             paper: Some(case.paper),
+            expected: case.expected.as_ref(),
         });
         Self { drops: drops.collect(), about: About::Validation(validation) }
     }
 
     /// One drop with its section.
     pub fn of_run(subject: &'a Subject, label: String, run: &'a Run, animation: &'a Animation) -> Self {
-        let drop = Reported { label, trace: "trace.csv".into(), run, animation, paper: None };
+        let drop = Reported { label, trace: "trace.csv".into(), run, animation, paper: None, expected: None };
         Self { drops: vec![drop], about: About::Own(subject) }
     }
 
@@ -203,6 +207,7 @@ fn shown<'a>(content: &'a Content) -> Vec<Shown<'a>> {
         label: format!("Softanvil, {}{}", drop.label, run::suffix(drop.run)),
         run: drop.run,
         experiment: drop.paper.map(|case| case.experiment),
+        band: drop.expected.map(|expected| &expected.force),
     });
     shown.collect()
 }

@@ -18,4 +18,5 @@ mod run;
 mod series;
 mod sweep;
 mod tutorial;
+mod uncertainty;
 mod wrong_input;

@@ -21,7 +21,7 @@ struct Keys {
     meanings: &'static [(&'static str, &'static str)],
 }
 
-const PROBLEM: [Keys; 8] = [
+const PROBLEM: [Keys; 9] = [
     Keys {
         title: "The file",
         about: "",
@@ -34,6 +34,7 @@ const PROBLEM: [Keys; 8] = [
             ("search", "table: how to search"),
             ("objective", "table: what the score is made of"),
             ("prior", "table: what quasi-static tests say; none if left out"),
+            ("uncertainty", "table: what is known of the errors of the measured numbers, for `--uncertainty`"),
             ("parameters", "table of what is searched for: names with their ranges"),
             ("impact", "a table `[[impact]]` for each impact that was measured"),
             ("impacts", "CSV file beside the problem file with further impacts, a line each"),
@@ -138,6 +139,29 @@ const PROBLEM: [Keys; 8] = [
             ("value", "what was measured, Pa"),
             ("standard_deviation", "its standard deviation, Pa"),
             ("predict", "`true` where the test is reported and does not count; `false`"),
+        ],
+    },
+    Keys {
+        title: "`[uncertainty]`",
+        about: "What `--uncertainty` takes for the errors of the measured numbers ([uncertainty.md](../uncertainty.md)). The tables have \
+                the keys of numbers.",
+        command: "calibrate",
+        file: "[search]\nevaluations = 1\n[parameters]\n[uncertainty]\nzzz = 1\n",
+        meanings: &[
+            ("samples", "samples that the posterior file keeps, 50 to 2000; 200"),
+            ("noise", "table of relative standard deviations of a measurement, up to 1; 0.01 each"),
+            (
+                "discrepancy",
+                "table of scales of the half-normal priors of what the model misses, relative, up to 1; 0 for nothing; 0.1 each",
+            ),
+            (
+                "rounding",
+                "table of steps to which the numbers are rounded, in SI; 0 each, those of `table_1` have its digits",
+            ),
+            (
+                "prior_deviation",
+                "standard deviation of the logarithm of a modulus of `[prior]`, model over measurement; 0.3",
+            ),
         ],
     },
     Keys {

@@ -143,6 +143,9 @@ const MEANINGS: &[(&str, &str)] = &[
     ("missing", "simulations that were not made"),
     ("contrasts", "the changes that a file asks for first"),
     ("notes", "what there is to know of the table"),
+    ("low", "lower end of a 90 % band, in the unit of the number"),
+    ("median", "its middle: half of the cases lie below"),
+    ("high", "its upper end"),
     ("cases[].<parameter>", "the value of each axis"),
     // calibrate
     ("score", "score of the best values"),
@@ -244,7 +247,7 @@ const MEANINGS: &[(&str, &str)] = &[
 ];
 
 /// Names that stand for any: by the path of what holds them.
-const ANY: [(&str, &str); 11] = [
+const ANY: [(&str, &str); 13] = [
     ("channels", "<channel>"),
     ("parameters", "<name>"),
     ("laws[].parameters", "<name>"),
@@ -252,6 +255,8 @@ const ANY: [(&str, &str); 11] = [
     ("laws[].stable_stretches", "<name>"),
     ("comparison.numbers", "<number>"),
     ("cases[].error_percent", "<number>"),
+    ("cases[].bands.parameters", "<number>"),
+    ("cases[].bands.measured", "<number>"),
     ("cases[].experiment", "<number>"),
     ("cases[].ls_dyna", "<number>"),
     ("cases[].ls_dyna_error_percent", "<number>"),

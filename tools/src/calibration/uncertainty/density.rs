@@ -1,0 +1,62 @@
+//! The density that is sampled: prior times likelihood, by the emulator.
+//!
+//! A point is the parts of the ranges (0 to 1, uniform: the prior is flat on the scale of the file), then the logarithms of
+//! the inferred discrepancies.
+
+use hammer_and_sample::Model;
+
+use super::emulator::Emulator;
+use super::error_model::ErrorModel;
+use crate::calibration::objective::scenario;
+use crate::calibration::problem::Problem;
+
+/// The density.
+pub struct Density<'a> {
+    /// The emulator of the numbers that count.
+    pub emulator: &'a Emulator,
+    /// The measured numbers.
+    pub errors: &'a ErrorModel,
+    /// The problem, whose tests of the material may count; without any the ranges alone are the prior.
+    pub problem: Option<&'a Problem>,
+    /// How many parameters there are.
+    pub parameters: usize,
+}
+
+impl Model for Density<'_> {
+    type Params = Vec<f64>;
+
+    fn log_prob(&self, point: &Vec<f64>) -> f64 {
+        let (parts, ln_discrepancies) = point.split_at(self.parameters);
+        if parts.iter().any(|part| !(0.0..=1.0).contains(part)) {
+            return f64::NEG_INFINITY;
+        }
+        let Some(logarithms) = self.emulator.predict(parts) else { return f64::NEG_INFINITY };
+        let discrepancies: Vec<f64> = ln_discrepancies.iter().map(|ln| ln.exp()).collect();
+        let likelihood = self.errors.ln_likelihood(&logarithms, &self.emulator.variances, &discrepancies);
+        let tests = self.problem.map_or(0.0, |problem| ln_material_tests(problem, parts));
+        let density = likelihood + self.errors.ln_prior(ln_discrepancies) + tests;
+        if density.is_nan() { f64::NEG_INFINITY } else { density }
+    }
+}
+
+/// The values at `parts` of the ranges.
+pub fn values_at(problem: &Problem, parts: &[f64]) -> Vec<f64> {
+    problem.variables.iter().zip(parts).map(|(variable, part)| variable.value(*part)).collect()
+}
+
+/// Logarithm of the density of the tests of the material, of `[prior]` and of every `[[material_test]]` that counts: model over
+/// measurement, log-normal.
+pub fn ln_material_tests(problem: &Problem, parts: &[f64]) -> f64 {
+    let tests = || problem.material_tests.iter().filter(|test| !test.predict);
+    if problem.prior.is_none() && tests().next().is_none() {
+        return 0.0;
+    }
+    let Ok(scenario) = scenario(problem, &values_at(problem, parts)) else { return f64::NEG_INFINITY };
+    let demands = problem.prior.map(|prior| prior.demands(&scenario.layers[0].material));
+    let distances_of_demands = demands
+        .iter()
+        .flatten()
+        .map(|demand| (demand.model / demand.measured).ln() / problem.uncertainty.prior_deviation);
+    let distances_of_tests = tests().map(|test| test.distance(test.model(&scenario)));
+    distances_of_demands.chain(distances_of_tests).map(|distance| -0.5 * distance * distance).sum()
+}
