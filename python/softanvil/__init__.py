@@ -16,7 +16,7 @@ line. All numbers are in SI units.
 
 from . import _softanvil
 from ._animation import Animation
-from ._commands import Calibration, Fit, Measurement, Verdict, calibrate, fit, measure, protect, read_trace
+from ._commands import Calibration, Fit, Measurement, Verdict, calibrate, fit, material_front, measure, protect, read_trace
 from ._design import design
 from ._errors import FileError, ParameterError, ScenarioError, SimulationError, SoftanvilError
 from ._plot import compare
@@ -51,6 +51,7 @@ __all__ = [
     "design",
     "fields",
     "fit",
+    "material_front",
     "measure",
     "outputs",
     "parameters",

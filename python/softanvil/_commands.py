@@ -375,6 +375,44 @@ def calibrate(
     )
 
 
+def material_front(
+    problem: PathLike,
+    weights: Sequence[float],
+    *,
+    out: PathLike = "softanvil-calibration",
+    evaluations: int | None = None,
+    seed: int | None = None,
+    threads: int = 0,
+    overwrite: bool = False,
+) -> pd.DataFrame:
+    """Searches once for each weight of the material tests: what impacts and tests cost each other (docs/calibration.md).
+
+    Args:
+        problem: Problem file (TOML) with material tests.
+        weights: Points of score for a mean square distance of one standard deviation, one search each.
+        out: Folder for a folder of each search, and for the table and its picture, ``front.svg``.
+        evaluations: How many each search spends, instead of the problem's.
+        seed: Instead of the problem's.
+        threads: 0 for one per core.
+        overwrite: Whether files of others, or the log of another problem, in `out` may be replaced.
+
+    Returns:
+        A row for each weight: mean and largest error of the impacts in %, distance from the material tests (root mean square)
+        and the largest in standard deviations, and whether its search has converged; units in ``attrs``.
+
+    Raises:
+        FileError: A problem that is refused or without material tests that count, or the log of another one.
+    """
+    options = {"out": out, "evaluations": evaluations, "seed": seed, "threads": threads, "overwrite": overwrite,
+               "material_weights": list(weights)}
+    _call("calibrate", [_text(problem), *_arguments(options)])
+    table = pd.read_csv(Path(out) / "front.csv")
+    units = [title.partition(" [")[2].rstrip("]") for title in table.columns]
+    table.columns = pd.Index([title.partition(" [")[0] for title in table.columns])
+    table.attrs["units"] = {name: unit for name, unit in zip(table.columns, units, strict=True) if unit}
+    return table
+
+
 def read_trace(
     path: PathLike,
     scenario: Scenario | None = None,

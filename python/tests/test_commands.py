@@ -30,7 +30,7 @@ OTHERS = {
     "protect": {"preset", "scenario", "material", "set", "energy", "height", "speed", "duration", "out", "pictures", "json",
                 "overwrite"},
     "fit": {"paper", "pictures", "json"},
-    "calibrate": {"PROBLEM"},
+    "calibrate": {"PROBLEM", "material_weights"},  # material_front
 }
 
 
@@ -126,6 +126,15 @@ def test_a_foam_gives_a_pad(root):
     data = root / "data/foam"
     foam = sa.fit(uniaxial=data / "compression.csv", foam=True)
     assert foam.law.startswith("foam") and sa.preset("en1621-1").with_material(foam.material).pad.law == "hyperfoam"
+
+
+def test_what_impacts_and_material_tests_cost_each_other(root, tmp_path):
+    table = sa.material_front(root / "calibration/material-tests.toml", [0, 1], out=tmp_path / "out", evaluations=40)
+    assert list(table.columns) == ["weight", "mean_error", "worst_error", "distance", "farthest", "converged"]
+    assert table.attrs["units"] == {"weight": "1", "mean_error": "%", "worst_error": "%", "distance": "1", "farthest": "1"}
+    assert list(table["weight"]) == [0, 1] and not table["converged"].any() and (table["mean_error"] > 0).all()
+    with pytest.raises(sa.FileError, match="no .*material_test.* counts"):
+        sa.material_front(root / "calibration/all.toml", [1], out=tmp_path / "none")
 
 
 def test_a_calibration_goes_on_where_it_ended(root, tmp_path):
