@@ -13,6 +13,6 @@ cd "$here"
 cargo fmt --check
 [ -x "$venv/bin/python" ] || python3 -m venv "$venv"
 "$venv/bin/python" -m pip install --quiet --disable-pip-version-check -r requirements.txt
-cargo clippy -q --release -- -D warnings
+cargo clippy -q --release --locked -- -D warnings
 VIRTUAL_ENV=$venv PATH=$venv/bin:$PATH "$venv/bin/maturin" develop --quiet --release
 "$venv/bin/python" -m pytest -p no:cacheprovider -q -n 2 --dist loadgroup "$@"
