@@ -36,7 +36,12 @@ processors=$(nproc)
 beside() {
     while [ "$(jobs -rp | wc -l)" -ge "$processors" ]; do wait -n; done
     next_row
-    { "$@"; times | awk -F '[ms ]+' 'END { printf "%5d s  ", 60 * ($1 + $3) + $2 + $4 }' >"$work/seconds"; } &
+    {
+        "$@"
+        # In a shell of its own, as behind a pipe, it would have spent nothing.
+        times >"$work/times"
+        awk -F '[ms ]+' 'END { printf "%5d s  ", 60 * ($1 + $3) + $2 + $4 }' "$work/times" >"$work/seconds"
+    } &
 }
 
 # The runner, and the folder of its firmware; at the end those in single precision take their place.
