@@ -60,3 +60,53 @@ pub fn ln_material_tests(problem: &Problem, parts: &[f64]) -> f64 {
     let distances_of_tests = tests().map(|test| test.distance(test.model(&scenario)));
     distances_of_demands.chain(distances_of_tests).map(|distance| -0.5 * distance * distance).sum()
 }
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::*;
+
+    /// Neo-Hookean, whose relaxed nominal stress in tension to a stretch of 1.5 is 2 c10 (1.5 - 1.5^-2): as measured at 1e5 Pa.
+    fn problem(predict: bool) -> Problem {
+        let stress = 2.0 * 1e5 * (1.5 - 1.5f64.powi(-2));
+        let text = format!(
+            r#"
+preset = "study"
+[fixed]
+"silicone.c01" = 0.0
+"silicone.c11" = 0.0
+"silicone.c20" = 0.0
+"silicone.c02" = 0.0
+[search]
+evaluations = 1
+[parameters]
+"silicone.c10" = {{ min = 1e4, max = 1e6, scale = "log" }}
+[[impact]]
+energy = 14.7
+table_1 = true
+[[material_test]]
+name = "tension"
+load = "tension"
+quantity = "stress"
+strain = 0.5
+value = {stress}
+standard_deviation = {}
+predict = {predict}
+"#,
+            0.2 * stress
+        );
+        Problem::parse(&text, Path::new(".")).unwrap()
+    }
+
+    /// Source: the closed form above, and the density of a log-normal number with a deviation of 0.2.
+    #[test]
+    fn a_material_test_that_counts_is_log_normal() {
+        let problem_that_counts = problem(false);
+        assert!(ln_material_tests(&problem_that_counts, &[0.5]).abs() < 1e-6);
+        let twice = 0.5 + 2f64.ln() / 100f64.ln();
+        let expected = -0.5 * (2f64.ln() / 0.2).powi(2);
+        assert!((ln_material_tests(&problem_that_counts, &[twice]) - expected).abs() < 1e-4);
+        assert_eq!(ln_material_tests(&problem(true), &[twice]), 0.0);
+    }
+}
