@@ -6,8 +6,8 @@ set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/.." && pwd)
 venv=${SOFTANVIL_VENV_PYTHON:-$root/.venv-python}
-# The folder of the other workspace: what both take from elsewhere is compiled once.
-export CARGO_TARGET_DIR=$root/target PYTHONDONTWRITEBYTECODE=1
+# A folder of its own: crates of two workspaces in one folder take each other's place, and then do not link.
+export CARGO_TARGET_DIR=$root/target/python PYTHONDONTWRITEBYTECODE=1
 
 cd "$here"
 cargo fmt --check

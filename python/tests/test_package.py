@@ -39,7 +39,7 @@ def test_profiles_are_those_of_the_workspace(root):
 
 
 def test_versions_are_those_of_the_workspace(root):
-    """A crate that both workspaces build is built once, and what Python has is what the other tests have tried."""
+    """What Python has of others is what the other tests have tried."""
     theirs, ours = (
         {(package["name"], package["version"]) for package in tomllib.loads((root / lock).read_text())["package"]}
         for lock in ("Cargo.lock", "python/Cargo.lock"))

@@ -151,11 +151,16 @@ impl MaterialTest {
     }
 }
 
+/// Distances of the tests that count, in standard deviations.
+pub fn distances(tests: &[MaterialTest], scenario: &Scenario) -> impl Iterator<Item = f64> {
+    tests.iter().filter(|test| !test.predict).map(|test| test.distance(test.model(scenario)))
+}
+
 /// Mean square of the distances that count, in squares of standard deviations; 0 of none.
 pub fn mean_square(tests: &[MaterialTest], scenario: &Scenario) -> f64 {
-    let counted = tests.iter().filter(|test| !test.predict);
-    let squares: Vec<f64> = counted.map(|test| test.distance(test.model(scenario)).powi(2)).collect();
-    squares.iter().sum::<f64>() / squares.len().max(1) as f64
+    let (sum, count) =
+        distances(tests, scenario).fold((0.0, 0), |(sum, count), distance| (sum + distance * distance, count + 1));
+    sum / f64::from(count.max(1))
 }
 
 #[cfg(test)]

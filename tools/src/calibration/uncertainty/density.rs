@@ -7,6 +7,7 @@ use hammer_and_sample::Model;
 
 use super::emulator::Emulator;
 use super::error_model::ErrorModel;
+use crate::calibration::material_test::distances;
 use crate::calibration::objective::scenario;
 use crate::calibration::problem::Problem;
 
@@ -47,18 +48,16 @@ pub fn values_at(problem: &Problem, parts: &[f64]) -> Vec<f64> {
 /// Logarithm of the density of the tests of the material, of `[prior]` and of every `[[material_test]]` that counts: model over
 /// measurement, log-normal.
 pub fn ln_material_tests(problem: &Problem, parts: &[f64]) -> f64 {
-    let tests = || problem.material_tests.iter().filter(|test| !test.predict);
-    if problem.prior.is_none() && tests().next().is_none() {
+    if problem.prior.is_none() && problem.material_tests.is_empty() {
         return 0.0;
     }
     let Ok(scenario) = scenario(problem, &values_at(problem, parts)) else { return f64::NEG_INFINITY };
     let demands = problem.prior.map(|prior| prior.demands(&scenario.layers[0].material));
-    let distances_of_demands = demands
+    let of_prior = demands
         .iter()
         .flatten()
         .map(|demand| (demand.model / demand.measured).ln() / problem.uncertainty.prior_deviation);
-    let distances_of_tests = tests().map(|test| test.distance(test.model(&scenario)));
-    distances_of_demands.chain(distances_of_tests).map(|distance| -0.5 * distance * distance).sum()
+    of_prior.chain(distances(&problem.material_tests, &scenario)).map(|distance| -0.5 * distance * distance).sum()
 }
 
 #[cfg(test)]
