@@ -139,10 +139,7 @@ fn mechanism(cases: [&TableComparison; 2]) -> String {
         measured[0], energies[0], measured[1], energies[1], model[0], model[1]
     );
     match fall(measured) - fall(model) > TELLING {
-        true => format!(
-            "{facts}: what is missing is a loss whose share grows with the load, as softening at the first load or a viscosity \
-             that grows with strain has, and linear overstress has not."
-        ),
+        true => format!("{facts}: what is missing is a loss whose share grows with the load."),
         false => format!("{facts}, so that no loss of another kind shows in it."),
     }
 }
