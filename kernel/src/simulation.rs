@@ -270,4 +270,19 @@ mod tests {
         assert!(matches!(simulation.restore(&[0; 8]), Err(SnapshotError::Length { .. })));
         assert_eq!(*simulation.scalars(), before);
     }
+
+    /// Also of another length, as those of other versions are.
+    #[test]
+    fn a_snapshot_of_another_version_is_refused_by_its_number() {
+        let mut simulation = after(3e-3);
+        let before = *simulation.scalars();
+        let mut saved = simulation.save().unwrap();
+        let current = u64::from(saved[8]);
+        saved[8] -= 1;
+        for length in [saved.len(), saved.len() - 8, 16] {
+            let other = SnapshotError::Version { given: current - 1, expected: current };
+            assert_eq!(simulation.restore(&saved[..length]), Err(other));
+        }
+        assert_eq!(*simulation.scalars(), before);
+    }
 }

@@ -147,7 +147,7 @@ impl Failure {
             Self::Step(StepError::Unstable { .. }) => Status::Unstable,
             Self::Step(StepError::Input { .. }) => Status::IllegalInput,
             Self::Snapshot(SnapshotError::Length { .. } | SnapshotError::Memory(_)) => Status::ShortBuffer,
-            Self::Snapshot(SnapshotError::Format) => Status::SnapshotFormat,
+            Self::Snapshot(SnapshotError::Format | SnapshotError::Version { .. }) => Status::SnapshotFormat,
             Self::Snapshot(SnapshotError::Foreign) => Status::SnapshotForeign,
             Self::Snapshot(SnapshotError::Corrupt) => Status::SnapshotCorrupt,
             Self::Snapshot(SnapshotError::Failed) => Status::SnapshotFailed,
@@ -179,6 +179,9 @@ impl Failure {
             Self::Model(ModelError::StepTooSmall { step, smallest, .. }) => [step, smallest, NAN],
             Self::Model(ModelError::StepTooLarge { step, limit }) => [step, 0.0, limit],
             Self::Step(StepError::Unstable { limit, step, .. }) => [step, 0.0, limit],
+            Self::Snapshot(SnapshotError::Version { given, expected }) => {
+                [given as f64, expected as f64, expected as f64]
+            }
             Self::Step(StepError::Input { error, .. }) => [error.value, error.min, error.max],
             Self::Model(ModelError::Memory(error)) | Self::Step(StepError::Memory(error)) => {
                 [error.given as f64, error.needed as f64, NAN]

@@ -20,7 +20,7 @@ use crate::variables::{INPUTS, Inputs, Version, same_bits};
 
 /// "SOFTAFMU" in ASCII, least significant byte first.
 const MAGIC: u64 = u64::from_le_bytes(*b"SOFTAFMU");
-/// Changes with the format.
+/// Changes with the format. A state of another version is refused, and the error names both.
 const VERSION: u64 = 6;
 
 /// A saved state, checked to be whole and of this version.
@@ -72,10 +72,14 @@ const HEADER_WORDS: usize = 11;
 const GIVEN: usize = 2;
 
 /// The header's words, if the bytes claim to be of this format and of their length.
-fn header(bytes: &[u8]) -> Option<[u64; 4]> {
+fn header(bytes: &[u8]) -> Result<[u64; 4], SnapshotError> {
     let header: [u64; 4] = core::array::from_fn(|i| bytes.get(8 * i..8 * i + 8).map_or(0, word));
     let whole = bytes.len().is_multiple_of(8) && header[3] == bytes.len() as u64;
-    (whole && header[0] == MAGIC && header[1] == VERSION).then_some(header)
+    match header {
+        [MAGIC, given, ..] if whole && given != VERSION => Err(SnapshotError::Version { given, expected: VERSION }),
+        [MAGIC, ..] if whole => Ok(header),
+        _ => Err(SnapshotError::Format),
+    }
 }
 
 /// An empty list with room for `length` bytes.
@@ -164,7 +168,7 @@ impl Instance {
     /// # Errors
     /// Bytes that are no saved state, of another version, cut short or altered; or no memory.
     pub fn read_state(&self, bytes: &[u8]) -> Result<SavedState, Error> {
-        let header = header(bytes).ok_or(Error::Snapshot(SnapshotError::Format))?;
+        let header = header(bytes).map_err(Error::Snapshot)?;
         if header[2] != self.table.digest() {
             return Err(Error::Snapshot(SnapshotError::Foreign));
         }

@@ -28,9 +28,17 @@ pub enum SnapshotError {
         /// Bytes needed.
         needed: usize,
     },
-    /// The bytes are not a snapshot of this format version.
-    #[error("the bytes are not a snapshot of this version")]
+    /// The bytes are not a snapshot.
+    #[error("the bytes are not a snapshot of this simulation")]
     Format,
+    /// The snapshot was saved by a version of the library with another format.
+    #[error("the snapshot has format version {given}: expected {expected}, the one of this library; save it anew")]
+    Version {
+        /// The version that the snapshot names.
+        given: u64,
+        /// The only version that is read.
+        expected: u64,
+    },
     /// The snapshot belongs to a different model.
     #[error("the snapshot belongs to a different model")]
     Foreign,

@@ -16,7 +16,7 @@ use crate::tensor::deviator::Deviator;
 
 /// "SOFTANVL" in ASCII, least significant byte first.
 const MAGIC: u64 = u64::from_le_bytes(*b"SOFTANVL");
-/// Changes with the format.
+/// Changes with the format. A snapshot of another version is refused, and the error names both.
 const VERSION: u64 = 6;
 const HEADER_WORDS: usize = 4;
 const CHECKSUM_WORDS: usize = 1;
@@ -87,6 +87,7 @@ pub fn write_words(model: &Model, state: &StateView, put: &mut dyn FnMut(u64)) -
 /// # Errors
 /// Bytes that are not such a snapshot; the state is not touched then.
 pub fn restore(model: &Model, state: &mut State, bytes: &[u8]) -> Result<(), SnapshotError> {
+    check_version(bytes)?;
     check_length(model, bytes.len())?;
     check_content(model, bytes)?;
     let mut words = bytes.chunks_exact(8).skip(HEADER_WORDS).map(word_of);
@@ -99,6 +100,15 @@ pub fn restore(model: &Model, state: &mut State, bytes: &[u8]) -> Result<(), Sna
     Ok(())
 }
 
+/// Before the length, which is another one in other versions.
+fn check_version(bytes: &[u8]) -> Result<(), SnapshotError> {
+    let mut words = bytes.chunks_exact(8).map(word_of);
+    match (words.next(), words.next()) {
+        (Some(MAGIC), Some(given)) if given != VERSION => Err(SnapshotError::Version { given, expected: VERSION }),
+        _ => Ok(()),
+    }
+}
+
 fn check_length(model: &Model, given: usize) -> Result<(), SnapshotError> {
     let needed = snapshot_size(model.constants);
     if given == needed { Ok(()) } else { Err(SnapshotError::Length { given, needed }) }
@@ -108,7 +118,7 @@ fn check_content(model: &Model, bytes: &[u8]) -> Result<(), SnapshotError> {
     let mut words = bytes.chunks_exact(8).map(word_of);
     let header: [u64; HEADER_WORDS] = core::array::from_fn(|_| words.next().unwrap_or_default());
     let payload = payload_words(model.constants);
-    if header[0] != MAGIC || header[1] != VERSION || header[3] != payload as u64 {
+    if header[0] != MAGIC || header[3] != payload as u64 {
         return Err(SnapshotError::Format);
     }
     if header[2] != model.constants.fingerprint {

@@ -256,6 +256,13 @@ fn snapshots_are_told_apart() {
             "bytes has 8 bytes: expected at least 16 bytes",
         ),
         (SnapshotError::Format.into(), Status::SnapshotFormat, [NAN; 3], None, "the bytes are not a snapshot"),
+        (
+            SnapshotError::Version { given: 5, expected: 6 }.into(),
+            Status::SnapshotFormat,
+            [5.0, 6.0, 6.0],
+            None,
+            "the snapshot has format version 5: expected 6",
+        ),
         (SnapshotError::Foreign.into(), Status::SnapshotForeign, [NAN; 3], None, "the snapshot belongs to"),
         (SnapshotError::Corrupt.into(), Status::SnapshotCorrupt, [NAN; 3], None, "the snapshot's checksum"),
         (SnapshotError::Failed.into(), Status::SnapshotFailed, [NAN; 3], None, "the state has failed"),

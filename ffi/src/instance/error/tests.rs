@@ -43,7 +43,7 @@ fn every_refusal_names_the_value_its_unit_and_what_is_legal() {
         ),
         (Error::PastStop { end: 3.0, stop: 2.0 }, "the step leads to 3 s: expected up to the stop time of 2 s"),
         (Error::NoMemory { bytes: 64 }, "there is no memory for 64 bytes"),
-        (Error::Snapshot(SnapshotError::Format), "the bytes are not a snapshot of this version"),
+        (Error::Snapshot(SnapshotError::Format), "the bytes are not a snapshot of this simulation"),
         (
             Error::StateSize { given: 7, needed: 8 },
             "the buffer has 7 bytes: expected exactly 8, the size of the saved state",

@@ -74,7 +74,10 @@ fn the_format_is_as_described() {
 fn bytes_of_another_format_are_told_from_bytes_that_are_damaged() {
     let mut instance = in_contact(Version::Fmi3);
     let saved = instance.save().unwrap();
-    for place in [MAGIC_AT, VERSION_AT, LENGTH_AT] {
+    let version = words(&saved)[VERSION_AT];
+    let other = SnapshotError::Version { given: version - 1, expected: version };
+    assert_eq!(refusal(&instance, &altered(&saved, VERSION_AT, version - 1)), Some(other));
+    for place in [MAGIC_AT, LENGTH_AT] {
         let word = words(&saved)[place] + 8;
         assert_eq!(refusal(&instance, &altered(&saved, place, word)), Some(SnapshotError::Format), "{place}");
     }
