@@ -7,6 +7,8 @@ import argparse
 import contextlib
 import importlib.util
 import os
+import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -52,6 +54,37 @@ def overhead():
     yield row("the kernel alone, model and steps", alone, f"preset study, {result.elements} triangles, {result.steps} steps")
     yield row("`sa.run` of it", whole, f"{100 * (whole[1] / alone[1] - 1):+.1f} % of processors")
     yield row("the same with its trace as a data frame", traced)
+
+
+#: Starts, and repeats a drop as often as it is told.
+COUNTED = """
+import gc, sys
+import softanvil as sa
+scenario = sa.preset("study")
+steps = sa.run(scenario).steps
+gc.disable()
+for _ in range(int(sys.argv[1])):
+    {statement}
+"""
+
+
+def instructions(statement):
+    """Instructions of a statement, by valgrind, from what two numbers of repetitions take."""
+    def count(times):
+        command = ["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", sys.executable, "-P", "-c",
+                   COUNTED.format(statement=statement), str(times)]
+        said = subprocess.run(command, check=True, capture_output=True, text=True).stderr
+        return int(re.search(r"Collected : (\d+)", said)[1])
+
+    return (count(6) - count(2)) / 4
+
+
+def counted():
+    """What `run` adds to a drop in instructions, which depend on nothing else that the machine does."""
+    alone, whole = (instructions(statement) for statement in (
+        "sa._softanvil.Simulation(scenario._settings).step(steps, 0.0, None, None)", "sa.run(scenario)"))
+    note = f"{alone / 1e6:.1f} million instructions alone, {100 * (whole / alone - 1):+.1f} % by `sa.run`, by valgrind"
+    yield "`sa.run` over the kernel, counted", "-", "-", note
 
 
 def many(drops=256):
@@ -220,7 +253,7 @@ def main():
         if asked.drops:
             rows = list(on_cluster(asked.drops, asked.element_size, folder))
         else:
-            rows = [*overhead(), *many(), *(absent("fmpy", "a loop over fmpy") or fmpy_loop(asked.fmu, folder)),
+            rows = [*overhead(), *(counted() if shutil.which("valgrind") else []), *many(), *(absent("fmpy", "a loop over fmpy") or fmpy_loop(asked.fmu, folder)),
                     *(absent("felupe", "a block in felupe") or felupe_block())]
     for cells in (HEAD, ("---",) * len(HEAD), *rows):
         print(f"| {' | '.join(cells)} |")
