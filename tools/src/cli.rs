@@ -6,7 +6,9 @@ use std::sync::atomic::AtomicBool;
 
 use clap::{Args, CommandFactory, Parser, Subcommand};
 
-use crate::commands::{calibrate, fit, fmu, golden, measure, page, protect, report, run, scenario, sweep, validate};
+use crate::commands::{
+    calibrate, fit, fmu, golden, measure, page, protect, reduction, report, run, scenario, sweep, validate,
+};
 use crate::failure::Failure;
 use crate::interrupt;
 
@@ -33,6 +35,7 @@ enum Command {
     Validate(validate::Options),
     Calibrate(calibrate::Options),
     Sweep(Box<sweep::Options>),
+    Reduction(Box<reduction::Options>),
     /// What `sweep` was called
     #[command(hide = true)]
     Study(Renamed),
@@ -65,6 +68,7 @@ impl Cli {
             Some(Command::Validate(options)) => validate::carry_out(options),
             Some(Command::Calibrate(options)) => calibrate::carry_out(options, &interrupt()),
             Some(Command::Sweep(options)) => sweep::carry_out(options, &interrupt()),
+            Some(Command::Reduction(options)) => reduction::carry_out(options),
             Some(Command::Study(_)) => Err(Failure::Input(sweep::RENAMED.into())),
             Some(Command::Scenario(options)) => scenario::carry_out(options),
             Some(Command::Fit(options)) => fit::carry_out(options),

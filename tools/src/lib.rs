@@ -5,7 +5,7 @@
 //! 1. [`cli`] is the command line; each file of [`commands`] is one subcommand, [`failure`] how one ends badly.
 //! 2. `report` writes the report folder, whose page is that of [`page`]; [`plot`] and [`section`] draw, [`output`] prints and stores results, [`text`] has its
 //!    numbers, lines and tables, [`files`] keeps half-written files away, and what others wrote.
-//! 3. [`sweep`] changes parameters of a drop; [`protect`] judges pads; [`paper`] has what the paper printed, which its `validation` compares with runs;
+//! 3. [`sweep`] changes parameters of a drop, [`reduction`] its dimensions; [`protect`] judges pads; [`paper`] has what the paper printed, which its `validation` compares with runs;
 //!    [`calibration`] searches, [`identification`] fits a material to test data, [`golden`] compares this machine with the
 //!    golden traces.
 //! 4. [`measurement`] is what instruments see of a run, or have seen of an impact.
@@ -36,6 +36,8 @@ pub mod presets;
 pub mod progress;
 #[cfg(feature = "command-line")]
 pub mod protect;
+#[cfg(feature = "command-line")]
+pub mod reduction;
 #[cfg(feature = "command-line")]
 pub mod report;
 pub mod run;

@@ -11,6 +11,7 @@ pub mod output_files;
 pub mod page;
 pub mod protect;
 pub mod reading_options;
+pub mod reduction;
 pub mod report;
 pub mod run;
 pub mod scenario;

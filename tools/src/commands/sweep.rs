@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Args;
 use itertools::Itertools;
-use softanvil_kernel::{Parameter, Scenario};
+use softanvil_kernel::Scenario;
 
 use super::drop_options::{DURATION, DropOptions};
 use super::output_files::Overwrite;
@@ -17,7 +17,6 @@ use crate::output::subject::Subject;
 use crate::plot::picture_format::PictureFormat;
 use crate::run::{Drop, Until};
 use crate::scenario_file::names;
-use crate::sweep::axis::{Axis, Value};
 use crate::sweep::case::Case;
 use crate::sweep::convergence::REFINEMENTS;
 use crate::sweep::page::{Page, overview};
@@ -108,7 +107,11 @@ impl Options {
         file::check_refinements(&self.convergence).map_err(|error| Failure::Input(format!("--{error}")))?;
         let (parameters, files): (Vec<&String>, Vec<&String>) = self.what.iter().partition(|what| what.contains('='));
         if files.is_empty() {
-            return Ok(vec![self.of_parameters(&parameters, scenario)?]);
+            if parameters.is_empty() && self.convergence.is_empty() {
+                let legal = "expected PARAMETER=LIST, such as silicone.c10=1e5,2e5, a file, or --convergence";
+                return Err(Failure::Input(format!("nothing is changed: {legal}")));
+            }
+            return Ok(vec![Sweep::of_parameters(&parameters, &self.convergence, scenario)?]);
         }
         if let Some(parameter) = parameters.first() {
             return Err(Failure::Input(format!("{parameter} is refused beside files: expected parameters or files")));
@@ -123,39 +126,6 @@ impl Options {
             Some(name) => Err(Failure::Input(format!("two files are called {name}: their pages would be one"))),
             None => Ok(sweeps),
         }
-    }
-
-    /// The sweep of `PARAMETER=LIST` texts, in all combinations.
-    fn of_parameters(&self, texts: &[&String], scenario: &Scenario) -> Result<Sweep, Failure> {
-        if texts.is_empty() && self.convergence.is_empty() {
-            let legal = "expected PARAMETER=LIST, such as silicone.c10=1e5,2e5, a file, or --convergence";
-            return Err(Failure::Input(format!("nothing is changed: {legal}")));
-        }
-        let read = |text: &&String| {
-            let (name, values) = text.split_once('=').unwrap_or((text, ""));
-            let values: Vec<Value> = values.split(',').map(|value| Value::Text(value.into())).collect();
-            let names = vec![name.trim().to_string()];
-            let axis = Axis::of_values(None, &names, &values, scenario);
-            axis.map(|axis| (names, axis)).map_err(|error| Failure::Input(format!("sweep {text}: {error}")))
-        };
-        let (names, axes): (Vec<_>, Vec<_>) =
-            texts.iter().map(read).collect::<Result<Vec<_>, _>>()?.into_iter().unzip();
-        let names = names.concat();
-        let convergence = match self.convergence[..] {
-            [] => None,
-            _ => Some(format!("--convergence={}", self.convergence.iter().join(","))),
-        };
-        let mut about =
-            names.iter().filter_map(|name| Parameter::find_in(scenario, name)).map(|parameter| parameter.description());
-        Ok(Sweep {
-            name: if names.is_empty() { "convergence".into() } else { names.join("-") },
-            title: if names.is_empty() { "Convergence with the mesh".into() } else { names.join(", ") },
-            about: about.join("; "),
-            arguments: texts.iter().map(ToString::to_string).chain(convergence).join(" "),
-            axes,
-            refinements: self.convergence.clone(),
-            contrasts: Vec::new(),
-        })
     }
 
     /// Checks that the files of all sweeps may be written, and takes those that grow.

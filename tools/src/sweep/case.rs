@@ -6,7 +6,7 @@ use softanvil_kernel::scenario::Motion;
 use crate::measurement::quantity::{self, COUNT, PEAK_FORCE};
 use crate::measurement::reading::Reading;
 use crate::measurement::series::{Sensor, Series};
-use crate::run::{Ending, Run};
+use crate::run::{Drop, Ending, Run, RunError, Until};
 
 /// What is to be simulated.
 #[derive(Clone, Debug)]
@@ -34,6 +34,14 @@ pub struct Outcome {
 pub const CHANNEL_CLASS: f64 = 600.0;
 
 impl Outcome {
+    /// Simulates `scenario` `until` then.
+    ///
+    /// # Errors
+    /// A scenario that is refused, or that fails.
+    pub fn simulate(scenario: &Scenario, until: Until) -> Result<Self, RunError> {
+        Ok(Self::new(Drop::until(scenario, until)?.run(|_| {})?))
+    }
+
     /// What came of a run.
     pub fn new(run: Run) -> Self {
         Self { values: quantity::measure(&run), run }

@@ -16,8 +16,12 @@ pub mod richardson;
 pub mod run;
 pub mod sheet;
 
-use axis::Axis;
+use axis::{Axis, Value};
+use itertools::Itertools;
 use serde::Deserialize;
+use softanvil_kernel::{Parameter, Scenario};
+
+use crate::failure::Failure;
 
 /// What is swept, and what a reader has to know of it.
 #[derive(Clone, Debug)]
@@ -53,6 +57,39 @@ pub struct Contrast {
 }
 
 impl Sweep {
+    /// The sweep of `PARAMETER=LIST` texts, in all combinations, and on meshes finer by the factors `refinements`.
+    ///
+    /// # Errors
+    /// A parameter that is unknown, or a value that is refused.
+    pub fn of_parameters(texts: &[impl AsRef<str>], refinements: &[f64], scenario: &Scenario) -> Result<Self, Failure> {
+        let texts: Vec<&str> = texts.iter().map(AsRef::as_ref).collect();
+        let read = |text: &&str| {
+            let (name, values) = text.split_once('=').unwrap_or((text, ""));
+            let values: Vec<Value> = values.split(',').map(|value| Value::Text(value.into())).collect();
+            let names = vec![name.trim().to_string()];
+            let axis = Axis::of_values(None, &names, &values, scenario);
+            axis.map(|axis| (names, axis)).map_err(|error| Failure::Input(format!("sweep {text}: {error}")))
+        };
+        let (names, axes): (Vec<_>, Vec<_>) =
+            texts.iter().map(read).collect::<Result<Vec<_>, _>>()?.into_iter().unzip();
+        let names = names.concat();
+        let convergence = match refinements {
+            [] => None,
+            _ => Some(format!("--convergence={}", refinements.iter().join(","))),
+        };
+        let mut about =
+            names.iter().filter_map(|name| Parameter::find_in(scenario, name)).map(|parameter| parameter.description());
+        Ok(Self {
+            name: if names.is_empty() { "convergence".into() } else { names.join("-") },
+            title: if names.is_empty() { "Convergence with the mesh".into() } else { names.join(", ") },
+            about: about.join("; "),
+            arguments: texts.iter().map(ToString::to_string).chain(convergence).join(" "),
+            axes,
+            refinements: refinements.to_vec(),
+            contrasts: Vec::new(),
+        })
+    }
+
     /// Names of what tells its cases apart, with units.
     pub fn headings(&self) -> Vec<&str> {
         let mesh: &[&str] = if self.refines() { &["rows", "columns"] } else { &[] };

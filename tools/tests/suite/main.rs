@@ -12,6 +12,7 @@ mod protect;
 mod protocols;
 mod quasi_static;
 mod recovery;
+mod reduction;
 mod reference;
 mod report;
 mod run;

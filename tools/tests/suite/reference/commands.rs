@@ -5,7 +5,7 @@ use tempfile::tempdir;
 use super::{code, compare, table};
 use crate::common::succeed;
 
-const COMMANDS: [&str; 12] = [
+const COMMANDS: [&str; 13] = [
     "run",
     "report",
     "page",
@@ -14,6 +14,7 @@ const COMMANDS: [&str; 12] = [
     "validate",
     "calibrate",
     "sweep",
+    "reduction",
     "scenario",
     "fit",
     "fmu",

@@ -390,6 +390,7 @@ fn the_page_of_the_files_is_that_of_what_is_read_and_written() {
         ("`validate`", "", run(&["validate"])),
         ("`protect`", "", run(&["protect", "--preset", "en1621-1"])),
         ("`sweep`", "", coarse(&["sweep", "silicone.c10=1e5"])),
+        ("`reduction`", "", coarse(&["reduction", "impactor.drop_energy=12"])),
         ("`summary.json` of `calibrate`", "", serde_json::from_str(&summary).unwrap()),
         ("`fit`", "It is also the file `fit.json` that `--out` writes.", run(&fit)),
     ];

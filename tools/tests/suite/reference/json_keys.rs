@@ -111,6 +111,17 @@ const MEANINGS: &[(&str, &str)] = &[
     ("ls_dyna.<number>", "the number of the paper's simulation by LS-DYNA"),
     ("ls_dyna_error_percent.<number>", "its error, %"),
     ("energy_residual", "energy that the balance leaves unexplained, J"),
+    // reduction
+    (
+        "effective_length",
+        "`geometry.length` of the section that bears what the solid does, m, or null; over the cases: their mean",
+    ),
+    (
+        "largest_difference_percent",
+        "largest difference of the force of a section of that mean from that of its solid, %",
+    ),
+    ("section_difference_percent", "difference of the force of the section from that of the solid, %"),
+    ("settings.<parameter>", "the value of each axis"),
     // protect
     ("standard.preset", "preset of the standard's set-up"),
     ("standard.name", "name of the standard"),

@@ -1,0 +1,129 @@
+//! What it costs to reduce the anvil to a section: the same drop in two dimensions and in three, and the length with which a
+//! section bears what the solid does.
+
+pub mod effective_length;
+pub mod json;
+pub mod table;
+
+use indicatif::ProgressBar;
+use softanvil_kernel::Scenario;
+use softanvil_kernel::scenario::{Body, Formulation};
+
+use crate::failure::Failure;
+use crate::progress;
+use crate::run::{Drop, RunError, Until};
+use crate::sweep::Sweep;
+use crate::sweep::case::{Case, Outcome};
+use effective_length::Found;
+
+/// One scenario in both formulations.
+#[derive(Debug)]
+pub struct Comparison {
+    /// What tells it from the others: a text for each of the sweep's headings.
+    pub settings: Vec<String>,
+    /// In three dimensions.
+    pub solid: Outcome,
+    /// As a section of the scenario's length.
+    pub section: Outcome,
+    /// The length with which the section bears as much; none of a dome, whose section has none.
+    pub length: Option<Found>,
+}
+
+/// All of them.
+pub struct Reduction {
+    /// Names of what tells them apart, with units.
+    pub headings: Vec<String>,
+    /// One for each scenario.
+    pub comparisons: Vec<Comparison>,
+    /// One length for all, if each has its own, or one that is nearest to it.
+    pub common: Option<Common>,
+}
+
+/// What sections have in common.
+#[derive(Debug)]
+pub struct Common {
+    /// Mean of the lengths, m.
+    pub length: f64,
+    /// The section of that length, for each scenario.
+    pub sections: Vec<Outcome>,
+    /// Largest difference of its force from that of the solid, %.
+    pub worst: f64,
+}
+
+/// Simulates `cases` of `sweep` in both formulations, each run `until`.
+///
+/// # Errors
+/// A scenario that one of the formulations refuses, or that fails.
+pub fn compare(sweep: &Sweep, cases: &[Case], until: Until) -> Result<Reduction, Failure> {
+    let drops =
+        cases.iter().map(|case| Drop::until(&as_solid(&case.scenario), until)).collect::<Result<Vec<_>, _>>()?;
+    let bar = progress::bar(drops.iter().map(Drop::steps).sum());
+    let mut comparisons = Vec::new();
+    for (case, drop) in cases.iter().zip(drops) {
+        bar.set_message(case.settings.join(" "));
+        comparisons.push(Comparison::new(case, drop, until, &bar)?);
+    }
+    let common = common(cases, &comparisons, until)?;
+    let headings = sweep.headings().into_iter().map(str::to_string).collect();
+    Ok(Reduction { headings, comparisons, common })
+}
+
+impl Comparison {
+    fn new(case: &Case, drop: Drop, until: Until, bar: &ProgressBar) -> Result<Self, Failure> {
+        let solid = Outcome::new(drop.run(|steps| bar.inc(steps))?);
+        let scenario = as_section(&case.scenario);
+        let section = Outcome::simulate(&scenario, until)?;
+        let length = match scenario.geometry.formulation {
+            Formulation::PlaneStrain => Some(effective_length::find(&scenario, until, &section, solid.force())?),
+            _ => None,
+        };
+        Ok(Self { settings: case.settings.clone(), solid, section, length })
+    }
+
+    /// Difference of a force from that of the solid, %.
+    pub fn difference(&self, outcome: &Outcome) -> f64 {
+        100.0 * (outcome.force() / self.solid.force() - 1.0)
+    }
+}
+
+/// The scenario in three dimensions.
+fn as_solid(scenario: &Scenario) -> Scenario {
+    let mut solid = scenario.clone();
+    match scenario.geometry.formulation {
+        Formulation::PlaneStrain => solid.geometry.body = Body::Prism,
+        Formulation::Axisymmetric => solid.geometry.body = Body::Revolved,
+        Formulation::Solid => {}
+    }
+    solid.geometry.formulation = Formulation::Solid;
+    solid
+}
+
+/// The scenario as a section.
+fn as_section(scenario: &Scenario) -> Scenario {
+    let mut section = scenario.clone();
+    if scenario.geometry.formulation.is_solid() {
+        section.geometry.formulation = match scenario.geometry.body {
+            Body::Prism => Formulation::PlaneStrain,
+            Body::Revolved => Formulation::Axisymmetric,
+        };
+    }
+    section
+}
+
+/// One length for all scenarios, if there are several and each has one, or a nearest one.
+fn common(cases: &[Case], comparisons: &[Comparison], until: Until) -> Result<Option<Common>, Failure> {
+    let found = comparisons.iter().map(|comparison| comparison.length.as_ref()?.nearest());
+    let Some(lengths) = found.collect::<Option<Vec<f64>>>().filter(|lengths| lengths.len() > 1) else {
+        return Ok(None);
+    };
+    let length = lengths.iter().sum::<f64>() / lengths.len() as f64;
+    let section = |case: &Case| {
+        let mut scenario = as_section(&case.scenario);
+        scenario.geometry.length = length;
+        Outcome::simulate(&scenario, until)
+    };
+    let sections = cases.iter().map(section).collect::<Result<Vec<_>, RunError>>()?;
+    let differences = comparisons.iter().zip(&sections).map(|(comparison, section)| comparison.difference(section));
+    let worst = differences.map(f64::abs).fold(0.0, f64::max);
+    Ok(Some(Common { length, sections, worst }))
+}

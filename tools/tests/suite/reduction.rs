@@ -1,0 +1,52 @@
+//! `softanvil reduction`: the section against the solid.
+
+use serde_json::Value;
+use tempfile::tempdir;
+
+use crate::common::{fail, json, succeed};
+
+/// Numbers that `docs/studies.md` states for the drop of 14.7 J, and that the parts of the comparison are what `run` gives.
+#[test]
+fn the_page_s_comparison_is_what_the_command_finds() {
+    let folder = tempdir().unwrap();
+    let found = json(folder.path(), &["reduction", "--json"]);
+    let [case] = &found["cases"].as_array().unwrap()[..] else { panic!("one scenario, one case: {found}") };
+    let alone = |set: &[&str]| json(folder.path(), &[&["run", "--json"], set].concat());
+    assert_eq!(alone(&[])["trace_hash"], case["section"]["trace_hash"]);
+    assert_eq!(alone(&["--set", "geometry.formulation=solid"])["trace_hash"], case["solid"]["trace_hash"]);
+    let number = |value: &Value| value.as_f64().unwrap();
+    let length = number(&case["effective_length"]);
+    let shorter = alone(&["--set", &format!("geometry.length={length}")]);
+    let peak = |of: &Value| number(&of["peak_force"]);
+    assert!((peak(&shorter) / peak(&case["solid"]) - 1.0).abs() <= 1e-4, "{shorter}");
+    let row = format!(
+        "| 14.7 | {:.0} | {:.0} ({:+.1} %) | {:.1} |",
+        peak(&case["solid"]),
+        peak(&case["section"]),
+        number(&case["section_difference_percent"]),
+        1e3 * length
+    );
+    let page = include_str!("../../../docs/studies.md");
+    assert!(page.contains(&row), "docs/studies.md lacks {row}");
+}
+
+/// A dome has no length; a coarse mesh is quick.
+#[test]
+fn several_cases_have_one_length_in_common_and_a_dome_has_none() {
+    let folder = tempdir().unwrap();
+    let coarse = |arguments: &[&str]| {
+        succeed(folder.path(), &[&["reduction"], arguments, &["--set", "mesh.element_size=0.0075"]].concat())
+    };
+    let table = coarse(&["impactor.drop_energy=12"]);
+    assert!(table.contains("impactor.drop_energy") && table.contains("the mean, brings the forces"), "{table}");
+    let dome = coarse(&["--set", "geometry.formulation=axisymmetric"]);
+    assert!(!dome.contains("geometry.length"), "{dome}");
+}
+
+#[test]
+fn what_a_solid_does_not_have_is_refused_before_anything_is_simulated() {
+    let folder = tempdir().unwrap();
+    let refused = fail(folder.path(), &["reduction", "--preset", "rugby-soft-anvil"], 2);
+    assert!(refused.contains("expected bonded with geometry.formulation = solid"), "{refused}");
+    assert!(fail(folder.path(), &["reduction", "silicone.c10"], 2).contains("silicone.c10"));
+}
