@@ -433,10 +433,11 @@ static void snapshots(SoftanvilSimulation *good)
     EXPLAIN(SNAPSHOT_FORMAT, softanvil_snapshot_restore(good, out.bytes, size, &error));
     /* One of another format version, which may be shorter, is named by its number. */
     snapshot[8] ^= 1;
-    EXPLAIN(SNAPSHOT_FORMAT, softanvil_snapshot_restore(good, snapshot, size - 8, &error));
+    (void)softanvil_snapshot_restore(good, snapshot, size - 8, &error);
     if (error.value != (double)snapshot[8] || error.min != (double)(snapshot[8] ^ 1)) {
         fail("softanvil_snapshot_restore", "the version of the snapshot is not told");
     }
+    EXPLAIN(SNAPSHOT_FORMAT, softanvil_snapshot_restore(good, snapshot, size - 8, &error));
     snapshot[8] ^= 1;
     for (size_t at = 32; at < size; at += 977) {
         snapshot[at] ^= 1;

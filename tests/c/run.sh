@@ -79,6 +79,8 @@ for linkage in "${linkages[@]}"; do
     check "build layers, $linkage" "${c[@]}" "${include[@]}" "$tests/c/layers.c" -o "$work/layers-$linkage" \
         "${library[@]}" -lm
     check "a stack of one material is one layer, $linkage" "$work/layers-$linkage"
+    check "build solid, $linkage" "${c[@]}" "${include[@]}" "$tests/c/solid.c" -o "$work/solid-$linkage" "${library[@]}"
+    check "run solid, $linkage" trace "solid-$linkage"
     check "build coupling, $linkage" "${c[@]}" "${include[@]}" "$tests/c/coupling.c" -o "$work/coupling-$linkage" \
         "${library[@]}" -lm
     check "mass outside, $linkage" "$work/coupling-$linkage"
@@ -132,10 +134,18 @@ same_as_cli() {
     echo "command line: $wanted"
     [ -n "$wanted" ] && grep -E "^ *$1 J .* hash $wanted\$" "$work/c-static.txt"
 }
+same_solid_as_cli() {
+    local wanted
+    wanted=$("$SOFTANVIL_CLI" run --set geometry.formulation=solid --set mesh.element_size=0.0075 --duration 0.015 --json |
+        sed -n 's/.*"trace_hash": *"\([0-9a-f]*\)".*/\1/p')
+    echo "command line: $wanted"
+    [ -n "$wanted" ] && grep "hash $wanted\$" "$work/solid-static.txt"
+}
 if [ -n "${SOFTANVIL_CLI:-}" ]; then
     for energy in 14.7 9.8 4.9; do
         check "C rig and command line agree at $energy J" same_as_cli "$energy"
     done
+    check "C rig and command line agree on a solid" same_solid_as_cli
 fi
 
 case $(basename "$libdir") in library | lib)

@@ -56,13 +56,15 @@ def another(folder, description):
 
 @pytest.fixture(scope="session")
 def kernel():
-    """The command line's results of a drop with a given energy in J."""
+    """The command line's results of a drop with a given energy in J, and other settings."""
     known = {}
 
-    def run(energy):
-        if energy not in known:
+    def run(energy, *settings):
+        if (energy, settings) not in known:
             command = [os.environ["SOFTANVIL_CLI"], "run", "--energy", str(energy), "--json"]
-            known[energy] = json.loads(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
-        return known[energy]
+            command += [word for setting in settings for word in ("--set", setting)]
+            said = subprocess.run(command, check=True, capture_output=True, text=True).stdout
+            known[energy, settings] = json.loads(said)
+        return known[energy, settings]
 
     return run

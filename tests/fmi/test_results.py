@@ -47,6 +47,14 @@ def test_every_number_is_the_kernels_to_the_last_bit(slave, kernel, energy):
     assert slave.trace_hash() == expected["trace_hash"]
 
 
+def test_a_solid_is_the_kernels_to_the_last_bit(slave, kernel):
+    settings = {"geometry.formulation": 2, "mesh.element_size": 7.5e-3}
+    expected = kernel(14.7, "geometry.formulation=solid", "mesh.element_size=0.0075")
+    slave.start(**{name.replace(".", "__"): value for name, value in settings.items()}).run(steps_of(expected))
+    assert {key: slave.real(name) for key, name in SAME.items()} == {key: expected[key] for key in SAME}
+    assert (slave.integer("model.elements"), slave.trace_hash()) == (expected["elements"], expected["trace_hash"])
+
+
 @pytest.mark.parametrize("energy", ENERGIES)
 def test_peak_force_and_impulse_lie_in_the_band_around_the_measurement(slave, energy):
     slave.start(impactor__drop_energy=energy).run(300)
