@@ -17,11 +17,13 @@ for component in runtime development; do
     DESTDIR=$stage cmake --install "$build" --component $component >/dev/null
 done
 mkdir -p "$stage/$name" && mv "$stage"/usr/* "$stage/$name"
-cp LICENSE-MIT LICENSE-APACHE CHANGELOG.md "$stage/$name"
+cp CHANGELOG.md "$stage/$name"
 archive "$out/library/$name.tar.gz" "$stage" "$name"
 tests/packages/run.sh prefix "$stage/$name" "$digest"
 
 if need dpkg-deb dpkg && need dpkg-shlibdeps dpkg-dev; then
+    # Where Debian has libraries.
+    cmake -S . -B "$build" -DCMAKE_INSTALL_LIBDIR="lib/$(dpkg-architecture -qDEB_HOST_MULTIARCH)" >/dev/null
     (cd "$build" && cpack -B packages >/dev/null)
     cp "$build"/packages/*.deb "$out/library"
     rm -rf "$work/root"

@@ -4,8 +4,8 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use softanvil_kernel::parameter::Kind;
 use softanvil_kernel::preset::PRESETS;
-use softanvil_tools::identity;
 use softanvil_kernel::{FIELDS, OUTPUTS, Parameter};
+use softanvil_tools::identity;
 
 /// The parameters of the test and of one layer: dictionaries of name, group, field, kind, labels, unit, minimum, maximum and
 /// description.

@@ -24,10 +24,10 @@ case ${1:-} in
     prefix)
         prefix=$(cd "${2:?}" && pwd)
         by find_package -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_FIND_USE_CMAKE_SYSTEM_PATH=OFF
-        export PKG_CONFIG_PATH=$prefix/lib/pkgconfig
+        PKG_CONFIG_PATH=$(dirname "$(find "$prefix" -name softanvil.pc)") && export PKG_CONFIG_PATH
         stated=$(pkg-config --variable=kernel_digest softanvil)
         # shellcheck disable=SC2046
-        quietly gcc "$here/drop.c" $(pkg-config --cflags --libs softanvil) -Wl,-rpath,"$prefix/lib" -o "$work/drop"
+        quietly gcc "$here/drop.c" $(pkg-config --cflags --libs softanvil) -Wl,-rpath,"$(pkg-config --variable=libdir softanvil)" -o "$work/drop"
         quietly "$work/drop" "$stated"
         echo "pkg-config: $(cat "$work/log")"
         [ -z "${3:-}" ] || [ "$stated" = "$3" ] ;;
