@@ -8,8 +8,9 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+# Both of the same commit, whatever is committed meanwhile.
+for folder in one another/place; do git clone -q --no-hardlinks . "$work/$folder"; done
 for folder in one another/place; do
-    git clone -q --no-hardlinks . "$work/$folder"
     # Tools, which are not compared, are installed once.
     mkdir -p target/tools "$work/$folder/target" && ln -s "$PWD/target/tools" "$work/$folder/target/tools"
     "$work/$folder/packaging/make.sh" --out "$work/$folder-packages" "$@" >"$work/log" 2>&1 || { cat "$work/log"; exit 1; }

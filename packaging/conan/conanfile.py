@@ -10,7 +10,7 @@ from conan.tools.files import copy, load, rm, rmdir
 
 #: What cargo takes of the repository: the workspace with all its members.
 SOURCES = ("Cargo.*", "CMakeLists.txt", "LICENSE-*", "README.md", "include/*", "ffi/*", "kernel/*", "fmu/*", "specimen/*",
-           "tools/*", "tests/golden/*", "tests/verification/*", "bench/*", "data/*", "docs/*", "examples/*")
+           "tools/*", "tests/golden/*", "tests/verification/*", "bench/*")
 
 #: The names that rustc has for what it builds for.
 TARGETS = {("Linux", "x86_64"): "x86_64-unknown-linux-gnu", ("Linux", "armv8"): "aarch64-unknown-linux-gnu"}

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Tries the folder for microcontrollers without the SDKs, with arm-none-eabi-gcc: an application that takes the module of Zephyr runs the
 # golden trace in QEMU, the sketch of Arduino is linked as a core does it and runs, Kconfig offers the library to the processors that it
-# has, and PlatformIO takes the manifest. What is missing is skipped by name.
+# has, and PlatformIO accepts the manifest. What is missing is skipped by name.
 #
 #     packaging/embedded/test.sh FOLDER
 set -euo pipefail
@@ -54,7 +54,7 @@ if need arm-none-eabi-gcc gcc-arm-none-eabi && need qemu-system-arm qemu-system-
                 -o "$work/sketch.elf"
             rm -f "$work"/*.o
             if [ $cpu = cortex-m7 ]; then
-                run "$work/sketch.elf" | grep '^5444$' >/dev/null
+                run "$work/sketch.elf" | grep '^peak force in N: 5444$' >/dev/null
                 echo "Arduino-like sketch, $cpu, $abi: links, and has the peak of 5444 N"
             else
                 echo "Arduino-like sketch, $cpu, $abi: links"
@@ -69,10 +69,7 @@ venv=$root/target/packaging-embedded
 if { [ -x "$venv/bin/python" ] || python3 -m venv "$venv"; } &&
     "$venv/bin/python" -m pip install --quiet --disable-pip-version-check kconfiglib==14.1.0 'platformio>=6,<7'; then
     "$venv/bin/python" "$here/test/kconfig.py" "$tree/zephyr/Kconfig"
-    # Packs the folder by its manifest, which it checks.
-    (cd "$work" && "$venv/bin/pio" pkg pack "$tree" -o "$work/platformio.tar.gz" >"$work/log" 2>&1) || { cat "$work/log"; exit 1; }
-    tar -tzf "$work/platformio.tar.gz" | grep -q 'src/cortex-m7/fpv5-d16-hard/libsoftanvil.a'
-    echo "PlatformIO packs the library"
+    "$venv/bin/python" "$here/test/manifest.py" "$tree/library.json"
 else
     echo "SKIPPED: manifests for microcontrollers: kconfiglib or platformio cannot be installed" >&2
 fi
