@@ -9,9 +9,9 @@ rm -rf "$work/embedded" && mkdir -p "$tree/src"
 # processor CPU UNIT CONVENTION TARGET: the C ABI without the solid, which takes more than a board has.
 processor() {
     RUSTFLAGS="$remap -Ctarget-cpu=$1" cargo rustc -q --locked --profile library -p softanvil-ffi --no-default-features \
-        --features c-abi,pads --crate-type staticlib --target "$4" --target-dir "$work/cargo"
+        --features c-abi,pads --crate-type staticlib --target "$4" --target-dir "$work/cargo-$1"
     mkdir -p "$tree/src/$1/$2-$3"
-    cp "$work/cargo/$4/library/libsoftanvil.a" "$tree/src/$1/$2-$3"
+    cp "$work/cargo-$1/$4/library/libsoftanvil.a" "$tree/src/$1/$2-$3"
 }
 if rustup -q target add thumbv7em-none-eabihf thumbv7em-none-eabi >/dev/null 2>&1; then
     processor cortex-m4 fpv4-sp-d16 hard thumbv7em-none-eabihf
