@@ -127,7 +127,7 @@ cat >"$table" <<'END'
 # Footprint
 
 Code is what the linker keeps of the kernel for a whole life of a simulation (`tests/footprint/src/lib.rs`), or of the C
-ABI: instructions and constants. The kernel is that without its features `pads` and `solid` unless a row says otherwise; the C ABI has it. RAM is that of the study's mesh, as the firmware for the Cortex-M7 prints it
+ABI: instructions and constants. The kernel is that without its features `pads` and `solid` unless a row says otherwise; the C ABI has `pads`. RAM is that of the study's mesh, as the firmware for the Cortex-M7 prints it
 (`tests/firmware`); its nodes and triangles include the padding of rows to whole vectors. There is no heap: linked for a
 board, nothing allocates and no symbol is missing. `tests/footprint/run.sh write` writes this page; without `write` it
 compares with it and with the limits, whose reasons stand in `tests/footprint/limits.txt`.
