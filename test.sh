@@ -124,6 +124,7 @@ target_tests() { run "same digests on every target" tests/targets/run.sh; }
 # The second takes the library that the first has built.
 package_tests() {
     run "installed package" tests/c/package.sh
+    run "library within another project" tests/packages/run.sh sources target/install/cargo
     run "C and C++ rigs, library as installed" tests/c/run.sh target/install/lib
 }
 c_tests() {

@@ -61,6 +61,8 @@ extern "C" {
     (SOFTANVIL_VERSION_MAJOR * 1000000 + SOFTANVIL_VERSION_MINOR * 1000 + SOFTANVIL_VERSION_PATCH)
 /** Version of this header as text. */
 #define SOFTANVIL_VERSION_TEXT "0.1.0"
+/** Digest of what the kernel of this version computes, to be compared with softanvil_kernel_digest(). */
+#define SOFTANVIL_KERNEL_DIGEST UINT64_C(0x48d07592459c7d06)
 
 /* ================================================================================================================ */
 /* Status and errors                                                                                                */
@@ -209,6 +211,14 @@ uint32_t softanvil_version(void);
  * @return A static string such as "1.2.3".
  */
 const char *softanvil_version_text(void);
+
+/**
+ * Digest of what the kernel computes: that of the last states of its golden traces, which `softanvil golden check` computes anew
+ * on any machine. Libraries with the same digest give the same bits, whatever their version and target.
+ *
+ * @return 64 bits, which packages state as 16 hexadecimal digits.
+ */
+uint64_t softanvil_kernel_digest(void);
 
 /**
  * What a status means, in general. `SoftanvilError` says more about one failure.

@@ -9,6 +9,6 @@ check github-workflows .github/workflows/*.yml
 check github-issue-config .github/ISSUE_TEMPLATE/config.yml
 check github-issue-forms .github/ISSUE_TEMPLATE/d*.yml
 check citation-file-format CITATION.cff
-grep -hoE '(^| )(\./|python/)[a-z./]+\.sh' .github/workflows/*.yml | while read -r script; do
+grep -hoE '(^| )(\./|python/|packaging/)[a-z./]+\.sh' .github/workflows/*.yml | while read -r script; do
     [ -x "$script" ] || { echo "$script of a workflow is not there" >&2; exit 1; }
 done

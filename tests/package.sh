@@ -14,6 +14,27 @@ packages=(-p softanvil)
 for crate in "${crates[@]}"; do packages+=(-p "softanvil-$crate"); done
 cargo package -q --offline --allow-dirty --no-verify "${packages[@]}"
 
+# Whatever is not for others says so, and what is has all that a registry shows.
+cargo metadata -q --offline --no-deps --format-version 1 | python3 -c '
+import json, sys
+listed = set(sys.argv[1:])
+for package in json.load(sys.stdin)["packages"]:
+    name = package["name"]
+    assert (package["publish"] == []) == (name not in listed), f"{name}: publish = false, or a package"
+    if name in listed:
+        for key in "description", "license", "readme", "documentation", "keywords", "categories", "rust_version":
+            assert package[key], f"{name} lacks {key}"
+        assert "docs" in (package["metadata"] or {}), f"{name} lacks settings of docs.rs"
+        assert len(package["keywords"]) <= 5 and all(len(word) <= 20 for word in package["keywords"]), f"{name}: keywords"
+' softanvil "${crates[@]/#/softanvil-}"
+for package in "$target"/package/*.crate; do
+    tar -tzf "$package" >"$work/files.txt"
+    for file in README.md LICENSE-MIT LICENSE-APACHE; do
+        grep -q "^[^/]*/$file\$" "$work/files.txt" || { echo "$package has no $file" >&2; exit 1; }
+    done
+done
+rm "$work/files.txt"
+
 # A workspace of the packages, with the profiles and the versions of this one; names of crates lead to each other.
 {
     printf '[workspace]\nresolver = "3"\nmembers = ["*"]\n\n[patch.crates-io]\n'

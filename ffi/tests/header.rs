@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use softanvil_kernel::parameter::Kind;
 use softanvil_kernel::preset::PRESETS;
-use softanvil_kernel::{FIELDS, OUTPUTS, Parameter};
+use softanvil_kernel::{FIELDS, KERNEL_DIGEST, OUTPUTS, Parameter};
 
 #[test]
 fn the_committed_header_is_what_the_sources_say() {
@@ -90,6 +90,8 @@ fn version() -> String {
     (SOFTANVIL_VERSION_MAJOR * 1000000 + SOFTANVIL_VERSION_MINOR * 1000 + SOFTANVIL_VERSION_PATCH)
 /** Version of this header as text. */
 #define SOFTANVIL_VERSION_TEXT \"{}\"
+/** Digest of what the kernel of this version computes, to be compared with softanvil_kernel_digest(). */
+#define SOFTANVIL_KERNEL_DIGEST UINT64_C(0x{KERNEL_DIGEST:016x})
 ",
         env!("CARGO_PKG_VERSION")
     )

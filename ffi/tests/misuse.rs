@@ -9,7 +9,9 @@ use std::ptr::{null, null_mut};
 use softanvil::c_api::error::SoftanvilError;
 use softanvil::c_api::fields::*;
 use softanvil::c_api::header::SoftanvilSimulation;
-use softanvil::c_api::library::{softanvil_status_text, softanvil_version, softanvil_version_text};
+use softanvil::c_api::library::{
+    softanvil_kernel_digest, softanvil_status_text, softanvil_version, softanvil_version_text,
+};
 use softanvil::c_api::scenario::*;
 use softanvil::c_api::simulation::*;
 use softanvil::c_api::snapshot::*;
@@ -333,6 +335,7 @@ fn versions_and_texts_are_those_of_the_package() {
     let [major, minor, patch] =
         [env!("CARGO_PKG_VERSION_MAJOR"), env!("CARGO_PKG_VERSION_MINOR"), env!("CARGO_PKG_VERSION_PATCH")]
             .map(|part| part.parse::<u32>().unwrap());
+    assert_eq!(softanvil_kernel_digest(), softanvil_kernel::KERNEL_DIGEST);
     assert_eq!(softanvil_version(), major * 1_000_000 + minor * 1_000 + patch);
     // SAFETY: static strings.
     unsafe {

@@ -15,11 +15,8 @@ const PROFILE: &str = "fmu";
 /// # Errors
 /// No sources, no cargo, or a build that failed.
 pub fn build(platform: Platform) -> Result<PathBuf, Error> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let manifest = root.join("ffi/Cargo.toml");
-    if !manifest.is_file() {
-        return Err(Error::NoSources { root });
-    }
+    let root = sources()?;
+    let manifest = root.join(MANIFEST);
     let folder = root.join("target/fmu");
     let failed = |reason: String| Error::Build { target: platform.target(), hint: hint(platform), reason };
     let status = command(platform, &manifest, &folder).status().map_err(|error| failed(error.to_string()))?;
@@ -31,6 +28,19 @@ pub fn build(platform: Platform) -> Result<PathBuf, Error> {
         _ => format!("lib{MODEL_IDENTIFIER}.so"),
     };
     Ok(folder.join(platform.target()).join(PROFILE).join(name))
+}
+
+/// The manifest that is built, in the folder of the sources.
+const MANIFEST: &str = "ffi/Cargo.toml";
+
+/// The folder of the sources: the working folder or this program's, or one above. It is not compiled in: programs that are built in two
+/// places would differ, and those that are copied would lead to a folder of another machine.
+fn sources() -> Result<PathBuf, Error> {
+    let working = std::env::current_dir().unwrap_or_default();
+    let program = std::env::current_exe().unwrap_or_default();
+    let mut folders = working.ancestors().chain(program.ancestors());
+    let found = folders.find(|folder| folder.join(MANIFEST).is_file() && folder.join("include/softanvil.h").is_file());
+    found.map(Path::to_path_buf).ok_or(Error::NoSources { root: working })
 }
 
 fn command(platform: Platform, manifest: &Path, folder: &Path) -> Command {

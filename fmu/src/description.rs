@@ -9,7 +9,7 @@ use std::io;
 use quick_xml::Writer;
 use quick_xml::events::{BytesDecl, Event};
 use softanvil::variables::{Table, Variable, Version, token};
-use softanvil_kernel::{SAMPLING_INTERVAL, preset};
+use softanvil_kernel::{KERNEL_DIGEST, SAMPLING_INTERVAL, preset};
 
 use crate::MODEL_IDENTIFIER;
 
@@ -65,8 +65,15 @@ fn write(xml: &mut Xml, version: Version) -> io::Result<()> {
             variables::write_types(xml, &rows, version)?;
             log_categories(xml)?;
             default_experiment(xml)?;
+            if version == Version::Fmi2 {
+                vendor_annotations(xml)?;
+            }
             variables::write(xml, &rows, version)?;
-            structure::write(xml, &rows, version)
+            structure::write(xml, &rows, version)?;
+            if version == Version::Fmi3 {
+                annotations(xml)?;
+            }
+            Ok(())
         })?;
     Ok(())
 }
@@ -124,6 +131,30 @@ fn default_experiment(xml: &mut Xml) -> io::Result<()> {
     xml.create_element("DefaultExperiment")
         .with_attributes([("startTime", "0.0"), ("stopTime", &stop), ("stepSize", &step)])
         .write_empty()?;
+    Ok(())
+}
+
+/// Which kernel is inside, where FMI 2.0 has a place for it.
+fn vendor_annotations(xml: &mut Xml) -> io::Result<()> {
+    xml.create_element("VendorAnnotations").write_inner_content(|xml| {
+        xml.create_element("Tool").with_attribute(("name", MODEL_IDENTIFIER)).write_inner_content(kernel)?;
+        Ok(())
+    })?;
+    Ok(())
+}
+
+/// The same where FMI 3.0 has it.
+fn annotations(xml: &mut Xml) -> io::Result<()> {
+    xml.create_element("Annotations").write_inner_content(|xml| {
+        xml.create_element("Annotation").with_attribute(("type", MODEL_IDENTIFIER)).write_inner_content(kernel)?;
+        Ok(())
+    })?;
+    Ok(())
+}
+
+fn kernel(xml: &mut Xml) -> io::Result<()> {
+    let digest = format!("{KERNEL_DIGEST:016x}");
+    xml.create_element("Kernel").with_attribute(("digest", digest.as_str())).write_empty()?;
     Ok(())
 }
 

@@ -45,10 +45,14 @@ pub enum Error {
     /// No library was given.
     #[error("an FMU needs at least one library")]
     NoLibrary,
-    /// The sources are not where they were when this program was built.
-    #[error("the sources are no longer in {}: give a library with --library FILE", root.display())]
+    /// The sources are not there.
+    #[error(
+        "no sources of Softanvil to build the library from, in or above {} or this program's folder: start in a clone of the \
+         repository, or give a library with --library FILE",
+        root.display()
+    )]
     NoSources {
-        /// Where they were.
+        /// The working folder.
         root: PathBuf,
     },
     /// The library could not be built.

@@ -13,7 +13,7 @@
 //! 8. [`element`] gives the forces of the cells, [`mesh`] their places.
 //! 9. [`scenario`] describes a test: [`parameter`] has the tables of its parameters, [`preset`] ready-made ones.
 //! 10. [`material`] has the laws, a file each, over the strains of [`tensor`].
-//! 11. [`error`], [`cfc`], [`sampling`], and the ground, [`number`]: mathematics with a fixed sequence of operations, and
+//! 11. [`error`], [`cfc`], [`sampling`], [`identity`], and the ground, [`number`]: mathematics with a fixed sequence of operations, and
 //!     vectors of neighbours.
 //!
 //! No function allocates or panics, and none reads anything but its arguments.
@@ -37,6 +37,7 @@ pub mod contact;
 pub mod element;
 pub mod error;
 mod features;
+pub mod identity;
 pub mod impactor;
 pub mod material;
 pub mod mesh;
@@ -53,6 +54,7 @@ pub mod step;
 pub mod tensor;
 
 pub use error::{MemoryError, ModelError, NoEffect, ParameterError, ScenarioError, SnapshotError, StepError};
+pub use identity::KERNEL_DIGEST;
 pub use impactor::{DrivenPath, INPUTS, StepInput};
 pub use model::{Constants, Model, ModelMemory, Size};
 pub use number::instruction_set::InstructionSet;

@@ -28,6 +28,10 @@ from ._sweep import sweep
 from ._tables import fields, outputs, parameters
 
 __version__: str = _softanvil.version()
+#: Digest of what the kernel computes: packages with the same digest give the same bits.
+kernel_digest: str = _softanvil.kernel_digest()
+#: What the package was compiled for.
+target: str = _softanvil.target()
 
 __all__ = [
     "Animation",
@@ -51,6 +55,7 @@ __all__ = [
     "design",
     "fields",
     "fit",
+    "kernel_digest",
     "material_front",
     "measure",
     "outputs",
@@ -62,4 +67,5 @@ __all__ = [
     "run",
     "run_many",
     "sweep",
+    "target",
 ]

@@ -7,7 +7,7 @@ from typing import Any, TypeAlias, final
 import numpy as np
 import numpy.typing as npt
 
-__all__ = ["command", "command_options", "StateView", "read_trace", "Run", "run", "Settings", "Simulation", "run_many", "run_rows", "fields", "outputs", "parameters", "presets", "version"]
+__all__ = ["command", "command_options", "StateView", "read_trace", "Run", "run", "Settings", "Simulation", "run_many", "run_rows", "fields", "outputs", "parameters", "presets", "version", "kernel_digest", "target"]
 
 _Array: TypeAlias = npt.NDArray[np.float64]
 _Content: TypeAlias = tuple[str, list[tuple[str, bool]], list[tuple[int, str]], list[tuple[str, float]]]
@@ -124,3 +124,5 @@ def run_rows(
     base: Settings, names: list[str], rows: list[list[Any]], threads: int
 ) -> tuple[list[str], list[_Array], list[str], list[str], list[str]]: ...
 def version() -> str: ...
+def kernel_digest() -> str: ...
+def target() -> str: ...

@@ -35,5 +35,5 @@ mod _softanvil {
     #[pymodule_export]
     use crate::study::{run_many, run_rows};
     #[pymodule_export]
-    use crate::tables::{fields, outputs, parameters, presets, version};
+    use crate::tables::{fields, kernel_digest, outputs, parameters, presets, target, version};
 }

@@ -5,6 +5,7 @@ use pyo3::types::{PyDict, PyList};
 use softanvil_kernel::parameter::Kind;
 use softanvil_kernel::preset::PRESETS;
 use softanvil_kernel::{FIELDS, OUTPUTS, Parameter};
+use softanvil_tools::identity;
 
 /// The parameters of the test and of one layer: dictionaries of name, group, field, kind, labels, unit, minimum, maximum and
 /// description.
@@ -48,6 +49,18 @@ pub fn fields() -> Vec<(&'static str, &'static str, &'static str)> {
 #[pyfunction]
 pub fn presets() -> Vec<(&'static str, &'static str)> {
     PRESETS.iter().map(|preset| (preset.name, preset.description)).collect()
+}
+
+/// Digest of what the kernel computes, 16 hexadecimal digits.
+#[pyfunction]
+pub fn kernel_digest() -> String {
+    identity::kernel_digest()
+}
+
+/// What the module was compiled for: processor, system and C library.
+#[pyfunction]
+pub fn target() -> String {
+    identity::target()
 }
 
 /// Version of the package.

@@ -2,6 +2,8 @@
 
 import importlib.metadata
 import importlib.util
+import platform
+import re
 import subprocess
 import sys
 import tomllib
@@ -12,6 +14,12 @@ import softanvil as sa
 def test_the_version_is_that_of_the_workspace(root):
     version = tomllib.loads((root / "Cargo.toml").read_text())["workspace"]["package"]["version"]
     assert sa.__version__ == version == importlib.metadata.version("softanvil")
+
+
+def test_kernel_and_target_are_stated(root):
+    stated = re.search("KERNEL_DIGEST: u64 = 0x([0-9a-f_]+)", (root / "kernel/src/identity.rs").read_text())
+    assert sa.kernel_digest == stated[1].replace("_", "")
+    assert sa.target.split("-")[:2] == [{"AMD64": "x86_64"}.get(platform.machine(), platform.machine()), sys.platform]
 
 
 def test_stubs_are_those_of_the_tables(root):

@@ -26,6 +26,9 @@ program() {
 }
 # In Rust: the kernel itself.
 program rust tests/firmware/rust
+# And as a task among others.
+(cd tests/firmware/embassy && cargo build -q --locked --release --target "$target" --target-dir "$OLDPWD/$out")
+cp "$out/$target/release/embassy" "$out/embassy.elf"
 # And in either precision, on the same processor as if its floating-point unit knew single precision alone.
 export CARGO_TARGET_THUMBV7EM_NONE_EABIHF_RUSTFLAGS=
 program double tests/firmware/rust
@@ -43,7 +46,9 @@ echo "-- in Rust"
 board "$out/rust.elf" | tee "$out/rust.txt"
 echo "-- in Rust, single precision"
 board "$out/single.elf" | tee "$out/single.txt"
-[ "$(grep -c '^the bits of the golden trace$' "$out/c.txt" "$out/rust.txt" "$out/single.txt" | grep -c ':1$')" = 3 ]
+echo "-- a task of Embassy"
+board "$out/embassy.elf" | tee "$out/embassy.txt"
+[ "$(grep -c '^the bits of the golden trace$' "$out"/{c,rust,single,embassy}.txt | grep -c ':1$')" = 4 ]
 # Both have seen the same simulation.
 [ "$(grep '^state' "$out/c.txt")" = "$(grep '^state' "$out/rust.txt")" ]
 # The stack that a board must have for the deepest call, bytes; README.md states it.

@@ -29,10 +29,11 @@ libraries() {
         [[ $argument != --target=* ]] || cp "$out/${argument#*=}/release/libsoftanvil_footprint.a" "$out/${argument#*=}-$level$suffix.a"
     done
 }
-# The kernel without pads for every target, with them for one.
+# The kernel without pads for every target, and with each feature for one.
 for level in s 3; do
     libraries $level '' "${targets[@]/#/--target=}" --no-default-features
     libraries $level -pads --target="${targets[0]}"
+    libraries $level -solid --target="${targets[0]}" --no-default-features --features solid
 done
 
 # link ELF ARGUMENT...: what the linker keeps of a library for the functions asked for. What the C library gives on hosts
@@ -66,10 +67,12 @@ measured=$out/measured.txt
             echo "$name $(sections "$elf" R)"
         done
     done
-    for level in s 3; do
-        name=thumbv7em-$level-pads
-        link "$out/$name.elf" -e simulate -u prepare "$out/${targets[0]}-$level-pads.a"
-        echo "$name $(sections "$out/$name.elf" R)"
+    for feature in pads solid; do
+        for level in s 3; do
+            name=thumbv7em-$level-$feature
+            link "$out/$name.elf" -e simulate -u prepare "$out/${targets[0]}-$level-$feature.a"
+            echo "$name $(sections "$out/$name.elf" R)"
+        done
     done
     library=$firmware/thumbv7em-none-eabihf/library/libsoftanvil.a
     for source in include/softanvil.h tests/firmware/c/drop.c; do
@@ -87,11 +90,12 @@ measured=$out/measured.txt
         echo "ram-study $((triangle_bytes + node_bytes))"
         echo "snapshot $snapshot"
     }
+    sed -n 's/^instructions per step \([0-9]*\), from [0-9]* to \([0-9]*\)$/instructions-mean \1\ninstructions-most \2/p' $firmware/rust.txt
     echo "stack $(sed -n 's/^stack \([0-9]*\) bytes.*/\1/p' $firmware/rust.txt $firmware/c.txt | sort -n | tail -1)"
 } >"$measured"
 
 # No heap: on a board, where no C library is linked, nothing is missing and nothing allocates.
-for elf in thumbv7em-3 thumbv7em-s-pads thumbv7em-3-pads riscv32imac-3 c-abi-thumbv7em; do
+for elf in thumbv7em-3 thumbv7em-s-pads thumbv7em-3-pads thumbv7em-3-solid riscv32imac-3 c-abi-thumbv7em; do
     readelf -sW "$out/$elf.elf" >"$out/symbols.txt"
     ! awk '$7 == "UND" && $8 != ""' "$out/symbols.txt" | grep . || fail "$elf needs what is not in the library"
     ! grep -E '__rust_alloc|__rg_alloc|[^a-z](m|c|re)alloc$|sbrk' "$out/symbols.txt" || fail "$elf allocates"
@@ -103,6 +107,7 @@ describe() {
         c-abi-thumbv7em-used) echo "C ABI on a Cortex-M7, what \`tests/firmware/c\` calls" ;;
         thumbv7em-s-pads) echo "kernel with pads on a Cortex-M7, opt-level s" ;;
         thumbv7em-3-pads) echo "kernel with pads on a Cortex-M7, opt-level 3" ;;
+        thumbv7em-?-solid) set -- "${1%-solid}" && echo "kernel with the solid on a Cortex-M7, opt-level ${1##*-}" ;;
         thumbv7em-*) echo "kernel on a Cortex-M7 with its FPU, opt-level ${1##*-}" ;;
         riscv32imac-*) echo "kernel on riscv32 without an FPU, opt-level ${1##*-}" ;;
         x86-64-*) echo "kernel on x86-64, opt-level ${1##*-}" ;;
@@ -111,6 +116,8 @@ describe() {
         ram-per-node) echo "RAM per node, model and state" ;;
         ram-study) echo "RAM of the study's mesh, model and state" ;;
         snapshot) echo "snapshot of the study's state" ;;
+        instructions-mean) echo "instructions of a step of the study's drop, Cortex-M7, mean" ;;
+        instructions-most) echo "instructions of a step of the study's drop, Cortex-M7, most" ;;
         stack) echo "most stack, set-up and steps, Cortex-M7" ;;
     esac
 }
@@ -120,12 +127,12 @@ cat >"$table" <<'END'
 # Footprint
 
 Code is what the linker keeps of the kernel for a whole life of a simulation (`tests/footprint/src/lib.rs`), or of the C
-ABI: instructions and constants. The kernel is that without its feature `pads` unless a row says otherwise; the C ABI has it. RAM is that of the study's mesh, as the firmware for the Cortex-M7 prints it
+ABI: instructions and constants. The kernel is that without its features `pads` and `solid` unless a row says otherwise; the C ABI has `pads`. RAM is that of the study's mesh, as the firmware for the Cortex-M7 prints it
 (`tests/firmware`); its nodes and triangles include the padding of rows to whole vectors. There is no heap: linked for a
 board, nothing allocates and no symbol is missing. `tests/footprint/run.sh write` writes this page; without `write` it
 compares with it and with the limits, whose reasons stand in `tests/footprint/limits.txt`.
 
-| what | bytes | limit |
+| what | bytes, or instructions | limit |
 |---|---:|---:|
 END
 while read -r name bytes; do

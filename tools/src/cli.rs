@@ -10,13 +10,13 @@ use crate::commands::{
     calibrate, fit, fmu, golden, measure, page, protect, reduction, report, run, scenario, sweep, validate,
 };
 use crate::failure::Failure;
-use crate::interrupt;
+use crate::{identity, interrupt};
 
 /// Drop-weight impact on a soft anvil, by explicit finite elements that give the same bits everywhere.
 ///
 /// Without a command: the three drops of the paper, its table side by side, and a report folder.
 #[derive(Debug, Parser)]
-#[command(name = "softanvil", version, args_conflicts_with_subcommands = true)]
+#[command(name = "softanvil", version, long_version = identity::long_version(), args_conflicts_with_subcommands = true)]
 #[command(after_help = "Exit codes: 0 done, 1 the simulation or a file failed, 2 wrong input.")]
 pub struct Cli {
     #[command(flatten)]
@@ -78,9 +78,14 @@ impl Cli {
     }
 }
 
+/// The command line as clap knows it, for manual pages.
+pub fn program() -> clap::Command {
+    Cli::command()
+}
+
 /// The options of the subcommand called `name`: their long names, with the line that explains each; none of no command.
 pub fn options(name: &str) -> Option<Vec<(String, String)>> {
-    let mut program = Cli::command();
+    let mut program = program();
     let command = program.find_subcommand_mut(name)?;
     let row = |option: &clap::Arg| {
         let long = option.get_long().or(option.get_value_names()?.first().map(|name| name.as_str()))?;

@@ -5,6 +5,7 @@ use std::path::Path;
 
 use rayon::prelude::*;
 use softanvil_golden::run::Failure as RunFailure;
+use softanvil_golden::scenes::digest;
 use softanvil_golden::{Checker, Header, Memory, Record, Run, SCENES, Scene};
 
 use crate::failure::Failure;
@@ -53,6 +54,11 @@ impl Played {
         }
         text
     }
+}
+
+/// The kernel digest that these runs have; none unless they are all scenes.
+pub fn kernel_digest(played: &[Played]) -> Option<u64> {
+    (played.len() == SCENES.len()).then(|| digest(played.iter().map(|played| played.end().state)))
 }
 
 /// Whether the file at `path` is a trace of `scene`.

@@ -10,7 +10,7 @@
 //!    golden traces.
 //! 4. [`measurement`] is what instruments see of a run, or have seen of an impact.
 //! 5. [`run`] simulates a drop and says whether its numbers are final; [`scenario_file`] and [`presets`] say which drop,
-//!    [`progress`] how far it is, [`interrupt`] when to end early.
+//!    [`progress`] how far it is, [`interrupt`] when to end early, [`identity`] which kernel it is.
 
 #[cfg(feature = "command-line")]
 pub mod calibration;
@@ -25,6 +25,8 @@ pub mod files;
 pub mod golden;
 #[cfg(feature = "command-line")]
 pub mod identification;
+#[cfg(feature = "command-line")]
+pub mod identity;
 #[cfg(feature = "command-line")]
 pub mod interrupt;
 pub mod measurement;

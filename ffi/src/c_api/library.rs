@@ -2,6 +2,8 @@
 
 use core::ffi::{CStr, c_char};
 
+use softanvil_kernel::KERNEL_DIGEST;
+
 use crate::c_api::status::SoftanvilStatus;
 
 /// Version of the library that is running, to be compared with `SOFTANVIL_VERSION` of the header: an equal major number
@@ -23,6 +25,15 @@ pub extern "C" fn softanvil_version_text() -> *const c_char {
         Err(_) => panic!("the version holds a NUL"),
     };
     TEXT.as_ptr()
+}
+
+/// Digest of what the kernel computes: that of the last states of its golden traces, which `softanvil golden check` computes anew
+/// on any machine. Libraries with the same digest give the same bits, whatever their version and target.
+///
+/// @return 64 bits, which packages state as 16 hexadecimal digits.
+#[unsafe(no_mangle)]
+pub extern "C" fn softanvil_kernel_digest() -> u64 {
+    KERNEL_DIGEST
 }
 
 /// What a status means, in general. `SoftanvilError` says more about one failure.

@@ -6,6 +6,7 @@ use softanvil_kernel::material::Hyperfoam;
 use softanvil_kernel::material::{
     Coefficients, ElasticLaw, Material, Moduli, MooneyRivlin, NeoHookean, Ogden, VolumetricBy, VolumetricLaw, Yeoh,
 };
+use softanvil_kernel::number::digest::Digest;
 use softanvil_kernel::number::real::Real;
 #[cfg(feature = "pads")]
 use softanvil_kernel::scenario::LayerInterface;
@@ -94,10 +95,22 @@ pub static SCENES: &[Scene] = &[
 ];
 
 impl Scene {
+    /// The state at the end of the trace; none if the trace has none.
+    pub fn last_state(&self) -> Option<u64> {
+        u64::from_str_radix(self.trace.split_whitespace().last()?, 16).ok()
+    }
+
     /// The scene called `name`.
     pub fn find(name: &str) -> Option<&'static Self> {
         SCENES.iter().find(|scene| scene.name == name)
     }
+}
+
+/// The kernel digest ([`softanvil_kernel::KERNEL_DIGEST`]) of scenes that end in these states, in the order of [`SCENES`].
+pub fn digest(states: impl Iterator<Item = u64>) -> u64 {
+    let mut digest = Digest::new();
+    states.for_each(|state| digest.word(state));
+    digest.value()
 }
 
 fn study(energy: Real) -> Scenario {
@@ -288,4 +301,15 @@ fn press(constants: &Constants, step_index: u64) -> StepInput {
 /// Half a newton more upwards in every step.
 fn pull(_: &Constants, step_index: u64) -> StepInput {
     StepInput { external_force: 0.5 * step_index as Real, ..StepInput::default() }
+}
+
+#[cfg(all(test, feature = "pads", feature = "solid"))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_kernel_states_the_digest_of_the_traces() {
+        let digest = digest(SCENES.iter().filter_map(Scene::last_state));
+        assert_eq!(softanvil_kernel::KERNEL_DIGEST, digest, "kernel/src/identity.rs: {digest:#018x}");
+    }
 }

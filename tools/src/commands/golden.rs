@@ -64,7 +64,12 @@ impl CheckOptions {
             .collect();
         if differences.is_empty() {
             let count = played.len();
-            return Ok(format!("{}{count} of {count} scenes have the bits of their golden trace\n", table(&played)));
+            let digest = golden::kernel_digest(&played)
+                .map_or_else(String::new, |digest| format!("kernel digest {digest:016x}\n"));
+            return Ok(format!(
+                "{}{digest}{count} of {count} scenes have the bits of their golden trace\n",
+                table(&played)
+            ));
         }
         let (different, count) = (differences.len(), played.len());
         Err(Failure::Failed(format!(

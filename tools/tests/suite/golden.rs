@@ -15,6 +15,7 @@ fn every_scene_gives_the_bits_of_its_trace() {
         assert!(text.contains(scene.name), "{text}");
     }
     let count = SCENES.len();
+    assert!(text.contains(&format!("\nkernel digest {:016x}\n", softanvil_kernel::KERNEL_DIGEST)), "{text}");
     assert!(text.ends_with(&format!("{count} of {count} scenes have the bits of their golden trace\n")), "{text}");
 }
 

@@ -317,6 +317,17 @@ fn help_and_version_are_no_errors() {
 }
 
 #[test]
+fn the_long_version_states_kernel_digest_and_target() {
+    let folder = tempfile::tempdir().unwrap();
+    let version = concat!("softanvil ", env!("CARGO_PKG_VERSION"), "\n");
+    assert_eq!(succeed(folder.path(), &["-V"]), version);
+    let long = succeed(folder.path(), &["--version"]);
+    assert!(long.starts_with(version), "{long}");
+    assert!(long.contains(&format!("\nkernel digest {:016x} ", softanvil_kernel::KERNEL_DIGEST)), "{long}");
+    assert!(long.contains(&format!("\ntarget {}-{}", std::env::consts::ARCH, std::env::consts::OS)), "{long}");
+}
+
+#[test]
 fn a_step_that_fails_is_exit_code_1_and_writes_nothing() {
     let folder = tempfile::tempdir().unwrap();
     // The step of the study's own drop, at forty times its energy.

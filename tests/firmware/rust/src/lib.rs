@@ -3,6 +3,8 @@
 
 #![no_std]
 
+pub mod anvil;
+
 use core::panic::PanicInfo;
 
 use cortex_m::peripheral::{SYST, syst::SystClkSource};

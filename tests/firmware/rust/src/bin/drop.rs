@@ -4,61 +4,29 @@
 #![no_std]
 #![no_main]
 
-use core::mem::MaybeUninit;
-
-use cortex_m::{Peripherals, singleton};
+use cortex_m::Peripherals;
 use cortex_m_rt::entry;
 use semihosting::println;
-use softanvil_firmware::{Counter, INSTRUCTIONS_PER_TICK, argument, end, flash, stack_high_water, static_ram};
+use softanvil_firmware::{Counter, INSTRUCTIONS_PER_TICK, anvil, argument, end, flash, stack_high_water, static_ram};
 use softanvil_golden::{Checker, Record, Scene, scenes::SAMPLES_PER_RECORD};
 use softanvil_kernel::element::{CellConstants, CellHistory, HoopConstants};
-use softanvil_kernel::tensor::deviator::Deviator;
 use softanvil_kernel::number::real::Real;
 use softanvil_kernel::state::{snapshot_size, state_digest};
-use softanvil_kernel::{Constants, Model, ModelMemory, Scalars, Size, State, StateMemory, StepInput, step};
-
-/// The study's mesh: nodes with padding, nodes of the surface, blocks of cells, viscous terms. `Size::of` tells what a
-/// scenario needs; too little is an error that names the numbers.
-const NODES: usize = 6 * 32;
-const SURFACE: usize = 32;
-const BLOCKS: usize = 5 * 3;
-const TERMS: usize = 2;
-
-/// Arrays that live as long as the program, in RAM that the linker sets aside; filled in place, not by way of the stack.
-macro_rules! array {
-    ($count:expr, $type:ty, $start:expr) => {{
-        let place = singleton!(: [MaybeUninit<$type>; $count] = [const { MaybeUninit::uninit() }; $count]).unwrap();
-        place.iter_mut().for_each(|item| _ = item.write($start));
-        // SAFETY: every item was written.
-        unsafe { place.assume_init_mut() }
-    }};
-}
+use softanvil_kernel::tensor::deviator::Deviator;
+use softanvil_kernel::{Size, StepInput, step};
 
 #[entry]
 fn main() -> ! {
-    let model_memory = ModelMemory {
-        constants: singleton!(: Option<Constants> = None).unwrap(),
-        nodes: array!(5 * NODES, Real, 0.0),
-        cells: array!(BLOCKS, CellConstants, CellConstants::ZERO),
-        hoops: array!(0, HoopConstants, HoopConstants::ZERO),
-    };
-    let state_memory = StateMemory {
-        scalars: singleton!(: Scalars = Scalars::BLANK).unwrap(),
-        nodes: array!(6 * NODES + 2 * SURFACE, Real, 0.0),
-        cells: array!(BLOCKS, CellHistory, CellHistory::REST),
-        viscous: array!(2 * TERMS * BLOCKS, Deviator, Deviator::ZERO),
-    };
-    let same = run(model_memory, state_memory);
+    let same = run();
     println!("{}", if same { "the bits of the golden trace" } else { "DIFFERENT from the golden trace" });
     end(same)
 }
 
-fn run(model_memory: ModelMemory<'static>, mut state_memory: StateMemory<'static>) -> bool {
+fn run() -> bool {
     let scene = Scene::find("drop-14.7-J").unwrap();
     let scenario = (scene.scenario)();
     let size = Size::of(&scenario).unwrap();
-    let model = Model::new(&scenario, model_memory, &mut state_memory).unwrap();
-    let mut state = State::new(&model, state_memory).unwrap();
+    let (model, mut state) = anvil::build(&scenario);
     let whole = model.constants.steps_in(scenario.time.duration);
     let steps = argument().map_or(whole, |most| whole.min(most));
     let stride = SAMPLES_PER_RECORD * u64::from(model.constants.steps_per_sample);

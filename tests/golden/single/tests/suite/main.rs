@@ -13,6 +13,12 @@ const FORCE: f64 = 1e-2;
 const POSITION: f64 = 1e-3;
 
 #[test]
+fn the_kernel_states_the_digest_of_the_traces() {
+    let digest = softanvil_golden_f32::scenes::digest(SCENES.iter().filter_map(Scene::last_state));
+    assert_eq!(softanvil_kernel::KERNEL_DIGEST, digest, "kernel/src/identity.rs: {digest:#018x}");
+}
+
+#[test]
 fn every_scene_gives_the_bits_of_its_trace() {
     let mut memory = Box::new(Memory::new());
     for scene in SCENES {
