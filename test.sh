@@ -155,8 +155,11 @@ run "clippy" cargo clippy -q --release --workspace --all-targets -- -D warnings
 if need python3 python3; then
     run "imports run one way" python3 tests/imports.py kernel ffi fmu specimen tools tools/identify tools/page \
         tools/records tests/verification python python/softanvil
+    run "counts of reliability are those recorded" python3 tests/endurance/page.py --check
 else
-    skip "imports run one way" "python3 is missing and cannot be installed"
+    for name in "imports run one way" "counts of reliability are those recorded"; do
+        skip "$name" "python3 is missing and cannot be installed"
+    done
 fi
 run "documentation" env RUSTDOCFLAGS=-Dwarnings cargo doc -q --release --workspace --no-deps
 run "build, release" cargo build -q --release -p softanvil -p softanvil-ffi

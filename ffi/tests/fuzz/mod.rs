@@ -1,6 +1,9 @@
 //! What bytes make of the C ABI: each target reads its input as something that a caller may hand over, and holds the
 //! library to its promises. Used by the fuzzer (`ffi/fuzz`) and by the replay of its corpus (`ffi/tests/corpus.rs`).
 
+pub mod driven;
+pub mod fmi;
+
 use std::ffi::{CStr, c_char};
 use std::mem::MaybeUninit;
 use std::ptr::{null, null_mut};
@@ -29,10 +32,17 @@ const ELEMENT_SIZE: usize = 23;
 pub type Target = (&'static str, fn(&[u8]));
 
 /// Every target.
-pub const TARGETS: [Target; 3] = [("scenario", scenario), ("snapshot", snapshot), ("calls", calls)];
+pub const TARGETS: [Target; 6] = [
+    ("scenario", scenario),
+    ("snapshot", snapshot),
+    ("calls", calls),
+    ("driven", driven::driven),
+    ("fmi2", fmi::fmi2),
+    ("fmi3", fmi::fmi3),
+];
 
 /// Input that runs out gives zeros.
-struct Input<'a>(&'a [u8]);
+pub struct Input<'a>(&'a [u8]);
 
 impl Input<'_> {
     fn bytes<const N: usize>(&mut self) -> [u8; N] {
@@ -95,6 +105,27 @@ fn explained(call: impl FnOnce(*mut SoftanvilError) -> Status) -> Status {
     status
 }
 
+/// The study on a mesh that takes little time.
+fn coarse() -> SoftanvilScenario {
+    let mut scenario = study();
+    scenario.value[ELEMENT_SIZE] = 7e-3;
+    scenario
+}
+
+/// Memory with a simulation of [`coarse`], built once: a copy of it is a simulation of its own.
+fn built() -> Vec<Line> {
+    thread_local!(static BUILT: std::cell::OnceCell<Vec<Line>> = const { std::cell::OnceCell::new() });
+    BUILT.with(|built| {
+        built
+            .get_or_init(|| {
+                let mut memory = memory();
+                build(&mut memory, &coarse()).unwrap();
+                memory
+            })
+            .clone()
+    })
+}
+
 fn study() -> SoftanvilScenario {
     let mut scenario = MaybeUninit::uninit();
     // SAFETY: valid for writes; the study exists.
@@ -122,8 +153,7 @@ fn build(memory: &mut [Line], scenario: &SoftanvilScenario) -> Option<*mut Softa
 /// A scenario whose values are the input's: refused, or good for steps.
 pub fn scenario(data: &[u8]) {
     let mut input = Input(data);
-    let mut scenario = study();
-    scenario.value[ELEMENT_SIZE] = 7e-3;
+    let mut scenario = coarse();
     while !input.0.is_empty() {
         let slot = input.word();
         match slot {
@@ -145,10 +175,8 @@ pub fn scenario(data: &[u8]) {
 /// A snapshot with the input written over it: refused if its checksum is wrong; if the input makes it right, steps
 /// from whatever state it holds end with a status.
 pub fn snapshot(data: &[u8]) {
-    let mut scenario = study();
-    scenario.value[ELEMENT_SIZE] = 7e-3;
-    let mut memory = memory();
-    let simulation = build(&mut memory, &scenario).unwrap();
+    let mut memory = built();
+    let simulation = memory.as_mut_ptr().cast();
     let mut size = 0;
     // SAFETY: the simulation lives; every length is that of its buffer.
     unsafe {
@@ -213,8 +241,7 @@ unsafe extern "C" fn never_twice(_: *const SoftanvilSimulation, _: *mut std::ffi
 pub fn calls(data: &[u8]) {
     let mut input = Input(data);
     let mut memory = memory();
-    let mut scenario = study();
-    scenario.value[ELEMENT_SIZE] = 7e-3;
+    let mut scenario = coarse();
     let mut bytes = vec![0_u8; 1 << 16];
     let (mut id, mut value, mut word, mut size) = (0, 0.0, 0, 0);
     let mut name = [0 as c_char; SOFTANVIL_NAME_SIZE];
@@ -225,6 +252,10 @@ pub fn calls(data: &[u8]) {
         while !input.0.is_empty() {
             let step_input = if input.byte() % 2 == 0 { null() } else { given.as_ptr() };
             match input.byte() % 21 {
+                0 if scenario.value == coarse().value => {
+                    memory = built();
+                    simulation = memory.as_mut_ptr().cast();
+                }
                 0 => simulation = build(&mut memory, &scenario).unwrap_or(null_mut()),
                 1 => drop(softanvil_close(simulation)),
                 2 => drop(softanvil_reset(simulation)),

@@ -2,6 +2,7 @@
 //!
 //! A problem is computed in [`problems`], judged in a file of `tests/`, and reported in the [`table`], to which it adds its [`row`]s.
 
+pub mod agreement;
 pub mod band;
 pub mod body;
 pub mod deformation;

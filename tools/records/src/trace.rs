@@ -193,7 +193,7 @@ impl Record<'_> {
         let wanted = self.options.impact.unwrap_or(1);
         let mut before = 0;
         let found = impacts.iter().find_map(|(samples, contact)| {
-            let index = (wanted - 1).checked_sub(before).filter(|index| *index < contact.impacts.len());
+            let index = wanted.checked_sub(1 + before).filter(|index| *index < contact.impacts.len());
             before += contact.impacts.len();
             index.map(|index| (samples, contact, index))
         });

@@ -56,7 +56,11 @@ pub fn read(path: &Path, scenario: &Scenario, refinements: &[f64]) -> Result<Swe
     Ok(sweep)
 }
 
-fn parse(text: &str, scenario: &Scenario) -> Result<Sweep, String> {
+/// The sweep in `text`, whose levels change `scenario`; without a name.
+///
+/// # Errors
+/// The first thing that is refused.
+pub fn parse(text: &str, scenario: &Scenario) -> Result<Sweep, String> {
     let File { title, about, axis, convergence, contrast } = scenario_file::from_toml(text)?;
     let axes = axis.into_iter().map(|axis| axis.read(scenario)).collect::<Result<Vec<_>, _>>()?;
     check_refinements(&convergence)?;

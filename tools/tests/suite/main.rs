@@ -4,6 +4,7 @@ mod calibrate;
 mod common;
 mod documentation;
 mod fit;
+mod fuzz;
 mod golden;
 mod measure;
 mod measured_data;

@@ -222,7 +222,10 @@ fn the_first_of_several_impacts_is_read_and_another_on_request() {
     assert_eq!((&impacts["chosen"], impacts["impacts"].as_array().unwrap().len()), (&json!(1), 2));
     let second = read(&text, &Options { impact: Some(2), ..Options::default() }).unwrap();
     assert!((peak(&second) - 1800.0).abs() < 1e-3);
-    assert!(refusal(&text, &Options { impact: Some(3), ..Options::default() }).contains("expected 1 to 2"));
+    for wanted in [0, 3] {
+        let options = Options { impact: Some(wanted), ..Options::default() };
+        assert!(refusal(&text, &options).contains(&format!("--impact {wanted} is refused: expected 1 to 2")));
+    }
     // Two drops, one below the other.
     let two = ok() + &ok().replace("4000.000", "3999.000");
     assert!((peak(&read(&two, &Options { impact: Some(2), ..Options::default() }).unwrap()) - 4e3).abs() < 5.0);
