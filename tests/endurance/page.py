@@ -50,7 +50,7 @@ def counts(runs):
     hours = sum(row["seconds"] for row in rows) / 3600
     worst = [row["worst"] for run in runs for row in run["rows"] if "worst" in row]
     text = (f"So far: {number(all_of(rows, 'executions'))} executions of fuzzed targets and {number(all_of(rows, 'drops'))} random "
-            f"drops in {hours:.1f} hours, with {findings} findings.\n\n{table(rows)}\n")
+            f"drops in {hours:.1f} hours, findings: {findings}.\n\n{table(rows)}\n")
     if worst:
         largest = {key: max(one[key] for one in worst) for key in worst[0]}
         coarse = sum(one["too_coarse"] for one in worst)
