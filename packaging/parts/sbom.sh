@@ -3,8 +3,7 @@
 mkdir -p "$out/sbom"
 rm -f "$out"/sbom/*.json
 bom=$root/target/tools/bin/cargo-cyclonedx
-[ -x "$bom" ] || RUSTFLAGS='' cargo install -q --locked --root target/tools cargo-cyclonedx --version 0.5.9 || true
-if [ -x "$bom" ]; then
+if [ -x "$bom" ] || RUSTFLAGS='' cargo install -q --locked --root target/tools cargo-cyclonedx --version 0.5.9; then
     for of in program:tools library:ffi wheels:python; do
         manifest=${of#*:}
         # It writes beside the manifest of every member of the workspace.

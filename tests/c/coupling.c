@@ -12,6 +12,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "must.h"
 #include "softanvil.h"
 
 enum { MEMORY = 1 << 20 };
@@ -19,39 +20,29 @@ enum { MEMORY = 1 << 20 };
 static const double MASS = 5.0, GRAVITY = 9.81, GAP = 2e-3, ENERGY = 14.7, DURATION = 15e-3, SAMPLE = 50e-6;
 
 static _Alignas(64) unsigned char memory[MEMORY];
-static SoftanvilError error;
-
-static void must(SoftanvilStatus status)
-{
-    if (status != SOFTANVIL_STATUS_OK) {
-        fprintf(stderr, "%s (%s)\n", softanvil_status_text(status), error.text);
-        exit(1);
-    }
-}
-
 static SoftanvilSimulation *anvil(double motion)
 {
     SoftanvilScenario scenario;
     SoftanvilSimulation *simulation = NULL;
-    must(softanvil_scenario_default(SOFTANVIL_PRESET_STUDY, &scenario));
-    must(softanvil_scenario_set(&scenario, SOFTANVIL_PARAMETER_IMPACTOR_MOTION, motion, &error));
-    must(softanvil_scenario_set(&scenario, SOFTANVIL_PARAMETER_IMPACTOR_GAP, GAP, &error));
+    MUST(softanvil_scenario_default(SOFTANVIL_PRESET_STUDY, &scenario));
+    MUST(softanvil_scenario_set(&scenario, SOFTANVIL_PARAMETER_IMPACTOR_MOTION, motion, &error));
+    MUST(softanvil_scenario_set(&scenario, SOFTANVIL_PARAMETER_IMPACTOR_GAP, GAP, &error));
     if (motion == SOFTANVIL_IMPACTOR_MOTION_DROP) {
-        must(softanvil_scenario_set(&scenario, SOFTANVIL_PARAMETER_IMPACTOR_MASS, MASS, &error));
-        must(softanvil_scenario_set(&scenario, SOFTANVIL_PARAMETER_IMPACTOR_GRAVITY, GRAVITY, &error));
-        must(softanvil_scenario_set(&scenario, SOFTANVIL_PARAMETER_IMPACTOR_DROP_ENERGY, ENERGY, &error));
+        MUST(softanvil_scenario_set(&scenario, SOFTANVIL_PARAMETER_IMPACTOR_MASS, MASS, &error));
+        MUST(softanvil_scenario_set(&scenario, SOFTANVIL_PARAMETER_IMPACTOR_GRAVITY, GRAVITY, &error));
+        MUST(softanvil_scenario_set(&scenario, SOFTANVIL_PARAMETER_IMPACTOR_DROP_ENERGY, ENERGY, &error));
     } else {
         /* How far a driven face may press the layer. */
-        must(softanvil_scenario_set(&scenario, SOFTANVIL_PARAMETER_TIME_DESIGN_COMPRESSION, 0.8, &error));
+        MUST(softanvil_scenario_set(&scenario, SOFTANVIL_PARAMETER_TIME_DESIGN_COMPRESSION, 0.8, &error));
     }
-    must(softanvil_init(memory, sizeof memory, &scenario, &simulation, &error));
+    MUST(softanvil_init(memory, sizeof memory, &scenario, &simulation, &error));
     return simulation;
 }
 
 static double output(const SoftanvilSimulation *simulation, uint32_t which)
 {
     double value = 0.0;
-    must(softanvil_output(simulation, which, &value));
+    MUST(softanvil_output(simulation, which, &value));
     return value;
 }
 
@@ -59,7 +50,7 @@ static double output(const SoftanvilSimulation *simulation, uint32_t which)
 static double inside(void)
 {
     SoftanvilSimulation *simulation = anvil(SOFTANVIL_IMPACTOR_MOTION_DROP);
-    must(softanvil_run(simulation, DURATION, NULL, &error));
+    MUST(softanvil_run(simulation, DURATION, NULL, &error));
     return output(simulation, SOFTANVIL_OUTPUT_RESULT_PEAK_FORCE);
 }
 
@@ -70,13 +61,13 @@ static double outside(int samples)
     const double size = samples * SAMPLE;
     double position = GAP, velocity = -sqrt(2.0 * ENERGY / MASS), impulse = 0.0, force = 0.0, force_before = 0.0;
     SoftanvilInput input;
-    must(softanvil_input_default(simulation, &input));
+    MUST(softanvil_input_default(simulation, &input));
     for (int i = 1; i * samples <= (int)(DURATION / SAMPLE + 0.5); i++) {
         const double expected = fmax(0.0, 2.0 * force - force_before) / MASS - GRAVITY;
         /* Where the face shall be at the end of the exchange, and how fast. */
         input.driven_position = position + size * (velocity + 0.5 * size * expected);
         input.driven_velocity = velocity + size * expected;
-        must(softanvil_run_until(simulation, i * size, &input, &error));
+        MUST(softanvil_run_until(simulation, i * size, &input, &error));
         /* What the impulse made of it. */
         const double now = output(simulation, SOFTANVIL_OUTPUT_RESULT_IMPULSE);
         force_before = force;

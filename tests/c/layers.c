@@ -8,23 +8,12 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "must.h"
 #include "softanvil.h"
 
 enum { MEMORY = 1 << 19 };
 
 static _Alignas(64) unsigned char memory[MEMORY];
-static SoftanvilError error;
-
-static void must(SoftanvilStatus status, const char *call)
-{
-    if (status != SOFTANVIL_STATUS_OK) {
-        fprintf(stderr, "%s returned %d: %s\n", call, (int)status, error.text);
-        exit(1);
-    }
-}
-
-#define MUST(call) must((call), #call)
-
 /* Rows of the layers from the core to the surface, of 2/1024 m each; 0 ends them. */
 static const unsigned stacks[][SOFTANVIL_MAX_LAYERS] = { { 8 }, { 6, 2 }, { 4, 2, 2 }, { 2, 2, 2, 2 } };
 

@@ -12,6 +12,7 @@
 #include <stdlib.h>
 #include <time.h>
 
+#include "must.h"
 #include "softanvil.h"
 
 enum { MEMORY = 1 << 18, SAMPLES_PER_SECOND = 20000 };
@@ -22,16 +23,6 @@ static const double STROKE = 4e-3;
 static const double PERIOD = 40e-3;
 
 static _Alignas(64) unsigned char memory[MEMORY];
-static SoftanvilError error;
-
-static void must(SoftanvilStatus status)
-{
-    if (status != SOFTANVIL_STATUS_OK) {
-        fprintf(stderr, "%s (%s)\n", softanvil_status_text(status), error.text);
-        exit(1);
-    }
-}
-
 static double seconds(const struct timespec *from, const struct timespec *to)
 {
     return (double)(to->tv_sec - from->tv_sec) + 1e-9 * (double)(to->tv_nsec - from->tv_nsec);
@@ -68,10 +59,10 @@ static double cycle(SoftanvilSimulation *simulation, uint64_t steps, double to)
 {
     SoftanvilInput input;
     double force = 0.0;
-    must(softanvil_input_default(simulation, &input));
+    MUST(softanvil_input_default(simulation, &input));
     input.driven_position = to;
-    must(softanvil_step(simulation, steps, &input, &error));
-    must(softanvil_output(simulation, SOFTANVIL_OUTPUT_CONTACT_FORCE, &force));
+    MUST(softanvil_step(simulation, steps, &input, &error));
+    MUST(softanvil_output(simulation, SOFTANVIL_OUTPUT_CONTACT_FORCE, &force));
     return force;
 }
 
@@ -79,13 +70,13 @@ static SoftanvilSimulation *start(double element_size, uint64_t *steps_per_sampl
 {
     SoftanvilScenario scenario;
     SoftanvilSimulation *simulation = NULL;
-    must(softanvil_scenario_default(SOFTANVIL_PRESET_STUDY, &scenario));
-    must(softanvil_scenario_set(&scenario, SOFTANVIL_PARAMETER_IMPACTOR_MOTION, SOFTANVIL_IMPACTOR_MOTION_DRIVEN,
+    MUST(softanvil_scenario_default(SOFTANVIL_PRESET_STUDY, &scenario));
+    MUST(softanvil_scenario_set(&scenario, SOFTANVIL_PARAMETER_IMPACTOR_MOTION, SOFTANVIL_IMPACTOR_MOTION_DRIVEN,
                                 &error));
-    must(softanvil_scenario_set(&scenario, SOFTANVIL_PARAMETER_IMPACTOR_GAP, commanded(0.0), &error));
-    must(softanvil_scenario_set(&scenario, SOFTANVIL_PARAMETER_MESH_ELEMENT_SIZE, element_size, &error));
-    must(softanvil_init(memory, sizeof memory, &scenario, &simulation, &error));
-    must(softanvil_steps_per_sample(simulation, steps_per_sample));
+    MUST(softanvil_scenario_set(&scenario, SOFTANVIL_PARAMETER_IMPACTOR_GAP, commanded(0.0), &error));
+    MUST(softanvil_scenario_set(&scenario, SOFTANVIL_PARAMETER_MESH_ELEMENT_SIZE, element_size, &error));
+    MUST(softanvil_init(memory, sizeof memory, &scenario, &simulation, &error));
+    MUST(softanvil_steps_per_sample(simulation, steps_per_sample));
     return simulation;
 }
 

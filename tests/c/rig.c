@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "must.h"
 #include "rig.h"
 #include "softanvil.h"
 
@@ -12,18 +13,6 @@ enum { MEMORY = 1 << 18, SNAPSHOT = 1 << 16, SAMPLES = 300, SAVED_SAMPLE = 100 }
 static _Alignas(64) unsigned char memory[MEMORY];
 static _Alignas(64) unsigned char copy[MEMORY];
 static uint8_t snapshot[SNAPSHOT];
-
-static SoftanvilError error;
-
-/* Ends the program with the reason if a call has failed. */
-static void must(SoftanvilStatus status, const char *call)
-{
-    if (status != SOFTANVIL_STATUS_OK) {
-        fprintf(stderr, "%s: %s (%s)\n", call, softanvil_status_text(status), error.text);
-        exit(1);
-    }
-}
-#define MUST(call) must((call), #call)
 
 static void check(int holds, const char *what)
 {

@@ -8,22 +8,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "must.h"
 #include "softanvil.h"
 
 /* Bytes that a tetrahedron may take of the memory of a simulation. */
 #define BYTES_PER_TETRAHEDRON 1000.0
-
-static SoftanvilError error;
-
-static void must(SoftanvilStatus status, const char *call)
-{
-    if (status != SOFTANVIL_STATUS_OK) {
-        fprintf(stderr, "%s returned %d: %s\n", call, (int)status, error.text);
-        exit(1);
-    }
-}
-
-#define MUST(call) must((call), #call)
 
 static void *room(size_t size)
 {

@@ -9,8 +9,7 @@ RUNS = HERE / "runs.json"
 PAGE = HERE.parents[1] / "docs/reliability.md"
 BEGIN, END = "<!-- runs.json begins -->\n", "<!-- runs.json ends -->\n"
 
-MEANING = {"files": "edited files", "calls": "calls of C and FMI", "driven": "hostile inputs", "drops": "random drops",
-           "memory": "memory", "build": "build"}
+ORDER = ("files", "calls", "driven", "drops", "memory", "build")
 
 
 def number(value):
@@ -35,8 +34,7 @@ def totals(runs):
         total["count"] += row["count"]
         total["seconds"] += row["seconds"]
         total["findings"] = total["findings"] + row["findings"]
-    order = list(MEANING)
-    return sorted(summed.values(), key=lambda row: order.index(row["part"]))
+    return sorted(summed.values(), key=lambda row: ORDER.index(row["part"]))
 
 
 def all_of(rows, unit):
@@ -48,13 +46,13 @@ def counts(runs):
     rows = totals(runs)
     findings = sum(len(row["findings"]) for row in rows)
     hours = sum(row["seconds"] for row in rows) / 3600
-    worst = [row["worst"] for run in runs for row in run["rows"] if "worst" in row]
+    dropped = [row["of_drops"] for run in runs for row in run["rows"] if "of_drops" in row]
     text = (f"So far: {number(all_of(rows, 'executions'))} executions of fuzzed targets and {number(all_of(rows, 'drops'))} random "
             f"drops in {hours:.1f} hours, findings: {findings}.\n\n{table(rows)}\n")
-    if worst:
-        largest = {key: max(one[key] for one in worst) for key in worst[0]}
-        coarse = sum(one["too_coarse"] for one in worst)
-        text += (f"Over all random drops the largest residual of the energy was {100 * largest['residual']:.2f} % of what was brought "
+    if dropped:
+        largest = {key: max(one[key] for one in dropped) for key in ("residual", "penetration", "momentum")}
+        solids, coarse = (sum(one[key] for one in dropped) for key in ("solids", "too_coarse"))
+        text += (f"{number(solids)} of the drops were on solids. Over all of them the largest residual of the energy was {100 * largest['residual']:.2f} % of what was brought "
                  f"in, the largest change of momentum unexplained {largest['momentum']:.1e} of that at the start, the deepest "
                  f"penetration of one layer into another {100 * largest['penetration']:.2f} % of a cell. {number(coarse)} of the drops turned "
                  f"an element of a coarse mesh inside out, which is told as an error, and went through with elements of 3 mm.\n\n")

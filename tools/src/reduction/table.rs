@@ -14,12 +14,15 @@ pub fn of_reduction(reduction: &Reduction) -> String {
     let of_cases: Vec<&str> = reduction.headings.iter().map(String::as_str).collect();
     let common = reduction.common.as_ref();
     let shared = common.map(|common| format!("geometry.length {} m", four_digits(common.length)));
-    let mut header = [&of_cases[..], &["quantity", "solid", "section", "of its length"]].concat();
+    // A dome has no length.
+    let has_length = reduction.comparisons.iter().any(|comparison| comparison.length.is_some());
+    let mut header = [&of_cases[..], &["quantity", "solid", "section"]].concat();
+    header.extend(has_length.then_some("of its length"));
     header.extend(shared.as_deref());
     let mut table = new_table(&header);
     for (number, comparison) in reduction.comparisons.iter().enumerate() {
         let mut row = comparison.settings.clone();
-        row.extend(cells(comparison));
+        row.extend(cells(comparison).into_iter().take(3 + usize::from(has_length)));
         row.extend(common.map(|common| lines(comparison, &common.sections[number])));
         table.add_row(row);
     }
