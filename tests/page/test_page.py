@@ -348,6 +348,31 @@ def test_a_long_run_can_be_stopped_and_the_page_never_waits(open_page):
     same(page, cli("run"))
 
 
+def test_a_drop_that_was_taken_away_is_simulated_no_more(open_page):
+    """Otherwise those that are there would wait for the end of its run, of minutes."""
+    page = open_page()
+    page.select_option("#compare", "study-14.7")
+    settle(page)
+    page.evaluate("chosen().given = new Map([['mesh.element_size', '0.0004'], ['time.duration', '5']]), changed()")
+    page.evaluate("shown.drop = 0, chosen().given.set('impactor.drop_energy', '9.8'), changed(), shown.drop = 1")
+    assert page.evaluate("drops.map(drop => drop.asked)") == [1, 1]
+    page.click("#remove")
+    settle(page)
+    same(page, cli("run", "--energy", "9.8"))
+
+
+def test_a_drop_is_broken_off_only_for_a_later_one_of_its_own(open_page):
+    """Not for one of another that was there, was answered, and came again within its patience."""
+    page = open_page()
+    answers = page.evaluate("""async () => {
+        const ask = (key, size) => simulator.ask(key, { kind: "drop", label: "", asked: { preset: "study", toml: "", given: [["mesh.element_size", size]] } });
+        await ask("first", "0.008");
+        const slow = ask("second", "0.0017"), again = ask("first", "0.007");
+        return [(await slow)?.hash.length, (await again)?.hash.length];
+    }""")
+    assert answers == [16, 16]
+
+
 def test_every_move_of_a_slider_ends_in_a_picture(open_page):
     """How soon is what latency.py measures."""
     page = open_page()

@@ -33,9 +33,7 @@ PLAY = """async sequences => {
     for (let i = 0; i < sequences && faults.length < 5; i++) {
         // Coarse and short, so that much is seen; now and then as it is.
         if (i % 20 === 0) {
-            drops.splice(0, drops.length, newDrop({ given: [["mesh.element_size", "0.006"]] }));
-            shown.drop = 0;
-            changed();
+            begin([newDrop({ given: [["mesh.element_size", "0.006"]] })]);
         }
         const made = 1 + Math.floor(3 * random());
         for (let k = 0; k < made; k++) one(actions)();
@@ -58,6 +56,6 @@ def test_a_thousand_random_sequences(open_page):
     page.set_default_timeout(300_000)
     assert page.evaluate(PLAY, SEQUENCES) == []
     # It still works.
-    page.evaluate("drops.splice(0, drops.length, newDrop({})), shown.drop = 0, changed()")
+    page.evaluate("begin([])")
     settle(page)
     assert page.evaluate("chosen().data.hash.length") == 16

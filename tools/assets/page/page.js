@@ -142,7 +142,7 @@ function listen() {
   };
   element("remove").onclick = () => {
     if (drops.length < 2) return;
-    drops.splice(shown.drop, 1);
+    replace(shown.drop, 1);
     history.replaceState(null, "", "#" + toFragment());
     showAll();
   };
@@ -162,9 +162,14 @@ function listen() {
   takeFiles(element("file"), open);
 }
 
+/** Takes `number` drops from the page, from this one on, and puts others in their place: theirs are no longer simulated. */
+function replace(first, number, ...others) {
+  drops.splice(first, number, ...others).forEach(drop => simulator.leave(drop));
+}
+
 /** Begins with these drops. */
 function begin(these) {
-  drops.splice(0, drops.length, ...these.length ? these : [newDrop({})]);
+  replace(0, drops.length, ...these.length ? these : [newDrop({})]);
   shown.drop = 0;
   drops.filter(drop => !drop.data).forEach(drop => simulate(drop));
   showAll();

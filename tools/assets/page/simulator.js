@@ -39,6 +39,13 @@ class Simulator {
     this.asked = null;
   }
 
+  /** Nothing of this kind is wanted any more: what waits is not begun, and what runs gives room. */
+  leave(key) {
+    this.waiting.get(key)?.answer(null);
+    this.waiting.delete(key);
+    if (this.asked?.key === key) this.stop();
+  }
+
   /** Breaks off what runs. */
   stop() {
     this.worker.terminate();
@@ -52,10 +59,11 @@ class Simulator {
     const [first] = this.waiting.values();
     if (this.asked || !first) return;
     this.waiting.delete(first.key);
-    this.asked = { ...first, since: performance.now(), number: ++this.number };
-    this.worker.postMessage({ number: this.number, request: first.request, file: first.file });
+    const number = ++this.number;
+    this.asked = { ...first, since: performance.now(), number };
+    this.worker.postMessage({ number, request: first.request, file: first.file });
     // While it runs, a later one of its kind may have to break it off.
-    setTimeout(() => { if (this.asked?.number === this.number && this.waiting.has(first.key)) this.stop(); }, Simulator.PATIENCE);
+    setTimeout(() => { if (this.asked?.number === number && this.waiting.has(first.key)) this.stop(); }, Simulator.PATIENCE);
   }
 
   take({ number, answer, broken }) {
