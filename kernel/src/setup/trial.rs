@@ -37,6 +37,10 @@ const TRAVEL: Real = 0.02;
 /// Most steps of a trial, so that its work is bounded whatever the scenario; what it has found until then counts.
 const MAX_STEPS: usize = 1 << 17;
 
+/// Part of the first impact's smallest limit at which that of the next one counts no more: a single drop on a foam that the
+/// next one would press flat is not to pay a thousand times over.
+const NEXT_IMPACT: Real = 0.25;
+
 /// Part of the limit that the step follows it at: what is left is more than the limit falls between two looks.
 const FOLLOWED: Real = 0.9;
 
@@ -79,12 +83,13 @@ pub(crate) fn run(
     let mut trial = Trial { smallest: at_rest, stretch: 1.0, constants };
     trial.constants.set_step(FOLLOWED * at_rest, 1);
     State::new(&trial.model(&arrays), state.lend())?;
-    trial.march_through(motion, &arrays, state)?;
+    trial.march_through(motion, SMALLEST_STEP, &arrays, state)?;
     if trial.constants.softens() {
         // The next impact presses what has softened deeper.
         let model = trial.model(&arrays);
         if State::view(&model, state.lend())?.next_impact(&model, 0.0).is_ok() {
-            trial.march_through(motion, &arrays, state)?;
+            let enough = math::max(SMALLEST_STEP, NEXT_IMPACT * trial.smallest);
+            trial.march_through(motion, enough, &arrays, state)?;
         }
     }
     Ok(Forecast { ratio: trial.smallest / at_rest, stretch: trial.stretch })
@@ -114,13 +119,14 @@ impl Trial<'_> {
         Model::view(self.constants, arrays.nodes, arrays.cells, arrays.hoops)
     }
 
-    /// From the touch to the end of the motion.
+    /// From the touch to the end of the motion, or until the limit is below `enough`, s.
     ///
     /// # Errors
     /// Too little memory for a state.
     fn march_through(
         &mut self,
         motion: &TrialMotion,
+        enough: Real,
         arrays: &ModelArrays,
         state: &mut StateMemory,
     ) -> Result<(), ModelError> {
@@ -143,7 +149,7 @@ impl Trial<'_> {
             if ended || stopped.is_some_and(|error| matches!(error, StepError::Inverted { .. })) {
                 break;
             }
-            if self.smallest < SMALLEST_STEP {
+            if self.smallest < enough {
                 break;
             }
         }

@@ -62,12 +62,21 @@ fn make_foam(scenario: &mut Scenario, samples: &mut Samples) {
     let layer = &mut scenario.layers[0];
     let modulus = layer.material.shear_modulus_inf();
     layer.material.density = logarithmic(unit(), 40.0, 300.0);
-    scenario.impactor.drop_energy = modulus * layer.thickness * PRESSED_AREA * (0.05 + 0.15 * unit());
+    let energy = modulus * layer.thickness * (0.05 + 0.15 * unit());
     if unit() < 0.5 {
         layer.material.softening_r = 1.2 + unit();
         layer.material.softening_m = modulus * logarithmic(unit(), 0.003, 0.03);
         layer.material.softening_beta = 0.3 * unit();
     }
+    let area = pressed_area(scenario);
+    drop_on_foam(scenario, energy * area);
+}
+
+/// A drop of so much energy, J, with a mass that the foam bears at rest.
+fn drop_on_foam(scenario: &mut Scenario, energy: f64) {
+    let bearable = WORK_OF_WEIGHT * energy / (scenario.impactor.gravity * scenario.thickness());
+    scenario.impactor.mass = scenario.impactor.mass.min(bearable);
+    scenario.impactor.drop_energy = energy;
 }
 
 /// A drop on a pad of foam alone: one to three terms of 20 kPa to 2 MPa with exponents of -5 to 25 and Poisson's ratios of 0 to 0.45,
@@ -104,9 +113,8 @@ pub fn foam(samples: &mut Samples) -> Scenario {
     scenario.core.interface = if unit() < 0.5 { Interface::Bonded } else { Interface::Frictional };
     let radius = scenario.geometry.core_radius + height;
     scenario.impactor.face_diameter = scenario.impactor.face_diameter.max(2.1 * radius);
-    let area = if scenario.geometry.shape == Shape::Block { 0.01 } else { PRESSED_AREA };
-    let borne = pressed_energy(&scenario.layers[0].material) * area * height;
-    scenario.impactor.drop_energy = (borne * (0.1 + 0.9 * unit())).clamp(0.1, 50.0);
+    let borne = pressed_energy(&scenario.layers[0].material) * pressed_area(&scenario) * height;
+    drop_on_foam(&mut scenario, (borne * (0.1 + 0.9 * unit())).clamp(0.1, 50.0));
     scenario.time.duration = 40e-3;
     scenario
 }
@@ -123,8 +131,19 @@ fn pressed_energy(material: &Material) -> f64 {
     (0..STEPS).map(|i| -stress(i) * step).sum()
 }
 
-/// About the area of the study's anvil that is pressed, m2.
-const PRESSED_AREA: f64 = 5e-3;
+/// Largest part of a drop's energy that the weight may add on its way through the foam.
+const WORK_OF_WEIGHT: f64 = 0.2;
+
+/// About the area, m2, that is pressed: of a block all, of the study's anvil some 5e-3, of a dome that of the plane which cuts
+/// off half the thickness.
+fn pressed_area(scenario: &Scenario) -> f64 {
+    let height = scenario.thickness();
+    match (scenario.geometry.shape, scenario.geometry.formulation) {
+        (Shape::Block, _) => 0.01,
+        (_, Formulation::Axisymmetric) => std::f64::consts::PI * (scenario.geometry.core_radius + height) * height,
+        _ => 5e-3,
+    }
+}
 
 /// A plausible drop on a stack: one or two layers more, from 1 to 15 mm thick, of other laws and stiffnesses; bonded, frictional or
 /// separating, some with a gap, some narrower; faces of every kind that the formulation has, many of them narrower than the anvil.

@@ -88,6 +88,9 @@ pub const PLAUSIBLE_RESIDUAL: f64 = 5e-3;
 /// Steps of the median plausible drop over those that it needed in hindsight.
 pub const STEPS_OVER_HINDSIGHT: f64 = 1.5;
 
+/// The same of a drop on a layer that softens: up to four times as many for an impact that follows it, and the margins.
+pub const STEPS_FOR_THE_NEXT_IMPACT: f64 = 7.0;
+
 /// Slider loop at a shear of 1 %: the closed form is that of small strain, the next order is the square of the shear.
 pub const SLIDER_LOOP: f64 = 1e-3;
 

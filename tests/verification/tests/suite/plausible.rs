@@ -1,12 +1,15 @@
 //! Plausible drops go through with the step that is chosen for them. `plausible-drops` tries as many as one likes.
 
-use softanvil_kernel::scenario::{FaceShape, Layer, LayerInterface, Motion, StepBy};
+use softanvil_kernel::material::Hyperfoam;
+use softanvil_kernel::scenario::{FaceShape, Formulation, Layer, LayerInterface, Motion, StepBy};
 use softanvil_kernel::step::critical_time_step;
 use softanvil_kernel::{Simulation, StepInput, preset};
 use softanvil_verification::deformation::Samples;
-use softanvil_verification::plausible::{foam, outcome, scenario, stack, summary};
-use softanvil_verification::scenes::neo_hookean;
-use softanvil_verification::tolerance::{LAYER_PENETRATION, PLAUSIBLE_RESIDUAL, STEPS_OVER_HINDSIGHT};
+use softanvil_verification::plausible::{foam, outcome, outcome_of, scenario, stack, summary};
+use softanvil_verification::scenes::{elastic, neo_hookean};
+use softanvil_verification::tolerance::{
+    LAYER_PENETRATION, PLAUSIBLE_RESIDUAL, STEPS_FOR_THE_NEXT_IMPACT, STEPS_OVER_HINDSIGHT,
+};
 
 /// Drops that are tried.
 const COUNT: usize = 40;
@@ -52,6 +55,29 @@ fn random_foams_go_through() {
         let outcome = outcome(&scenario).unwrap_or_else(|error| panic!("{error}: {}", summary(&scenario)));
         assert!(outcome.residual < PLAUSIBLE_RESIDUAL, "{}: {}", outcome.residual, summary(&scenario));
     }
+}
+
+/// A foam on a dome bears the drop, and softened by it not the next one: the single drop takes a few times the steps that it
+/// needs, not thousands of times, and the next one ends with the step that would do.
+#[test]
+fn a_drop_on_a_softening_foam_does_not_pay_for_one_that_presses_it_flat() {
+    let mut scenario = preset::study();
+    scenario.geometry.formulation = Formulation::Axisymmetric;
+    let layer = &mut scenario.layers[0];
+    let foam = Hyperfoam::new([115e3, 0.0, 0.0], [5.3, 1.0, 1.0], [0.03, 0.0, 0.0]);
+    (layer.thickness, layer.material) = (7.7e-3, elastic(0.0, 0.0, 1e6).with(foam));
+    layer.material.density = 100.0;
+    (layer.material.softening_r, layer.material.softening_m, layer.material.softening_beta) = (2.0, 555.0, 0.2);
+    scenario.impactor = scenario.impactor.with_energy(0.02);
+    scenario.time.duration = 60e-3;
+    let mut simulation = Simulation::new(&scenario).expect("a legal scenario");
+    let outcome = outcome_of(&mut simulation, 600).unwrap();
+    assert!(outcome.residual < PLAUSIBLE_RESIDUAL, "{outcome:?}");
+    assert!((1.0..STEPS_FOR_THE_NEXT_IMPACT).contains(&outcome.steps_over_hindsight), "{outcome:?}");
+    simulation.next_impact(60.0).expect("a legal rest");
+    let steps = simulation.constants().steps_in(scenario.time.duration);
+    let error = simulation.step(steps, &StepInput::default()).expect_err("a foam that is pressed flat").to_string();
+    assert!(error.contains("would do there (time.step_by = given with time.step"), "{error}");
 }
 
 /// A pad that bulges past the edge of a narrow face comes against its side, and not into it.
