@@ -6,6 +6,7 @@ use softanvil_kernel::{OUTPUTS, Output, Parameter};
 
 use crate::measurement::band::{Band, Expected};
 use crate::measurement::quantity::{COUNT, QUANTITIES};
+use crate::output::mesh_quality::mesh_quality;
 use crate::output::subject::{self, Subject};
 use crate::output::table::IMPACT_RESULTS;
 use crate::paper;
@@ -38,6 +39,8 @@ pub fn of_run(run: &Run, subject: &Subject) -> Value {
     object.insert("dt".into(), run.constants.dt.into());
     object.insert("design_stretch".into(), run.constants.design_stretch.into());
     object.insert("elements".into(), run.constants.grid.n_elem().into());
+    let quality = mesh_quality(&run.constants.scenario, &run.constants.grid);
+    object.insert("mesh_quality".into(), json!({ "smallest": quality.smallest, "mean": quality.mean }));
     object.insert("warnings".into(), subject::warnings(&run.constants).into());
     object.insert("trace_hash".into(), run.trace_hash().into());
     Value::Object(object)

@@ -1,6 +1,5 @@
 //! Results as tables for people.
 
-use softanvil_kernel::mesh::Grid;
 use softanvil_kernel::preset::Fitted;
 use softanvil_kernel::scenario::StepBy;
 use softanvil_kernel::{Constants, OUTPUTS, Output};
@@ -10,6 +9,7 @@ use crate::measurement::quantity::{COUNT, QUANTITIES, Quantity};
 use crate::measurement::reading::Threshold;
 use crate::measurement::series::{Sensor, Series};
 use crate::output::bands;
+use crate::output::mesh_quality::{MeshQuality, mesh_quality};
 use crate::paper;
 use crate::paper::validation::{TableComparison, Validation};
 use crate::run::Run;
@@ -58,7 +58,7 @@ pub fn notes(validation: &Validation) -> String {
             "Softanvil: preset {}, {}; {};\nimpact duration at forces from {threshold} on.\n\
              The preset is\n{}.\n",
             validation.preset.name,
-            elements(&run.constants.grid),
+            elements(&run.constants),
             validation.reading,
             validation.preset.description,
         );
@@ -159,7 +159,7 @@ pub const IMPACT_RESULTS: [&str; 4] =
 pub fn settings(run: &Run) -> String {
     let text = format!(
         "{}, {} steps of {:.4} us{}, trace {}",
-        elements(&run.constants.grid),
+        elements(&run.constants),
         run.end().step_index,
         run.constants.dt * 1e6,
         chosen_for(&run.constants),
@@ -168,9 +168,14 @@ pub fn settings(run: &Run) -> String {
     filled(&text).trim_end().to_string()
 }
 
-/// How many elements of which kind there are.
-fn elements(grid: &Grid) -> String {
-    format!("{} {}", grid.n_elem(), if grid.is_solid() { "tetrahedra" } else { "triangles" })
+/// How many elements of which kind there are; of tetrahedra their quality, because flat ones may hide among them.
+fn elements(constants: &Constants) -> String {
+    let grid = &constants.grid;
+    if !grid.is_solid() {
+        return format!("{} triangles", grid.n_elem());
+    }
+    let MeshQuality { smallest, mean } = mesh_quality(&constants.scenario, grid);
+    format!("{} tetrahedra (quality {mean:.2}, at least {smallest:.2}; 1 is regular)", grid.n_elem())
 }
 
 /// What the step was chosen for; nothing if it was given.

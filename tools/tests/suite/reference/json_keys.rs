@@ -74,6 +74,8 @@ const MEANINGS: &[(&str, &str)] = &[
     ("trace.warnings", "what is unlikely about the record"),
     // run
     ("steps", "time steps"),
+    ("mesh_quality.smallest", "smallest mean ratio of an element at rest: 1 is regular, 0 is flat"),
+    ("mesh_quality.mean", "mean of all mean ratios"),
     ("design_stretch", "smallest principal stretch that the step was chosen for"),
     // measure
     ("force", "which force was read: `contact` or `core`"),
