@@ -81,8 +81,6 @@ impl Base<'_> {
     #[inline(always)]
     fn forces<S: Simd>(&self, simd: S, constants: &Constants, i: usize, chunk: usize) -> Touch<S::Vector> {
         let (core, inverse_dt) = (&constants.scenario.core, 1.0 / constants.dt);
-        let rollers = core.interface == Interface::Sliding;
-        let rubs = core.interface == Interface::Frictional;
         let (zero, mass) = (simd.splat(0.0), simd.load(&self.0.mass[i], chunk));
         let inverse = [simd.load(&self.0.inverse_mass[0][i], chunk), simd.load(&self.0.inverse_mass[1][i], chunk)];
         let before = [simd.load(&self.0.velocity[0][i], chunk), simd.load(&self.0.velocity[1][i], chunk)];
@@ -93,14 +91,14 @@ impl Base<'_> {
         // On the centre line the normal is vertical, so the fixed direction takes no part in it.
         let approach = depth.mul_scalar(inverse_dt) - (free[0] * normal[0] + free[1] * normal[1]);
         let stopping = (mass * approach).mul_scalar(inverse_dt);
-        let pressure = if rollers { stopping } else { approach.select_greater(zero, stopping, zero) };
+        let pressure = if core.interface.holds() { stopping } else { approach.select_greater(zero, stopping, zero) };
         let along = free[0] * normal[1] - free[1] * normal[0];
-        let shear = if !rubs {
-            zero
-        } else {
+        let shear = if core.interface.rubs() {
             let friction =
                 limited((mass * along).mul_scalar(-inverse_dt), pressure.mul_scalar(core.friction_coefficient));
             inverse[0].select_greater(zero, friction, zero)
+        } else {
+            zero
         };
         Touch { pressure, shear, normal, before }
     }

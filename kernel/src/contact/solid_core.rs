@@ -44,14 +44,13 @@ fn surface_normal(constants: &Constants, [x, y, z]: [Real; 3]) -> ([Real; 3], Re
 /// The force of the core on a node that may slide and, unless it is on rollers, lift, N; adds what it does, but for half a step.
 fn touch(constants: &Constants, node: &SolidNode, work: &mut ContactWork) -> [Real; 3] {
     let (core, dt) = (&constants.scenario.core, constants.dt);
-    let rollers = core.interface == Interface::Sliding;
     let (normal, depth) = surface_normal(constants, node.position);
     let free = node.next_velocity(dt);
     // In planes of symmetry the normal lies in them, so the fixed directions take no part in it.
     let approach = depth / dt - dot(&free, &normal);
-    let pressure = if rollers || approach > 0.0 { node.mass * approach / dt } else { 0.0 };
+    let pressure = if core.interface.holds() || approach > 0.0 { node.mass * approach / dt } else { 0.0 };
     let mut shear = [0.0; 3];
-    if !rollers {
+    if core.interface.rubs() {
         let stick = across(&free, &normal).map(|along| -node.mass * along / dt);
         shear = limited_vector(stick, core.friction_coefficient * pressure);
     }

@@ -157,6 +157,18 @@ pub enum Interface {
     Separating,
 }
 
+impl Interface {
+    /// Whether it may pull at the layer as well as press.
+    pub(crate) fn holds(self) -> bool {
+        matches!(self, Self::Bonded | Self::Sliding)
+    }
+
+    /// Whether Coulomb friction acts.
+    pub(crate) fn rubs(self) -> bool {
+        self == Self::Frictional
+    }
+}
+
 /// Interface between layer and core.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CoreInterface {

@@ -162,9 +162,9 @@ impl Trial<'_> {
         if self.constants.grid.is_solid() {
             let model = self.model(arrays);
             let view = State::view(&model, state.lend()).ok()?;
-            return SolidCells::of(&model, &view).critical(bound);
+            return SolidCells::of(&model, &view).critical(InstructionSet::best(), bound);
         }
-        Cells::new(self.constants, arrays).critical(&|block| state.cells.get(block), bound)
+        Cells::new(self.constants, arrays).critical(InstructionSet::best(), &|block| state.cells.get(block), bound)
     }
 
     /// Looks at all cells, and at what the monitor may have found; goes on with a smaller step where the limit has fallen.

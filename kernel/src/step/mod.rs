@@ -18,5 +18,5 @@ pub use advance::{step, step_along, step_with, steps};
 pub(crate) use critical::Critical;
 pub(crate) use solid_stable_step::SolidCells;
 pub(crate) use stable_step::Cells;
-pub use stable_step::critical_time_step;
+pub use stable_step::{critical_time_step, critical_time_step_with};
 pub use window::MONITOR_PERIOD;

@@ -36,17 +36,18 @@ impl<'m> SolidCells<'m> {
 
     /// Largest stable step, s.
     pub fn limit(&self) -> Real {
-        self.critical(Real::MAX).map_or(Real::INFINITY, |critical| math::sqrt(critical.limit_squared))
+        self.critical(InstructionSet::best(), Real::MAX)
+            .map_or(Real::INFINITY, |critical| math::sqrt(critical.limit_squared))
     }
 
     /// The cell with the smallest limit whose square is below `bound`, s2; none if there is none.
-    pub fn critical(&self, bound: Real) -> Option<Critical> {
-        self.critical_of(MonitorWindow::whole(self.blocks.len() * LANES), bound)
+    pub fn critical(&self, set: InstructionSet, bound: Real) -> Option<Critical> {
+        self.critical_of(set, MonitorWindow::whole(self.blocks.len() * LANES), bound)
     }
 
     /// The same among the cells of a `window`.
-    fn critical_of(&self, window: MonitorWindow, bound: Real) -> Option<Critical> {
-        InstructionSet::best().run(Search { cells: self, window, bound })
+    fn critical_of(&self, set: InstructionSet, window: MonitorWindow, bound: Real) -> Option<Critical> {
+        set.run(Search { cells: self, window, bound })
     }
 
     /// Packs of the history of a block; nothing at rest.
@@ -83,10 +84,12 @@ impl Work for Search<'_, '_> {
             let ([row, _], _) = constants.grid.solid_place(index);
             let Some(block) = cells.blocks.get(index) else { continue };
             let block = SolidBlock { laws: constants.laws_of_row(row), constants: block };
+            // One bound for the group: one for each chunk would differ with the width of the vectors.
+            let squared = simd.splat(bound);
             for chunk in start / S::WIDTH..(start + window.group).div_ceil(S::WIDTH) {
                 let matrix = SolidMatrix::new(simd, chunk, &block, cells.history_of(index));
                 let mut limits = ZERO;
-                simd.store(matrix.limit_squared(simd, simd.splat(bound)), &mut limits, chunk);
+                simd.store(matrix.limit_squared(simd, squared), &mut limits, chunk);
                 for l in (chunk * S::WIDTH).max(start)..((chunk + 1) * S::WIDTH).min(start + window.group) {
                     let limit_squared = limits[l % LANES];
                     if limit_squared < bound && cells.has_cell(index, l) {
@@ -117,5 +120,5 @@ fn smallest_stretch(cells: &SolidCells, block: usize, l: usize) -> Real {
 pub(super) fn is_exceeded(model: &Model, state: &State) -> bool {
     let cells = SolidCells::of(model, state);
     let window = MonitorWindow::new(cells.blocks.len() * LANES, state.scalars.step_index);
-    cells.critical_of(window, model.constants.dt * model.constants.dt).is_some()
+    cells.critical_of(InstructionSet::best(), window, model.constants.dt * model.constants.dt).is_some()
 }

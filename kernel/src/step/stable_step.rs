@@ -28,12 +28,18 @@ use crate::tensor::stretch::{IsochoricStretch, largest_in_plane};
 /// sets it.
 #[inline(never)]
 pub fn critical_time_step(model: &Model, state: &State) -> (Real, u32) {
-    if model.constants.grid.is_solid() {
-        let critical = SolidCells::of(model, state).critical(Real::MAX);
-        return critical.map_or((Real::INFINITY, 0), |found| (math::sqrt(found.limit_squared), found.element));
-    }
-    let cells = Cells { constants: model.constants, cells: model.cells, hoops: model.hoops };
-    let critical = cells.critical(&|block| state.cells.get(block), Real::MAX);
+    critical_time_step_with(InstructionSet::best(), model, state)
+}
+
+/// As [`critical_time_step`], found with an instruction set: the same bits with each. One that is not available is replaced by
+/// the best that is.
+pub fn critical_time_step_with(set: InstructionSet, model: &Model, state: &State) -> (Real, u32) {
+    let critical = if model.constants.grid.is_solid() {
+        SolidCells::of(model, state).critical(set, Real::MAX)
+    } else {
+        let cells = Cells { constants: model.constants, cells: model.cells, hoops: model.hoops };
+        cells.critical(set, &|block| state.cells.get(block), Real::MAX)
+    };
     critical.map_or((Real::INFINITY, 0), |found| (math::sqrt(found.limit_squared), found.element))
 }
 
@@ -52,13 +58,18 @@ impl<'m> Cells<'m> {
 
     /// The cell with the smallest limit whose square is below `bound`, s2, by the `history` of each block; none if there is
     /// none.
-    pub fn critical<'h>(&self, history: &dyn Fn(usize) -> Option<&'h CellHistory>, bound: Real) -> Option<Critical> {
-        InstructionSet::best().run(Search { cells: self, history, bound })
+    pub fn critical<'h>(
+        &self,
+        set: InstructionSet,
+        history: &dyn Fn(usize) -> Option<&'h CellHistory>,
+        bound: Real,
+    ) -> Option<Critical> {
+        set.run(Search { cells: self, history, bound })
     }
 
     /// Largest step that is stable at rest, s.
     pub fn limit_at_rest(&self) -> Real {
-        let critical = self.critical(&|_| Some(&CellHistory::REST), Real::MAX);
+        let critical = self.critical(InstructionSet::best(), &|_| Some(&CellHistory::REST), Real::MAX);
         critical.map_or(Real::INFINITY, |critical| math::sqrt(critical.limit_squared))
     }
 }

@@ -2,7 +2,9 @@
 
 use softanvil_kernel::material::Material;
 use softanvil_kernel::scenario::{Body, Formulation, Interface, Symmetry};
-use softanvil_kernel::{InstructionSet, Scenario, Simulation, StepInput, preset, step_with};
+use softanvil_kernel::step::critical_time_step_with;
+use softanvil_kernel::{InstructionSet, Scenario, Simulation, StepError, StepInput, preset, step_with};
+use softanvil_verification::tolerance::ENERGY_RESIDUAL;
 
 /// A coarse solid of the study.
 fn anvil() -> Scenario {
@@ -55,14 +57,32 @@ fn every_instruction_set_gives_the_same_bits() {
     let after = |set| {
         let mut anvil = start.clone();
         let steps = |model: &softanvil_kernel::Model, state: &mut softanvil_kernel::State| {
-            (0..40).try_for_each(|_| step_with(set, model, state, &StepInput::default()))
+            (0..40).try_for_each(|_| step_with(set, model, state, &StepInput::default()))?;
+            Ok::<_, StepError>(critical_time_step_with(set, model, state))
         };
-        anvil.with(steps).unwrap().unwrap();
-        anvil.save().unwrap()
+        let (limit, element) = anvil.with(steps).unwrap().unwrap();
+        (limit.to_bits(), element, anvil.save().unwrap())
     };
     for set in InstructionSet::ALL.into_iter().filter(|set| set.available()) {
         assert_eq!(after(set), after(InstructionSet::Baseline), "{set:?}");
     }
+}
+
+/// A core that separates does not rub, whatever coefficient stands in the scenario.
+#[test]
+fn a_core_that_separates_does_not_rub() {
+    let drop = |interface, coefficient| {
+        let mut scenario = anvil();
+        (scenario.core.interface, scenario.core.friction_coefficient) = (interface, coefficient);
+        let mut drop = new(&scenario);
+        drop.run(6e-3, &StepInput::default()).unwrap();
+        assert!(drop.scalars().energy.residual().abs() < ENERGY_RESIDUAL * drop.scalars().energy.external);
+        drop.scalars().sampler.trace_hash
+    };
+    let separating = drop(Interface::Separating, 0.3);
+    assert_eq!(separating, drop(Interface::Frictional, 0.0));
+    assert_ne!(separating, drop(Interface::Frictional, 0.3));
+    assert_ne!(separating, drop(Interface::Sliding, 0.3));
 }
 
 /// A quarter, a half and the whole are one and the same drop.
