@@ -76,8 +76,8 @@ fn breaks(scenario: &Scenario) -> Vec<Real, MAX_PIECES> {
     let spacing = 0.5 * scenario.mesh.element_size / half_width(scenario);
     for x in face_edges(scenario).into_iter().flatten() {
         let across = surface_across(scenario, x);
-        // A cell that is far narrower than the others would take a far smaller step.
-        if across > spacing && breaks.iter().all(|other| math::abs(other - across) > spacing) {
+        // An edge beside the layer is none of the mesh. A cell that is far narrower than the others would take a far smaller step.
+        if across > spacing && across < 1.0 && breaks.iter().all(|other| math::abs(other - across) > spacing) {
             add(&mut breaks, across);
         }
     }
@@ -130,4 +130,58 @@ fn surface_across(scenario: &Scenario, x: Real) -> Real {
 /// Cells of about `size` m along `length` m, at least one.
 pub(super) fn cells_along(length: Real, size: Real) -> Real {
     math::max(1.0, math::round(length / size))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::{Grid, reference_position, solid_position};
+    use crate::scenario::{FaceShape, Formulation, preset};
+
+    /// How far the mesh reaches from the centre line, m.
+    fn reach(scenario: &Scenario) -> Real {
+        let grid = Grid::new(scenario).expect("a legal scenario");
+        let nodes = (0..=grid.n_v).flat_map(|v| (0..=grid.n_u).map(move |u| (u, v)));
+        let x = nodes.map(|(u, v)| {
+            if grid.is_solid() {
+                solid_position(scenario, &grid, [u, v, 0])[0]
+            } else {
+                reference_position(scenario, &grid, u, v)[0]
+            }
+        });
+        x.fold(0.0, |most, x| math::max(most, math::abs(x)))
+    }
+
+    #[test]
+    fn a_block_is_as_wide_as_it_is_given_wherever_the_face_ends() {
+        let mut block = preset::elastic();
+        block.geometry.shape = Shape::Block;
+        (block.geometry.block_width, block.geometry.length) = (0.03, 0.15);
+        let mut solid = block.clone();
+        (solid.geometry.formulation, solid.mesh.element_size) = (Formulation::Solid, 5e-3);
+        assert!(math::abs(reach(&solid) - 0.015) < 1e-12, "{}", reach(&solid));
+        block.geometry.section = Section::Full;
+        (block.impactor.face_width, block.impactor.face_length, block.impactor.face_diameter) = (0.03, 0.15, 0.04);
+        for shape in [FaceShape::Rectangular, FaceShape::Bar] {
+            block.impactor.shape = shape;
+            for offset in [-0.02, -0.01, 0.0, 0.004, 0.01, 0.014, 0.03] {
+                block.impactor.offset = offset;
+                assert!(math::abs(reach(&block) - 0.015) < 1e-12, "{shape:?} at {offset}: {}", reach(&block));
+            }
+        }
+    }
+
+    #[test]
+    fn a_layer_on_a_round_core_is_as_wide_as_it_is_given() {
+        let mut scenario = preset::study();
+        scenario.layers[0].width = 0.05;
+        scenario.geometry.section = Section::Full;
+        scenario.impactor.face_diameter = 0.06;
+        let angle = 0.5 * 0.05 / scenario.geometry.core_radius;
+        let side = (scenario.geometry.core_radius + scenario.thickness()) * math::sin(angle);
+        for offset in [0.0, 0.01, 0.02, 0.03] {
+            scenario.impactor.offset = offset;
+            assert!(math::abs(reach(&scenario) - side) < 1e-12, "{offset}: {}", reach(&scenario));
+        }
+    }
 }
