@@ -130,7 +130,7 @@ impl Run {
         facts.set_item("steps", self.run.end().step_index)?;
         facts.set_item("time_step", constants.dt)?;
         facts.set_item("elements", constants.grid.n_elem())?;
-        facts.set_item("warnings", subject::warnings(constants))?;
+        facts.set_item("warnings", subject::warnings(constants, self.run.end()))?;
         Ok(facts)
     }
 

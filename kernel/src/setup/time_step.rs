@@ -24,6 +24,9 @@ const COARSE_ROWS: Real = 3.0;
 /// The trial is repeated on the mesh itself where the limit falls below this part of that at rest.
 const REPEAT_BELOW: Real = 0.6;
 
+/// The same of a foam, whose limit falls further where its cells meet an edge.
+const REPEAT_FOAM_BELOW: Real = 0.8;
+
 /// What a drop may leave of the limit that its trial has found: meshes and steps differ, and a layer may fold on the way up.
 const MARGIN: Real = 0.9;
 
@@ -103,7 +106,8 @@ fn foresee(
     if coarse != *grid && !says_rows && even && !open {
         let rest = |node| place_of(&tried, &coarse, node);
         let forecast = trial::run(&tried, &motion, coarse, &rest, arrays, state, place)?;
-        if forecast.ratio >= REPEAT_BELOW {
+        let has_foam = place.as_ref().is_some_and(Constants::has_foam);
+        if forecast.ratio >= if has_foam { REPEAT_FOAM_BELOW } else { REPEAT_BELOW } {
             return Ok(forecast);
         }
     }

@@ -31,6 +31,10 @@ pub(crate) struct Forecast {
 /// Most steps between two looks at all cells. The monitor looks at some of them in each step.
 const MAX_STRIDE: Real = 16.0;
 
+/// Part of the limit that it may fall by between two looks, half of what the step keeps away from it; the next look comes sooner
+/// where it fell by more, or a cell that is pressed fast would turn inside out by a step that is no longer stable.
+const FALL: Real = 0.05;
+
 /// Part of the layer's thickness that the face may travel between two looks, so that no limit falls far in between.
 const TRAVEL: Real = 0.02;
 
@@ -130,11 +134,12 @@ impl Trial<'_> {
         arrays: &ModelArrays,
         state: &mut StateMemory,
     ) -> Result<(), ModelError> {
-        let (mut time, mut steps, mut turned) = (0.0, 0, false);
+        // The touch is a blow: the first looks come at once.
+        let (mut time, mut steps, mut turned, mut most) = (0.0, 0, false, 1.0);
         while steps < MAX_STEPS {
             let model = self.model(arrays);
             let mut view = State::view(&model, state.lend())?;
-            let stride = stride(&model, &view);
+            let stride = stride(&model, &view, most);
             let stopped = march(&model, &mut view, motion, stride, &mut time);
             steps += stride;
             let rises = view.scalars.impactor.velocity_half >= 0.0;
@@ -145,7 +150,9 @@ impl Trial<'_> {
                 && (self.constants.has_foam() || self.constants.grid.is_solid())
                 && view.scalars.impactor.deformation() > 0.0;
             let ended = falls_anew || (motion.has_ended(self.constants, &view, time) && !comes_back);
+            let before = self.smallest;
             self.look(arrays, state, stopped);
+            most = next_most(stride as Real, 1.0 - self.smallest / before);
             if ended || stopped.is_some_and(|error| matches!(error, StepError::Inverted { .. })) {
                 break;
             }
@@ -180,12 +187,18 @@ impl Trial<'_> {
     }
 }
 
-/// Steps to the next look.
-fn stride(model: &Model, state: &State) -> usize {
+/// Steps to the next look, and no more than `most`.
+fn stride(model: &Model, state: &State, most: Real) -> usize {
     let travel = math::abs(state.scalars.impactor.velocity_half) * model.constants.dt;
-    let most = TRAVEL * model.constants.scenario.thickness();
+    let way = TRAVEL * model.constants.scenario.thickness();
     // A quotient of any size or none ends in range.
-    if most >= MAX_STRIDE * travel { MAX_STRIDE as usize } else { 1 + (most / travel) as usize }
+    if way >= most * travel { most as usize } else { 1 + (way / travel) as usize }
+}
+
+/// Most steps to the next look, where the limit fell by the part `fall` of it in a `stride`.
+fn next_most(stride: Real, fall: Real) -> Real {
+    let wanted = if fall > FALL { stride * FALL / fall } else { 2.0 * stride };
+    math::max(1.0, if wanted < MAX_STRIDE { wanted } else { MAX_STRIDE })
 }
 
 /// Makes some steps; gives the error that stops them.

@@ -82,7 +82,7 @@ pub fn carry_out(options: &Options) -> Result<String, Failure> {
         }
         return Ok(json::text(&object));
     }
-    let head = subject.text() + &warning_lines(&warnings(&run.constants)) + &run::remark(&run);
+    let head = subject.text() + &warning_lines(&warnings(&run.constants, run.end())) + &run::remark(&run);
     let mut text = head + &trace_comparison::channels(&run, &reading, &record);
     if let Some(comparison) = &comparison {
         let understood = measured.iter().map(|measured| measured.understood.to_string()).collect::<String>();

@@ -78,7 +78,7 @@ pub fn carry_out(options: &Options) -> Result<String, Failure> {
         }
         return Ok(json::text(&value));
     }
-    let head = subject.text() + &warning_lines(&warnings(&run.constants)) + &run::remark(&run);
+    let head = subject.text() + &warning_lines(&warnings(&run.constants, run.end())) + &run::remark(&run);
     let impacts = if earlier.is_empty() { String::new() } else { table::of_impacts(&earlier, &run, options.rest) };
     let bands = expected.as_ref().map_or(String::new(), bands::of_drop);
     let mut text = format!("{head}{impacts}{}{bands}{}\n", table::of_run(&run), table::settings(&run));

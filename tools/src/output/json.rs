@@ -41,7 +41,7 @@ pub fn of_run(run: &Run, subject: &Subject) -> Value {
     object.insert("elements".into(), run.constants.grid.n_elem().into());
     let quality = mesh_quality(&run.constants.scenario, &run.constants.grid);
     object.insert("mesh_quality".into(), json!({ "smallest": quality.smallest, "mean": quality.mean }));
-    object.insert("warnings".into(), subject::warnings(&run.constants).into());
+    object.insert("warnings".into(), subject::warnings(&run.constants, run.end()).into());
     object.insert("trace_hash".into(), run.trace_hash().into());
     Value::Object(object)
 }

@@ -6,6 +6,7 @@ use serde_json::{Value, json};
 use softanvil_kernel::mesh::Grid;
 use softanvil_kernel::preset::Preset;
 use softanvil_kernel::scenario::{Body, DropBy, Ends, Formulation, Geometry, Motion, Section, Shape, Symmetry};
+use softanvil_kernel::state::{EnergyBalance, Scalars};
 use softanvil_kernel::{Constants, ModelError, Scenario};
 
 use crate::output::material_summary;
@@ -154,13 +155,29 @@ fn formulation(geometry: &Geometry) -> String {
     format!("in three dimensions, {long}{part} of it meshed")
 }
 
-/// What makes the numbers of a model doubtful before it runs, in lines without a break.
-pub fn warnings(constants: &Constants) -> Vec<String> {
+/// What makes the numbers of a run doubtful, of which `end` is the last step, in lines without a break.
+pub fn warnings(constants: &Constants, end: &Scalars) -> Vec<String> {
     let size = 1e3 * constants.scenario.mesh.element_size;
-    coarse(&constants.grid, size).into_iter().collect()
+    coarse(&constants.grid, size).into_iter().chain(unbalanced(&end.energy)).collect()
 }
 
-/// The same of a scenario.
+/// Part of the external energy that a sound simulation leaves unexplained at most.
+const LARGEST_RESIDUAL: f64 = 0.01;
+
+fn unbalanced(energy: &EnergyBalance) -> Option<String> {
+    let (residual, external) = (energy.residual().abs(), energy.external.abs());
+    (residual > LARGEST_RESIDUAL * external).then(|| {
+        format!(
+            "the balance of energy leaves {} J of {} J unexplained ({:.1} %): a part of a layer folds or is pressed flat, and what \
+             comes after that means little; less energy, damping, a thicker or stiffer layer, or a smaller time.safety_factor may do",
+            four_digits(residual),
+            four_digits(external),
+            1e2 * residual / external
+        )
+    })
+}
+
+/// What makes the numbers of a scenario doubtful before it runs.
 ///
 /// # Errors
 /// A mesh that is refused.
@@ -201,6 +218,15 @@ mod tests {
         let warnings = warnings_of(&scenario).unwrap();
         assert!(warnings.len() == 1 && warnings[0].contains("2 rows of cells"), "{warnings:?}");
         assert!(warnings[0].contains("mesh.element_size = 7.5 mm"), "{warnings:?}");
+    }
+
+    #[test]
+    fn energy_that_is_not_explained_is_warned_of() {
+        let explained = EnergyBalance { external: 14.7, impactor_kinetic: 14.6, ..EnergyBalance::default() };
+        assert_eq!(unbalanced(&explained), None);
+        let text = unbalanced(&EnergyBalance { impactor_kinetic: 12.7, ..explained }).unwrap();
+        assert!(text.contains("leaves 2.000 J of 14.70 J unexplained (13.6 %)"), "{text}");
+        assert_eq!(unbalanced(&EnergyBalance::default()), None);
     }
 
     #[test]

@@ -204,7 +204,7 @@ pub fn json(
     object.insert("drop".into(), subject.json());
     object.extend(by_key(&record.values));
     object.extend(crate::output::json::of_ending(run));
-    object.insert("warnings".into(), crate::output::subject::warnings(&run.constants).into());
+    object.insert("warnings".into(), crate::output::subject::warnings(&run.constants, run.end()).into());
     object.insert("force".into(), if reading.sensor == Sensor::Core { "core" } else { "contact" }.into());
     object.insert("channel_class".into(), reading.channel_class.into());
     object.insert("threshold".into(), record.threshold.into());

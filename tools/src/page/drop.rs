@@ -149,7 +149,7 @@ fn words(run: &Run) -> Vec<String> {
             layer.material.poissons_ratio_0()
         )
     });
-    warnings(&run.constants).into_iter().chain(unphysical).collect()
+    warnings(&run.constants, run.end()).into_iter().chain(unphysical).collect()
 }
 
 fn one_line(text: &str) -> String {

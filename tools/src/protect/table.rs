@@ -15,7 +15,7 @@ use crate::text::wrap::filled;
 pub fn of_trial(trial: &Trial) -> String {
     let mut text = trial.subject.text();
     if let Some((_, outcome)) = trial.done().next() {
-        text += &warning_lines(&warnings(&outcome.run.constants));
+        text += &warning_lines(&warnings(&outcome.run.constants, outcome.run.end()));
     }
     text += &trial.remarks();
     text += "\n";

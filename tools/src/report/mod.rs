@@ -115,7 +115,7 @@ impl<'a> Content<'a> {
         match self.about {
             About::Validation(_) => String::new(),
             About::Own(subject) => self.drops.iter().fold(subject.text(), |text, drop| {
-                text + &warning_lines(&warnings(&drop.run.constants)) + &run::remark(drop.run)
+                text + &warning_lines(&warnings(&drop.run.constants, drop.run.end())) + &run::remark(drop.run)
             }),
         }
     }
