@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import json
+import numbers
 import os
 import re
 import tempfile
@@ -17,20 +18,27 @@ import pandas as pd
 
 from . import _softanvil
 from ._errors import SoftanvilError
-from ._scenario import Scenario
+from ._scenario import Scenario, settings_of
 
 PathLike = str | os.PathLike[str]
 Paths = PathLike | Sequence[PathLike]
 
 
 def _arguments(options: dict[str, Any]) -> list[str]:
-    """The options as the command line takes them."""
+    """The options as the command line takes them.
+
+    Raises:
+        TypeError: A value that is none of an option, such as a data frame for a file.
+    """
     given: list[str] = []
     for name, value in options.items():
+        for one in value if isinstance(value, (list, tuple)) else [value]:
+            if one is not None and not isinstance(one, (str, numbers.Real, np.bool_, os.PathLike)):
+                raise TypeError(f"{name} of type {type(one).__name__} is refused: expected a text, a number or the path of a file")
         option = f"--{name.replace('_', '-')}"
-        if value is None or value is False:
+        if value is None or isinstance(value, (bool, np.bool_)) and not value:
             continue
-        if value is True:
+        if isinstance(value, (bool, np.bool_)):
             given.append(option)
         elif isinstance(value, (list, tuple)):
             given += [option, *(_text(one) for one in value)]
@@ -45,6 +53,11 @@ def _text(value: object) -> str:
     return os.fspath(value) if isinstance(value, os.PathLike) else str(value)
 
 
+def _with_unit(value: str | float | None, unit: str) -> str | None:
+    """A number of an SI `unit` as the command line takes it, which wants one."""
+    return value if value is None or isinstance(value, str) else f"{float(value)!r} {unit}"
+
+
 def _call(command: str, arguments: Sequence[str]) -> str:
     """Carries out a command. Its options have in messages the names that they have in Python."""
     try:
@@ -57,7 +70,7 @@ def _call(command: str, arguments: Sequence[str]) -> str:
 @contextlib.contextmanager
 def _of_scenario(scenario: Scenario) -> Iterator[tuple[list[str], Path]]:
     """The options that say which drop, and a folder for files that go with it."""
-    scenario.validate()
+    settings_of(scenario).validate()
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "scenario.toml"
         scenario.write(path)
@@ -109,8 +122,8 @@ def measure(
     force_column: str | None = None,
     acceleration: str | None = None,
     displacement: str | None = None,
-    mass: str | None = None,
-    rate: str | None = None,
+    mass: str | float | None = None,
+    rate: str | float | None = None,
     offset: float | None = None,
     sign: Literal["+", "-"] | None = None,
     impact: int | None = None,
@@ -138,8 +151,8 @@ def measure(
     """
     options = {"trace": trace, "force": force, "cfc": cfc, "threshold": threshold, "noise": noise,
                "calibration_error": calibration_error, "seed": seed, "camera": camera, "filtered": filtered, "time": time,
-               "force_column": force_column, "acceleration": acceleration, "displacement": displacement, "mass": mass,
-               "rate": rate, "offset": offset, "sign": sign, "impact": impact, "sheet": sheet, "decimal": decimal}
+               "force_column": force_column, "acceleration": acceleration, "displacement": displacement, "mass": _with_unit(mass, "kg"),
+               "rate": _with_unit(rate, "Hz"), "offset": offset, "sign": sign, "impact": impact, "sheet": sheet, "decimal": decimal}
     with _of_scenario(scenario) as (drop, folder):
         csv = folder / "trace.csv"
         data = _json(_call("measure", [*drop, *_arguments(options), f"--csv={csv}", "--json"]))
@@ -248,9 +261,9 @@ def fit(
     strain_measure: Literal["engineering", "true", "green"] | None = None,
     stress_measure: Literal["engineering", "true", "green"] | None = None,
     direction: Literal["tension", "compression"] | None = None,
-    area: str | None = None,
-    diameter: str | None = None,
-    height: str | None = None,
+    area: str | float | None = None,
+    diameter: str | float | None = None,
+    height: str | float | None = None,
     repeats: Literal["median", "all"] = "median",
     drop_first_cycle: bool = False,
     unloading: bool = False,
@@ -277,7 +290,7 @@ def fit(
         out: Folder for the material files of this and other programs and pictures; without it nothing is kept.
         columns, relaxation_columns: Titles of the columns instead of the file's, "strain [%], stress [kPa]".
         sheet, decimal, strain_measure, stress_measure, direction: What the files leave open.
-        area, diameter, height: Size of the specimens with unit, "660mm2", for columns of force and displacement.
+        area, diameter, height: Size of the specimens, m2 and m or with unit, "660mm2", for columns of force and displacement.
         repeats, drop_first_cycle, unloading: Which specimens, cycles and branches count.
         foam: Whether the specimens are of a foam.
         law: Law to choose instead of the stable one of lowest residual.
@@ -300,7 +313,8 @@ def fit(
     options = {"uniaxial": listed(uniaxial), "planar": listed(planar), "equibiaxial": listed(equibiaxial),
                "simple_shear": listed(simple_shear), "relaxation": relaxation, "columns": columns,
                "relaxation_columns": relaxation_columns, "sheet": sheet, "decimal": decimal, "strain_measure": strain_measure,
-               "stress_measure": stress_measure, "direction": direction, "area": area, "diameter": diameter, "height": height,
+               "stress_measure": stress_measure, "direction": direction, "area": _with_unit(area, "m2"),
+               "diameter": _with_unit(diameter, "m"), "height": _with_unit(height, "m"),
                "repeats": repeats, "drop_first_cycle": drop_first_cycle, "unloading": unloading, "foam": foam, "law": law,
                "weighting": weighting, "stable": stable,
                "stable_range": stable_range and ":".join(map(_text, map(float, stable_range))), "terms": terms,
@@ -421,8 +435,8 @@ def read_trace(
     force_column: str | None = None,
     acceleration: str | None = None,
     displacement: str | None = None,
-    mass: str | None = None,
-    rate: str | None = None,
+    mass: str | float | None = None,
+    rate: str | float | None = None,
     offset: float | None = None,
     sign: Literal["+", "-"] | None = None,
     impact: int | None = None,
@@ -435,8 +449,8 @@ def read_trace(
         path: The file.
         scenario: The drop that it is of, which tells what is plausible.
         time, force_column, acceleration, displacement: Columns, by title or number, with unit if the file states none: "t [ms]".
-        mass: Of the falling body, "5kg", for an acceleration.
-        rate: Samples in a second, "20kHz", instead of a column of time.
+        mass: Of the falling body, kg or with unit, "5kg", for an acceleration.
+        rate: Samples in a second, Hz or with unit, "20kHz", instead of a column of time.
         offset: Force without contact, N, to be taken off.
         sign: Which side of the record a push is on.
         impact: Which impact of the record, from 1.
@@ -453,8 +467,8 @@ def read_trace(
     settings = None if scenario is None else scenario._settings
     try:
         times, forces, deformation, understood = _softanvil.read_trace(
-            path, settings, time=time, force_column=force_column, acceleration=acceleration, displacement=displacement, mass=mass,
-            rate=rate, offset=offset, sign=sign, impact=impact, sheet=sheet, decimal=decimal)
+            path, settings, time=time, force_column=force_column, acceleration=acceleration, displacement=displacement,
+            mass=_with_unit(mass, "kg"), rate=_with_unit(rate, "Hz"), offset=offset, sign=sign, impact=impact, sheet=sheet, decimal=decimal)
     except SoftanvilError as error:
         raise type(error)(re.sub(r"--([a-z][a-z-]*)", lambda found: found[1].replace("-", "_"), str(error))) from None
     frame = pd.DataFrame({"force": forces}, index=pd.Index(times, name="time"))

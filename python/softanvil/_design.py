@@ -51,15 +51,20 @@ def rows(base: Scenario, parameters: Any) -> pd.DataFrame:
         table = pd.DataFrame(itertools.product(*levels.values()), columns=list(levels))
     else:
         table = pd.DataFrame(list(parameters))
-    if table.columns.duplicated().any():
-        raise ScenarioError("a parameter that is named twice is refused: expected every name once")
-    for name in table.columns:
-        base[str(name)]  # A name that is unknown is an error of the whole sweep.
+    # A name that is unknown is an error of the whole sweep.
+    columns: dict[str, str] = {}
+    for name in map(str, table.columns):
+        base[name]
+        full = base._settings.full_name(name)
+        if full in columns:
+            raise ScenarioError(f"{columns[full]} and {name} are the same parameter: expected every one once")
+        columns[full] = name
     return pd.DataFrame({str(name): _in_si(base, str(name), table[name]) for name in table.columns}, index=table.index)
 
 
 def _levels(values: Any) -> list[Any]:
-    if isinstance(values, (str, bytes)) or not np.iterable(values) or hasattr(values, "magnitude"):
+    # A quantity of pint has a magnitude, of which an array has many.
+    if isinstance(values, (str, bytes)) or not np.iterable(getattr(values, "magnitude", values)):
         return [values]
     return list(values)
 
@@ -68,14 +73,23 @@ def _in_si(base: Scenario, name: str, column: pd.Series[Any]) -> pd.Series[Any]:
     """Numbers of SI units for texts with units; what is refused stays as it is written, for the row to say so."""
     if pd.api.types.is_numeric_dtype(column) and not pd.api.types.is_bool_dtype(column):
         return column.astype(float)
-    trial, known = base.copy(), {}
-    for value in column.dropna().drop_duplicates():
+    trial, unit = base.copy(), "1"
+
+    def known(value: Any) -> Any:
+        nonlocal unit
+        if pd.api.types.is_scalar(value) and pd.isna(value):
+            return None
         try:
             trial[name] = value
-            known[value] = trial[name]
-        except ParameterError:
-            known[value] = value
-    values = [known.get(value) for value in column]
+            return trial[name]
+        except ParameterError as error:
+            unit = error.unit
+            return str(value)
+
+    values = [known(value) for value in column]
     if all(value is None or isinstance(value, (int, float)) and not isinstance(value, bool) for value in values):
         return pd.Series(values, index=column.index, dtype=float)
-    return pd.Series([None if value is None else str(value) for value in values], index=column.index, dtype=object)
+    # Beside what is refused, all are texts; a number has its unit there, which it has to have.
+    suffix = "" if unit == "1" else f" {unit}"
+    texts = [None if value is None else value if isinstance(value, str) else f"{value!r}{suffix}" for value in values]
+    return pd.Series(texts, index=column.index, dtype=object)

@@ -14,7 +14,7 @@ from ._animation import Animation
 from ._html import table
 from ._numbers import OUTPUTS, Numbers
 from ._plot import force
-from ._scenario import Scenario
+from ._scenario import Scenario, settings_of
 from ._state import State
 
 if TYPE_CHECKING:
@@ -148,11 +148,12 @@ def run(scenario: Scenario, *, frames: float | None = None, impacts: int = 1, re
     Raises:
         ScenarioError: Values that have no effect, or do not fit together.
         SimulationError: A step that cannot be made.
+        TypeError: Something else than a scenario.
     """
     if not 1 <= impacts <= 1000:
         raise ValueError(f"impacts = {impacts} is refused: expected 1 to 1000")
     samples = None if frames is None else _samples(frames)
-    done = _softanvil.run(scenario._settings, samples, impacts, rest)
+    done = _softanvil.run(settings_of(scenario), samples, impacts, rest)
     return Result(done, scenario.copy())
 
 
@@ -176,12 +177,14 @@ def run_many(
         threads: How many at once; 0 for one per core.
         errors: Whether a drop that is refused or fails raises its exception, or puts it in its place.
     """
+    if isinstance(scenarios, Scenario):
+        raise TypeError("one scenario is refused: expected several; softanvil.run simulates one")
     listed = list(scenarios)
     if threads < 0:
         raise ValueError(f"threads = {threads} is refused: expected 0 (one per core) or more")
     results: list[Result | Exception] = []
     for done, scenario in zip(
-        _softanvil.run_many([scenario._settings for scenario in listed], threads), listed, strict=True
+        _softanvil.run_many([settings_of(scenario) for scenario in listed], threads), listed, strict=True
     ):
         if not isinstance(done, Exception):
             results.append(Result(done, scenario.copy()))

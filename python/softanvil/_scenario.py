@@ -260,3 +260,14 @@ def preset(name: str = "study") -> Scenario:
 def presets() -> dict[str, str]:
     """The presets: what each is, by name."""
     return dict(_softanvil.presets())
+
+
+def settings_of(scenario: object) -> _softanvil.Settings:
+    """What the library takes for a scenario.
+
+    Raises:
+        TypeError: Something else than a scenario.
+    """
+    if not isinstance(scenario, Scenario):
+        raise TypeError(f'{scenario!r} is no scenario: expected a softanvil.Scenario, such as softanvil.preset("study")')
+    return scenario._settings

@@ -65,7 +65,7 @@ def sweep(
         progress: Whether a bar shows how far it is, where tqdm is installed; the dashboard of Dask shows the batches.
 
     Returns:
-        A row for every drop, in the order of the design: "run", from 0; the parameters, in SI units; the measured numbers in SI
+        A row for every drop, in the order of the design, with its index if it is a data frame: "run", from 0; the parameters, in SI units; the measured numbers in SI
         units; "ending" ("complete", "held", "in_contact", "no_contact" or "failed"); "trace_hash", equal for equal bits; "error",
         which is empty, or why the drop was refused or failed, and then the numbers are NaN.
 
@@ -90,7 +90,8 @@ def sweep(
         for piece, table in made:
             pieces.put(piece, table)
             advance(len(table))
-    return pieces.table()
+    table = pieces.table()
+    return table.set_axis(parameters.index) if isinstance(parameters, pd.DataFrame) else table
 
 
 def _here(

@@ -22,13 +22,17 @@ pub fn interruptible<T: Send>(py: Python<'_>, work: impl FnOnce(&Arc<AtomicBool>
     let receiver = Mutex::new(receiver);
     thread::scope(|scope| {
         let flag = &stop;
-        scope.spawn(move || sender.send(work(flag)));
+        let worker = scope.spawn(move || sender.send(work(flag)));
         let wait = || receiver.lock().unwrap_or_else(PoisonError::into_inner).recv_timeout(INTERVAL);
         let mut raised = None;
         loop {
             match py.detach(wait) {
                 Ok(done) => return raised.map_or(Ok(done), Err),
-                Err(RecvTimeoutError::Disconnected) => return Err(PyRuntimeError::new_err("the work panicked")),
+                Err(RecvTimeoutError::Disconnected) => {
+                    // A panic that nobody has taken would go on from the end of the scope.
+                    let _ = worker.join();
+                    return Err(PyRuntimeError::new_err("the work panicked"));
+                }
                 Err(RecvTimeoutError::Timeout) => {
                     if let Err(error) = py.check_signals() {
                         stop.store(true, Ordering::Relaxed);

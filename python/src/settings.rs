@@ -167,7 +167,7 @@ impl Settings {
                 };
                 let number = match (kind, text) {
                     (Kind::Quantity, Some(text)) => quantity::parse(&text, unit),
-                    (_, None) if !value.is_instance_of::<PyBool>() => plain(value, unit),
+                    (_, None) if !is_bool(value) => plain(value, unit),
                     _ => None,
                 };
                 number.ok_or_else(|| refuse(legal))
@@ -180,6 +180,11 @@ impl Settings {
         self.base = base;
         self.resolved = self.changes().resolve().unwrap_or_else(|_| self.base.clone());
     }
+}
+
+/// Whether `value` is a truth value, of Python or of numpy, which would pass for 0 or 1.
+fn is_bool(value: &Bound<'_, PyAny>) -> bool {
+    value.is_instance_of::<PyBool>() || value.get_type().name().is_ok_and(|name| name == "bool" || name == "bool_")
 }
 
 /// The number that `value` is; of a quantity with a unit (one of pint), in `unit`.
@@ -258,7 +263,8 @@ impl Settings {
     }
 
     fn __eq__(&self, other: &Self) -> bool {
-        self.resolved == other.resolved
+        let until = |settings: &Self| settings.subject().map(|subject| subject.until).ok();
+        self.resolved == other.resolved && until(self) == until(other)
     }
 
     /// Reads a scenario, or a `material` alone, upon what there is; the given values stay over it.
@@ -268,6 +274,12 @@ impl Settings {
         self.texts.push(Text { content: text, material });
         self.set_base(base);
         Ok(())
+    }
+
+    /// The name of the parameter called `name` that does not depend on how layers are called.
+    fn full_name(&self, py: Python<'_>, name: &str) -> PyResult<String> {
+        let parameter = self.find(name).map_err(|reason| error::scenario(py, reason))?;
+        Ok(parameter.name().to_string())
     }
 
     /// The value of the parameter called `name`: a number, or the label of a choice.

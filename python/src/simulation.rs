@@ -121,7 +121,7 @@ impl Simulation {
     ) -> PyResult<()> {
         let input = StepInput { external_force, driven_position: position, driven_velocity: velocity };
         let state = self.own();
-        if n <= CHUNK || position.is_some() {
+        if n <= CHUNK || position.is_some() || velocity.is_some() {
             // One call is one way of the face.
             return py.detach(|| state.step(n, &input)).or_raise(py);
         }

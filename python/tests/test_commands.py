@@ -71,6 +71,12 @@ def test_traces_are_read(trace, tmp_path):
         sa.read_trace(trace, mass="five")
     with pytest.raises(sa.FileError, match="cannot|No such"):
         sa.read_trace(tmp_path / "none.csv")
+    # Numbers are in SI units: samples of 50 us.
+    forces = tmp_path / "forces.csv"
+    forces.write_text("force [N]\n" + "\n".join(map(str, read["force"])))
+    assert (sa.read_trace(forces, rate=20_000)["force"] == sa.read_trace(forces, rate="20kHz")["force"]).all()
+    with pytest.raises(TypeError, match="trace of type DataFrame is refused"):
+        sa.measure(sa.preset("study"), trace=read)
 
 
 def test_a_fit_gives_a_material(root, tmp_path):

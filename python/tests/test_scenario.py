@@ -204,6 +204,18 @@ def test_numbers_of_numpy_are_numbers():
     assert (s.impactor.energy, s.layers[0].rows) == (9.5, 3)
 
 
+@pytest.mark.parametrize("value", [True, np.bool_(True)])
+def test_truth_values_are_no_numbers(value):
+    with pytest.raises(sa.ParameterError, match="impactor.mass = .*True.* is refused"):
+        sa.preset("study").impactor.mass = value
+
+
+def test_a_duration_that_is_given_makes_another_scenario():
+    s = sa.preset("study")
+    s.time.duration = s.time.duration
+    assert s != sa.preset("study")
+
+
 def test_texts_for_people():
     s = sa.preset("study").update({"impactor.energy": 9.8})
     assert repr(s) == "Scenario('study', impactor.drop_energy=9.8)"

@@ -78,6 +78,17 @@ def test_a_driven_face_in_arrays_is_the_same_as_call_by_call(driven):
     assert table["contact.force"].max() > 1000
 
 
+def test_a_call_without_a_position_is_one_way_however_long(driven):
+    """A velocity alone leaves the face where it is and sets how it arrives there."""
+    whole, through_rows = sa.Simulation(driven), sa.Simulation(driven)
+    for sim in (whole, through_rows):
+        sim.step(100, position=-1e-3, velocity=-0.5)
+    # More than what Ctrl-C waits for.
+    whole.step(20_001, velocity=0.1)
+    through_rows.drive(velocity=np.array([0.1]), steps=20_001, outputs=["impactor.position"])
+    assert whole.digest == through_rows.digest
+
+
 def test_a_force_is_an_array_too():
     sim = sa.Simulation(sa.preset("study"))
     table = sim.drive(external_force=np.linspace(0, 50, 30), outputs=["impactor.velocity"])

@@ -92,6 +92,33 @@ def test_failures_are_rows_with_their_reason():
         sa.sweep(short(), {"impactor.mas": [1.0]})
 
 
+def test_a_text_that_is_refused_leaves_the_others_of_its_column():
+    table = sa.sweep(short(), {"impactor.energy": ["5 J", "9.8", 4.9]})
+    assert table["ending"].tolist() == ["complete", "failed", "complete"]
+    assert "impactor.drop_energy = '9.8' is refused" in table["error"][1]
+    assert table["peak_force"][0] == sa.run(short().update({"impactor.energy": 5.0})).peak_force
+
+
+def test_a_table_keeps_the_index_of_its_design():
+    design = pd.DataFrame({"impactor.energy": [4.9, 9.8]}, index=[7, 9])
+    table = sa.sweep(short(), design)
+    assert table.index.tolist() == [7, 9] and table["run"].tolist() == [0, 1]
+    assert (pd.concat([design, table[["peak_force"]]], axis=1).notna()).all(axis=None)
+
+
+def test_a_parameter_by_two_names_is_refused():
+    with pytest.raises(sa.ScenarioError, match=r"silicone.c10 and layers\[0\].c10 are the same parameter"):
+        sa.sweep(short(), pd.DataFrame({"silicone.c10": [1e5], "layers[0].c10": [2e5]}))
+
+
+def test_what_is_no_scenario_is_refused():
+    for wrong in (lambda: sa.run("study"), lambda: sa.run_many([short(), None])):
+        with pytest.raises(TypeError, match="is no scenario: expected a softanvil.Scenario"):
+            wrong()
+    with pytest.raises(TypeError, match="expected several"):
+        sa.run_many(short())
+
+
 def test_neither_threads_nor_batches_change_a_bit():
     design = points(16)
     whole = sa.sweep(short(), design, threads=1, batch=16)
