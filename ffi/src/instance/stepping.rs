@@ -63,6 +63,11 @@ impl Instance {
         self.clock.kernel_time(simulation.constants().dt, self.experiment.start + simulation.time())
     }
 
+    /// The kernel's step, s; none where there is no simulation.
+    pub fn time_step(&self) -> f64 {
+        self.simulation_at_work().map_or(0.0, |simulation| simulation.constants().dt)
+    }
+
     /// Advances from `point` by `step`, s.
     ///
     /// # Errors

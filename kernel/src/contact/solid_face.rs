@@ -200,12 +200,11 @@ impl Surface<'_> {
         for (place, numbers) in self.touches.iter_mut().enumerate() {
             let mut touch = Touch::of(*numbers);
             let normal = touch.force(rise, dt);
-            if normal > 0.0 {
+            // A node that the friction of the others has let go keeps its own, of which the face has the reaction.
+            if normal > 0.0 || touch.friction != [0.0; 3] {
                 let force = core::array::from_fn(|i| normal * touch.out[i] + touch.friction[i]);
                 self.nodes.add_force(first + place, force);
                 total -= normal * touch.out[1];
-            } else {
-                touch.friction = [0.0; 3];
             }
             touch.depth = normal;
             *numbers = touch.numbers();

@@ -122,7 +122,7 @@ fn make(session: &mut Session, advance: &mut Advance) -> Result<bool, Error> {
 /// Makes the kernel steps of a master who looks at each.
 #[inline(never)]
 fn make_watched(instance: &mut types::Instance, answer: &mut Answer, mut advance: Advance) -> Status {
-    let mut event_handling_needed = false;
+    let (mut event_handling_needed, mut return_at) = (false, f64::INFINITY);
     loop {
         let had_none_left = advance.is_complete();
         let status = enter(instance, &calls::DO_STEP, |session| {
@@ -131,7 +131,7 @@ fn make_watched(instance: &mut types::Instance, answer: &mut Answer, mut advance
         });
         let returns = status != Status::OK
             || had_none_left
-            || wants_return(instance, &advance, event_handling_needed)
+            || wants_return(instance, &advance, event_handling_needed, &mut return_at)
             || advance.is_complete();
         if returns {
             return finish(instance, answer, &advance, event_handling_needed, status);
@@ -148,11 +148,12 @@ fn pause(session: &Session) -> Pause {
     }
 }
 
-/// Shows an intermediate state to the master, if he asked for it; tells whether the step ends here.
-fn wants_return(instance: &mut types::Instance, advance: &Advance, event: bool) -> bool {
+/// Shows an intermediate state to the master, if he asked for it; tells whether the step ends here. `return_at` is the earliest time,
+/// s, at which he has wanted that; the whole step nearest to it ends there, as at any time that is asked for.
+fn wants_return(instance: &mut types::Instance, advance: &Advance, event: bool, return_at: &mut f64) -> bool {
     let Some(session) = instance.get() else { return true };
     let (updates, allowed) = (session.updates, session.early_return_allowed);
-    let time = neutral(|| session.instance.time());
+    let (time, half_a_step) = neutral(|| (session.instance.time(), 0.5 * session.instance.time_step()));
     let Some(call) = updates.call else { return allowed && event };
     // The callback may read variables: from here to its end nothing borrows the session.
     session.instance.set_intermediate_update(true);
@@ -163,7 +164,10 @@ fn wants_return(instance: &mut types::Instance, advance: &Advance, event: bool) 
     if let Some(session) = instance.get() {
         session.instance.set_intermediate_update(false);
     }
-    allowed && (event || (requested != 0 && until <= time))
+    if requested != 0 {
+        *return_at = return_at.min(until);
+    }
+    allowed && (event || neutral(|| *return_at < time + half_a_step))
 }
 
 /// Tells where a step that was watched ended.
