@@ -13,6 +13,8 @@ cd "$here"
 cargo fmt --check
 [ -x "$venv/bin/python" ] || python3 -m venv "$venv"
 "$venv/bin/python" -m pip install --quiet --disable-pip-version-check -r requirements.txt
-cargo clippy -q --release --locked -- -D warnings
 VIRTUAL_ENV=$venv PATH=$venv/bin:$PATH "$venv/bin/maturin" develop --quiet --release
+# As cargo clippy, but over the libraries that were just compiled, which that would all look through once more. Another crate
+# type, because what clippy compiles must not take the place of the package.
+RUSTC_WORKSPACE_WRAPPER=clippy-driver cargo rustc -q --release --locked --crate-type lib -- -D warnings
 "$venv/bin/python" -m pytest -p no:cacheprovider -q -n 2 --dist loadgroup "$@"
