@@ -19,7 +19,7 @@ pub struct Numbers {
     pub transmitted: f64,
     /// Largest contact force over the impactor's weight, which an accelerometer in it sees, in g.
     pub acceleration: f64,
-    /// Time over which the contact force is above the threshold, s.
+    /// Time over which the contact force is at or above the threshold, s.
     pub duration: f64,
     /// Impulse of the contact force, N s.
     pub impulse: f64,
