@@ -88,7 +88,7 @@ impl Table {
                     list(&titles)
                 )
             });
-            return Err(ReadError::file(reason));
+            return Err(ReadError::file(format!("{reason}{}", noted(&notes))));
         }
         let words = format!("{}\n{}", titles.join("\n"), sheet.words());
         let series = split(sheet, body, &columns);
@@ -140,12 +140,21 @@ impl Table {
     }
 }
 
+/// Notes as the end of an error.
+pub(super) fn noted(notes: &[String]) -> String {
+    notes.iter().map(|note| format!("; {note}")).collect()
+}
+
 /// The columns of a table that are understood, those without any number left out, and why others are not.
 fn understood(sheet: &Sheet, body: &Body, titles: &[String], notes: &mut Vec<String>) -> (Vec<Column>, Vec<String>) {
     let mut columns: Vec<Column> = Vec::new();
     let mut unclear = Vec::new();
     let mut others = Vec::new();
     for (index, title) in titles.iter().enumerate().filter(|(_, title)| !title.is_empty()) {
+        if column::is_of_a_model(title, titles) {
+            notes.push(format!("\"{title}\" is passed over, as a fit, a model or a scatter"));
+            continue;
+        }
         match Column::recognise(index, title) {
             Ok(Some(column)) if column.kind.dimension().is_some() && is_empty(sheet, body, index) => {
                 notes.push(format!("\"{title}\" has no values and is passed over"));
@@ -154,9 +163,6 @@ fn understood(sheet: &Sheet, body: &Body, titles: &[String], notes: &mut Vec<Str
             Ok(None) => others.push((index, title)),
             Err(reason) => unclear.push(reason),
         }
-    }
-    for (_, title) in others.iter().filter(|(_, title)| column::is_of_a_model(title)) {
-        notes.push(format!("\"{title}\" is passed over, as a fit, a model or a scatter"));
     }
     // LabVIEW's first column, by what stands above it.
     for (index, title) in others.iter().filter(|(_, title)| sheet.facts.x_is_time && title.starts_with("X_Value")) {

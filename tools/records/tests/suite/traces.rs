@@ -165,6 +165,31 @@ fn what_the_file_leaves_open_is_refused_with_the_option_that_decides() {
     }
 }
 
+/// A word that is a part of another, or the name of a sensor, leaves no column out.
+#[test]
+fn a_second_force_is_never_passed_over_by_a_word_in_its_title() {
+    let two = |first: &str, second: &str| {
+        format!("time [s],{first},{second}\n{}", rows(|_, t, f| format!("{t:.5},{f:.3},{f:.3}")))
+    };
+    for (first, second) in [
+        ("Load cell force [N]", "Calibrated force [N]"),
+        ("Load cell force [N]", "Workpiece force [N]"),
+        ("Force [N]", "Temperature corrected force [N]"),
+        ("Force Fe [N]", "Force Fi [N]"),
+        ("Force CI [N]", "Kraft 2 [N]"),
+        ("Force model 9301B [N]", "Force model 9305A [N]"),
+    ] {
+        let found = refusal(&two(first, second), &Options::default());
+        assert!(found.contains(&format!("2 columns of force: \"{first}\", \"{second}\"; name one")), "{found}");
+    }
+    for computed in ["Force model [N]", "Force CI [N]", "Force fit [N]", "Force rate [N/s]"] {
+        assert_impact(&read(&two("Force [N]", computed), &Options::default()).unwrap(), 5e-4, computed);
+    }
+    let text = format!("time [s],Force fit [N]\n{}", rows(|_, t, f| format!("{t:.5},{f:.3}")));
+    let found = refusal(&text, &Options::default());
+    assert!(found.contains("\"Force fit [N]\" is passed over, as a fit, a model or a scatter"), "{found}");
+}
+
 #[test]
 fn options_settle_what_is_open() {
     let choice = |text: &str| Some(text.parse::<trace::Choice>().unwrap());
