@@ -23,7 +23,7 @@ pub struct Contact {
     pub sign: f64,
     /// Reading without contact, in the unit of the record.
     pub offset: f64,
-    /// Samples before contact.
+    /// Samples before contact that show what it does without, those next to it.
     pub before: usize,
     /// Median of those samples.
     pub reading: f64,
@@ -48,6 +48,11 @@ pub struct Given {
 pub const MIN_BEFORE: usize = 10;
 /// Samples at the beginning from which values are counted until the offset is known.
 const FIRST: usize = 5;
+/// Time before contact, s, whose samples show what the force is without; those before count if they show the same.
+const NEXT: f64 = 5e-3;
+/// Part of the peak by which two readings may differ that show the same, and standard deviations of the noise.
+const STEADY: f64 = 1e-3;
+const STEADY_NOISE: f64 = 3.0;
 /// Part of the peak above which a sample is in contact.
 const IN_CONTACT: f64 = 0.05;
 /// Standard deviations of the noise above which a sample is in contact.
@@ -83,8 +88,9 @@ impl Contact {
             );
             return Err(ReadError::file(reason));
         }
-        let before = quiet(values, |value| sign * (value - start) / peak);
-        let quiet = &values[..before];
+        let touch = quiet(values, |value| sign * (value - start) / peak);
+        let quiet = settled(&times[..touch], &values[..touch], STEADY * peak);
+        let before = quiet.len();
         let ((reading, scatter), enough) = (median_and_deviation(quiet), before >= MIN_BEFORE);
         let offset = given.offset.unwrap_or(if enough { reading } else { 0.0 });
         let noise = if enough { scatter } else { 0.0 };
@@ -164,6 +170,24 @@ fn quiet(values: &[f64], part: impl Fn(f64) -> f64) -> usize {
     // What rises to there without a break is contact already; noise breaks it.
     let breaks = |index: &usize| part(values[index - 1]) >= part(values[*index]);
     (1..low).rev().find(breaks).unwrap_or_default()
+}
+
+/// The last of `values` over `times` that all show the same, by `steady` or the noise: an accelerometer shows less as it falls
+/// than as it was held.
+fn settled<'a>(times: &[f64], values: &'a [f64], steady: f64) -> &'a [f64] {
+    let count = values.len();
+    let next = times.last().map_or(0, |last| times.iter().rev().take_while(|time| last - **time <= NEXT).count());
+    let mut length = next.max(MIN_BEFORE).min(count);
+    while length < count {
+        let longer = (2 * length).min(count);
+        let (level, noise) = median_and_deviation(&values[count - length..]);
+        let (before, scatter) = median_and_deviation(&values[count - longer..count - length]);
+        if (level - before).abs() > steady.max(STEADY_NOISE * noise.max(scatter)) {
+            break;
+        }
+        length = longer;
+    }
+    &values[count - length..]
 }
 
 fn impacts(times: &[f64], push: impl Fn(usize) -> f64, threshold: f64) -> Vec<Impact> {
@@ -272,6 +296,20 @@ mod tests {
                 let tolerance = if what == "drift" { 4e-2 } else { 2e-4 };
                 assert!((found.1 - end).abs() < tolerance, "{what} {scatter}: {found:?}");
             }
+        }
+    }
+
+    /// Held for 0.2 s at 1 g, which falls for 0.1 s.
+    #[test]
+    fn the_offset_is_that_next_to_the_contact() {
+        for (held, falling) in [(1.0, 0.0), (0.0, -1.0), (0.3, 0.3)] {
+            let (times, mut values) = record(&[(0.3, 81.0)], 0.0);
+            for (time, value) in times.iter().zip(&mut values) {
+                *value += if *time < 0.2 { held } else { falling };
+            }
+            let contact = Contact::find(&times, &values, Given::default()).unwrap();
+            assert!((contact.offset - falling).abs() < 1e-12, "{contact:?}");
+            assert!(contact.before > if held == falling { 5990 } else { 1000 }, "{contact:?}");
         }
     }
 
