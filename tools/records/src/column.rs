@@ -54,6 +54,12 @@ impl Column {
         let Some(kind) = kind else { return Ok(None) };
         let measure = measure_of(&words).map_err(refuse)?;
         let of_kind = unit.as_deref().and_then(|text| Unit::of(kind.dimension()?, text));
+        let other = split_unit(&name).unit.and_then(|text| Some((Unit::of(kind.dimension()?, &text)?, text)));
+        if let (Some(unit), Some(one), Some((other, two))) = (&unit, of_kind, other)
+            && one.si != other.si
+        {
+            return Err(refuse(&format!("has two units, {two} and {unit}: expected one")));
+        }
         if let (Some(bracket), None, Some(_)) = (&bracket, of_kind, kind.dimension()) {
             let known = unit::is_unit(bracket) || bracket.contains(['/', '%']);
             if known {
@@ -543,9 +549,15 @@ mod tests {
         ] {
             assert_eq!(Column::recognise(0, title), Ok(None), "{title}");
         }
-        for title in
-            ["Elongation", "Almansi strain", "stress [mm]", "engineering true strain", "Force [g/cm]", "Force [V]"]
-        {
+        for title in [
+            "Force [kN] [N]",
+            "Elongation",
+            "Almansi strain",
+            "stress [mm]",
+            "engineering true strain",
+            "Force [g/cm]",
+            "Force [V]",
+        ] {
             assert!(Column::recognise(0, title).is_err(), "{title}");
         }
     }

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::ReadError;
+use super::cells::clock;
 use super::column::{self, Column, Kind};
 use super::number::{self, Cell, Decimal};
 use super::sheet::{Body, Row, Sheet};
@@ -28,6 +29,8 @@ pub struct Table {
     pub words: String,
     /// The specimens.
     pub series: Vec<Series>,
+    /// Why columns are not understood.
+    pub unclear: Vec<String>,
     /// How the file was understood where it left a choice.
     pub notes: Vec<String>,
     sheet: Arc<Sheet>,
@@ -93,7 +96,7 @@ impl Table {
         let words = format!("{}\n{}", titles.join("\n"), sheet.words());
         let series = split(sheet, body, &columns);
         notes.insert(0, described(sheet, body));
-        Ok(Self { columns, titles, words, series, notes, sheet: Arc::clone(sheet) })
+        Ok(Self { columns, titles, words, series, unclear, notes, sheet: Arc::clone(sheet) })
     }
 
     /// The columns of `kind`.
@@ -110,6 +113,9 @@ impl Table {
         match number::read(cell, self.sheet.decimal) {
             Cell::Number(number) => Ok(Some(number)),
             Cell::Missing => Ok(None),
+            Cell::Text if column.kind == Kind::Time && clock(cell).is_some() => {
+                Ok(clock(cell).map(|seconds| seconds / column.si.unwrap_or(1.0)))
+            }
             Cell::Text => {
                 let sign = if self.sheet.decimal == Decimal::Point { "point" } else { "comma" };
                 let reason =
@@ -182,6 +188,14 @@ fn understood(sheet: &Sheet, body: &Body, titles: &[String], notes: &mut Vec<Str
         if let (Some(unit), Some(text)) = (unit, text) {
             notes.push(format!("\"{}\" is in {text}: {of} above the table says so", column.title));
             (column.si, column.unit) = (Some(unit.si), Some(text));
+        }
+    }
+    let is_clock =
+        |index: usize| body.blocks.iter().flatten().next().is_some_and(|row| clock(sheet.cell(*row, index)).is_some());
+    for column in columns.iter_mut().filter(|column| column.kind == Kind::Time && column.si.is_none()) {
+        if is_clock(column.index) {
+            notes.push(format!("\"{}\" is a time of day", column.title));
+            (column.si, column.unit) = (Some(1.0), Some("s".into()));
         }
     }
     let by_unit: Vec<Column> = others.iter().filter_map(|(index, title)| Column::by_unit(*index, title)).collect();

@@ -132,7 +132,8 @@ fn load(table: &Table, options: &Options) -> Result<Column, ReadError> {
     let listed = table.titles.iter().map(|title| format!("\"{title}\"")).collect::<Vec<_>>().join(", ");
     let reason = format!(
         "no column of force or acceleration understood among {listed}: name it with its unit, as in --force-column \"TITLE [N]\" or \
-         --acceleration \"TITLE [g]\"{}",
+         --acceleration \"TITLE [g]\"{}{}",
+        noted(&table.unclear),
         noted(passed_over)
     );
     Err(ReadError::file(reason))

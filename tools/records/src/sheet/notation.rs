@@ -1,7 +1,7 @@
 //! How the rows of numbers in a file are written: separator, decimal sign, and what else may stand in them.
 
 use crate::ReadError;
-use crate::cells::{Cells, SEPARATORS, Separator, is_date};
+use crate::cells::{Cells, SEPARATORS, Separator, clock, is_date};
 use crate::facts;
 use crate::number::{self, Cell, Decimal};
 use crate::text::{self, Lines};
@@ -97,18 +97,19 @@ impl Notation {
     }
 }
 
-/// Whether cells are a row of numbers: `least` or more, beside them only names, dates and times of day.
+/// Whether cells are a row of numbers: `least` or more, of which one may be a time of day, beside them only names and dates.
 pub(super) fn is_numeric<'a>(cells: impl Iterator<Item = &'a str>, decimal: Decimal, least: usize) -> bool {
-    let mut numbers = 0;
+    let (mut numbers, mut clocks) = (0, 0);
     for cell in cells {
         match number::read(cell, decimal) {
             Cell::Number(_) => numbers += 1,
             Cell::Missing => {}
+            Cell::Text if clock(cell).is_some() => clocks = 1,
             Cell::Text if is_name(cell) || is_date(cell) => {}
             Cell::Text => return false,
         }
     }
-    numbers >= least
+    numbers > 0 && numbers + clocks >= least
 }
 
 fn is_name(cell: &str) -> bool {

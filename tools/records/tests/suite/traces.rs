@@ -51,6 +51,14 @@ fn the_same_impact_in_many_layouts() {
                     }
                 }),
         ),
+        ("a clock", "Time,Force [N]\n".to_string() + &rows(|_, t, f| format!("00:00:{t:08.5},{f:.3}"))),
+        (
+            "a clock with a date",
+            "Zeit [s];Kraft [N]\n".to_string()
+                + &rows(|_, t, f| {
+                    format!("02.05.2024 00:00:{};{}", comma(format!("{t:08.5}")), comma(format!("{f:.3}")))
+                }),
+        ),
         ("metadata", format!("Operator,me\nDate,2024-05-02 10:11:12\nMass,5.0,kg\nSample rate,20,kHz\n\n{}", ok())),
         ("an index", ",time [s],force [N]\n".to_string() + &rows(|i, t, f| format!("{i},{t:.5},{f:.3}"))),
         (
@@ -125,6 +133,7 @@ fn what_the_file_leaves_open_is_refused_with_the_option_that_decides() {
         (data("time [s],force"), "column \"force\" has no unit of force: state it, as in --force-column \"force [N]\""),
         (data("time [s],a [g]"), "is an acceleration: give the mass that falls, as in --mass \"5 kg\""),
         (data("time [s],CH1 [V]"), "no column of force or acceleration understood among \"time [s]\", \"CH1 [V]\""),
+        (data("time,force [kN]\ns,N"), "column \"force [kN] [N]\" has two units, kN and N: expected one"),
         (data("x,y"), "no column of force or acceleration understood among \"x\", \"y\""),
         (rows(|_, t, f| format!("{t:.5},{f:.3}")), "the 2 columns have no titles: name them by number"),
         ("force [N],count\n".to_string() + &rows(|i, _, f| format!("{f:.3},{i}")), "give --rate \"20 kHz\""),
@@ -210,6 +219,8 @@ fn options_settle_what_is_open() {
     assert_impact(&read(&volts, &sensor).unwrap(), 1e-3, "a sensor");
     let wrong = Options { force: choice("CH1 [250 N/mV]"), ..Options::default() };
     assert!(refusal(&volts, &wrong).contains("the column is in v"));
+    let twice = Options { force: choice("Kraft [2 kN/V]"), ..Options::default() };
+    assert!(refusal(&plain("time [s],Kraft [kN]"), &twice).contains("the column is in kN: expected one in V or mV"));
     let rated = Options { rate: Some(2e4), ..Options::default() };
     let rounded = "time [s],force [N]\n".to_string() + &rows(|_, t, f| format!("{t:.3},{f:.3}"));
     assert_impact(&read(&rounded, &rated).unwrap(), 1e-3, "a rate");
