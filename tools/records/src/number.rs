@@ -56,6 +56,14 @@ pub fn read(cell: &str, decimal: Decimal) -> Cell {
     }
 }
 
+/// The part of one in a cell such as 10 %.
+pub fn percentage(cell: &str, decimal: Decimal) -> Option<f64> {
+    match read(cell.trim().strip_suffix('%')?, decimal) {
+        Cell::Number(number) => Some(0.01 * number),
+        _ => None,
+    }
+}
+
 /// The decimal sign that a cell tells, as a number that is none by the other sign.
 pub fn told(cell: &str) -> Option<Decimal> {
     match [Decimal::Point, Decimal::Comma].map(|decimal| matches!(read(cell, decimal), Cell::Number(_))) {

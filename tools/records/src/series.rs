@@ -7,7 +7,7 @@ use super::cells::clock;
 use super::column::{self, Column, Kind};
 use super::number::{self, Cell, Decimal};
 use super::sheet::{Body, Row, Sheet};
-use super::unit::Unit;
+use super::unit::{Dimension, Unit};
 
 /// The rows of one specimen.
 #[derive(Clone, Debug)]
@@ -116,6 +116,9 @@ impl Table {
             Cell::Text if column.kind == Kind::Time && clock(cell).is_some() => {
                 Ok(clock(cell).map(|seconds| seconds / column.si.unwrap_or(1.0)))
             }
+            Cell::Text if column.kind.dimension() == Some(Dimension::Ratio) && self.percentage(cell).is_some() => {
+                Ok(self.percentage(cell).map(|part| part / column.si.unwrap_or(1.0)))
+            }
             Cell::Text => {
                 let sign = if self.sheet.decimal == Decimal::Point { "point" } else { "comma" };
                 let reason =
@@ -123,6 +126,10 @@ impl Table {
                 Err(ReadError::line(row.line, reason))
             }
         }
+    }
+
+    fn percentage(&self, cell: &str) -> Option<f64> {
+        number::percentage(cell, self.sheet.decimal)
     }
 
     /// The sheet that the table stands in.
@@ -190,13 +197,16 @@ fn understood(sheet: &Sheet, body: &Body, titles: &[String], notes: &mut Vec<Str
             (column.si, column.unit) = (Some(unit.si), Some(text));
         }
     }
-    let is_clock =
-        |index: usize| body.blocks.iter().flatten().next().is_some_and(|row| clock(sheet.cell(*row, index)).is_some());
-    for column in columns.iter_mut().filter(|column| column.kind == Kind::Time && column.si.is_none()) {
-        if is_clock(column.index) {
-            notes.push(format!("\"{}\" is a time of day", column.title));
-            (column.si, column.unit) = (Some(1.0), Some("s".into()));
-        }
+    for column in columns.iter_mut().filter(|column| column.si.is_none()) {
+        let cell = body.blocks.iter().flatten().next().map_or("", |row| sheet.cell(*row, column.index));
+        let ratio = column.kind.dimension() == Some(Dimension::Ratio);
+        let (unit, of) = match column.kind {
+            Kind::Time if clock(cell).is_some() => ("s", "times of day"),
+            _ if ratio && number::percentage(cell, sheet.decimal).is_some() => ("1", "percentages"),
+            _ => continue,
+        };
+        notes.push(format!("\"{}\" holds {of}", column.title));
+        (column.si, column.unit) = (Some(1.0), Some(unit.into()));
     }
     let by_unit: Vec<Column> = others.iter().filter_map(|(index, title)| Column::by_unit(*index, title)).collect();
     for column in &by_unit {

@@ -104,6 +104,7 @@ pub(super) fn is_numeric<'a>(cells: impl Iterator<Item = &'a str>, decimal: Deci
         match number::read(cell, decimal) {
             Cell::Number(_) => numbers += 1,
             Cell::Missing => {}
+            Cell::Text if number::percentage(cell, decimal).is_some() => numbers += 1,
             Cell::Text if clock(cell).is_some() => clocks = 1,
             Cell::Text if is_name(cell) || is_date(cell) => {}
             Cell::Text => return false,
