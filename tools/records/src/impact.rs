@@ -96,8 +96,13 @@ impl Contact {
         let noise = if enough { scatter } else { 0.0 };
         let push = |index: usize| sign * (values[index] - offset);
         let peak = (0..values.len()).map(push).fold(0.0, f64::max);
-        let impacts = impacts(times, push, (IN_CONTACT * peak).max(ABOVE_NOISE * noise));
+        let impacts = impacts(times, push, in_contact(peak, noise));
         Ok(Self { sign, offset, before, reading, noise, opposite: opposite / peak, impacts })
+    }
+
+    /// The push from which a sample of impact `index` is in contact.
+    pub fn threshold(&self, index: usize) -> f64 {
+        in_contact(self.impacts[index].peak, self.noise)
     }
 
     /// The samples of impact `index` in a record of `values` over `times`, with the flight before and after it, up to the
@@ -161,6 +166,11 @@ fn roughness(values: &[f64]) -> f64 {
     const MEDIAN: f64 = 0.953_872_552_417_3;
     let differences: Vec<f64> = values.windows(2).map(|pair| (pair[1] - pair[0]).abs()).collect();
     if differences.is_empty() { 0.0 } else { median(differences) / MEDIAN }
+}
+
+/// The push from which a sample is in contact, where the largest is `peak`.
+fn in_contact(peak: f64, noise: f64) -> f64 {
+    (IN_CONTACT * peak).max(ABOVE_NOISE * noise)
 }
 
 /// Number of samples before the first rise above half of the peak begins; `part` is a value over the peak.

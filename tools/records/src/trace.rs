@@ -212,7 +212,7 @@ impl Record<'_> {
         say_impacts(&mut understood, &impacts, wanted, factor);
         let trace = Cut { samples, contact, index, factor }.trace(&self.channels)?;
         let trace = Trace { understood, ..trace };
-        self.judged(trace, contact.impacts[index].peak * factor)
+        self.judged(trace, contact.threshold(index) * factor)
     }
 
     /// N in one unit of the load's column.

@@ -282,6 +282,26 @@ fn an_offset_is_taken_off_or_warned_of() {
     assert!(few.understood.warnings[0].contains("--offset -60.000 does"), "{}", few.understood);
 }
 
+/// Noise of 1.5 % of the peak reaches 5 % in a record of half a second, long before and behind the impact.
+#[test]
+fn noise_makes_no_impact_of_half_a_second() {
+    let mut state = 1_u64;
+    let mut uniform = || {
+        state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        (state >> 33) as f64 / 2_f64.powi(31) - 0.5
+    };
+    // The sum of twelve is nearly normal, with a standard deviation of one.
+    let mut row = |i: i32| {
+        let noise = 60.0 * (0..12).map(|_| uniform()).sum::<f64>();
+        let time = 5e-5 * f64::from(i);
+        format!("{time:.5},{:.3}\n", half_sine(time - 0.05) + noise)
+    };
+    let text = "time [s],force [N]\n".to_string() + &(0..10_000).map(&mut row).collect::<String>();
+    let trace = read(&text, &Options::default()).unwrap();
+    let beyond = trace.times.iter().zip(&trace.forces).filter(|(time, force)| **time > 0.06 && **force > 200.0);
+    assert!(beyond.count() > 0 && trace.understood.warnings.is_empty(), "{}", trace.understood);
+}
+
 #[test]
 fn a_force_that_is_cut_off_is_warned_of() {
     let text = "time [s],force [N]\n".to_string() + &rows(|_, t, f| format!("{t:.5},{:.3}", f.min(3e3)));
