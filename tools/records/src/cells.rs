@@ -107,6 +107,26 @@ pub(crate) fn is_date(cell: &str) -> bool {
     cell.chars().all(legal) && cell.matches([':', '/', '-', '.']).count() >= 2
 }
 
+/// The time of day in a cell such as 10:11:12.995, in s; a date may stand before it.
+pub(crate) fn clock(cell: &str) -> Option<f64> {
+    let time = match cell.trim_end_matches('Z').rsplit_once([' ', 'T']) {
+        Some((date, time)) => Some(time).filter(|_| is_date(date))?,
+        None => cell.trim_end_matches('Z'),
+    };
+    let mut parts = time.split(':');
+    let [hours, minutes, seconds] = [parts.next()?, parts.next()?, parts.next()?];
+    let (whole, fraction) = seconds.split_once(['.', ',']).unwrap_or((seconds, "0"));
+    let is_digits = |text: &str| !text.is_empty() && text.bytes().all(|c| c.is_ascii_digit());
+    let legal = [hours, minutes, whole, fraction].into_iter().all(is_digits) && minutes.len() == 2 && whole.len() == 2;
+    if !legal || parts.next().is_some() {
+        return None;
+    }
+    let [hours, minutes, whole] = [hours, minutes, whole].map(|text| text.parse::<f64>().ok());
+    let seconds = whole? + format!("0.{fraction}").parse::<f64>().ok()?;
+    let minutes = minutes.filter(|minutes| *minutes < 60.0)?;
+    Some(3600.0 * hours? + 60.0 * minutes + seconds).filter(|_| seconds < 61.0)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -127,6 +147,23 @@ mod tests {
             (Separator::Alone, " 1.5 ", &["1.5"]),
         ] {
             assert_eq!(separator.cells(line).collect::<Vec<_>>(), cells, "{line}");
+        }
+    }
+
+    #[test]
+    fn a_clock_is_read_in_seconds() {
+        for (cell, seconds) in [
+            ("10:11:12.995", Some(36672.995)),
+            ("0:00:00,0125", Some(0.0125)),
+            ("2024-05-02 10:11:12", Some(36672.0)),
+            ("2024-05-02T10:11:12.5Z", Some(36672.5)),
+            ("10:11", None),
+            ("10:61:12", None),
+            ("10:11:12:13", None),
+            ("at 10:11:12", None),
+            ("10:11:12.", None),
+        ] {
+            assert_eq!(clock(cell), seconds, "{cell}");
         }
     }
 }

@@ -42,11 +42,11 @@ impl Column {
     pub fn recognise(index: usize, title: &str) -> Result<Option<Self>, String> {
         let Spelled { name, unit, bracket } = split_unit(title);
         let words = words_of(&name);
-        if is_of_another_test(title, &words) || is_computed(&words) {
+        let first = unit.as_deref().and_then(Unit::parse);
+        if is_of_another_test(title, &words) && !is_load(first) || is_computed(&words) {
             return Ok(None);
         }
         let refuse = |reason: &str| format!("column \"{title}\" {reason}");
-        let first = unit.as_deref().and_then(Unit::parse);
         let kind = match channel::code(title) {
             Some(code) => code.kind,
             None => kind_of(&words, first, unit.as_deref()).map_err(refuse)?,
@@ -54,6 +54,12 @@ impl Column {
         let Some(kind) = kind else { return Ok(None) };
         let measure = measure_of(&words).map_err(refuse)?;
         let of_kind = unit.as_deref().and_then(|text| Unit::of(kind.dimension()?, text));
+        let other = split_unit(&name).unit.and_then(|text| Some((Unit::of(kind.dimension()?, &text)?, text)));
+        if let (Some(unit), Some(one), Some((other, two))) = (&unit, of_kind, other)
+            && one.si != other.si
+        {
+            return Err(refuse(&format!("has two units, {two} and {unit}: expected one")));
+        }
         if let (Some(bracket), None, Some(_)) = (&bracket, of_kind, kind.dimension()) {
             let known = unit::is_unit(bracket) || bracket.contains(['/', '%']);
             if known {
@@ -101,10 +107,10 @@ impl Column {
     pub fn by_unit(index: usize, title: &str) -> Option<Self> {
         let Spelled { name, unit, .. } = split_unit(title);
         let words = words_of(&name);
-        if is_of_another_test(title, &words) || is_computed(&words) {
+        let text = unit?;
+        if is_of_another_test(title, &words) && !is_load(Unit::parse(&text)) || is_computed(&words) {
             return None;
         }
-        let text = unit?;
         let foreign = name.chars().any(|c| c.is_alphabetic() && c > '\u{3ff}');
         let meanings = Unit::meanings(&text);
         let [unit] = meanings.as_slice() else { return None };
@@ -186,10 +192,17 @@ fn is_lateral(words: &[String]) -> bool {
         && has(&["strain", "stretch", "dehnung", "streckung", "déformation", "deformación", "ε", "λ"])
 }
 
+/// Whether `unit` is one of the loads of an impact: under it a word such as "temperature" is of how the load was corrected.
+fn is_load(unit: Option<Unit>) -> bool {
+    unit.is_some_and(|unit| matches!(unit.dimension, Dimension::Force | Dimension::Acceleration))
+}
+
 /// Whether a column is of what no fit and no impact needs: rates, energies, lateral displacements, moduli of oscillations.
 fn is_of_another_test(title: &str, words: &[String]) -> bool {
     const OTHERS: &[&str] = &[
         "rate",
+        "rates",
+        "strainrate",
         "speed",
         "velocity",
         "energy",
@@ -198,62 +211,87 @@ fn is_of_another_test(title: &str, words: &[String]) -> bool {
         "temperature",
         "angular",
         "torque",
-        "geschwindigkeit",
-        "temperatur",
     ];
+    /// Ends of German words, which join several in one.
+    const ENDS: &[&str] = &["geschwindigkeit", "temperatur"];
     const FREE: &[&str] = &["lateral", "transverse"];
     let has = |parts: &[&str]| words.iter().any(|word| parts.iter().any(|part| word.contains(part)));
     words.is_empty() && !title.contains(char::is_alphabetic)
-        || has(OTHERS)
+        || words.iter().any(|word| OTHERS.contains(&word.as_str()) || ENDS.iter().any(|end| word.ends_with(end)))
         || has(FREE) && !is_lateral(words)
         || is_dynamic(title, words)
 }
 
-/// Whether a title is one of a fit, a model or a scatter.
-pub fn is_of_a_model(title: &str) -> bool {
-    is_computed(&words_of(&split_unit(title).name))
+/// Words of a column that was computed: a fit, a model, a scatter.
+const COMPUTED: &[&str] = &[
+    "fit",
+    "fits",
+    "fitted",
+    "fitting",
+    "modelled",
+    "modeled",
+    "pred",
+    "predicted",
+    "prediction",
+    "simulated",
+    "simulation",
+    "theory",
+    "theoretical",
+    "calculated",
+    "analytical",
+    "err",
+    "error",
+    "std",
+    "stdev",
+    "stddev",
+    "deviation",
+    "residual",
+    "residuals",
+    "uncertainty",
+];
+
+/// Words that say the same, or something else: the model or the letters of a sensor.
+const PERHAPS_COMPUTED: &[&str] = &["model", "modell", "modelo", "sim", "fem", "fea", "fe", "calc", "sd", "sem", "ci"];
+
+/// Words of a column beside a computed one.
+const MEASURED: &[&str] = &[
+    "data",
+    "exp",
+    "experiment",
+    "experimental",
+    "measured",
+    "measurement",
+    "test",
+    "mean",
+    "avg",
+    "average",
+    "raw",
+    "observed",
+    "gemessen",
+];
+
+/// Whether the column with `title` was computed, one of `titles`: by a word that says so, or by one that may say so where a
+/// measured twin stands beside it.
+pub fn is_of_a_model(title: &str, titles: &[String]) -> bool {
+    let words = words_of(&split_unit(title).name);
+    let bare = |words: &[String]| -> Vec<String> {
+        let kept = |word: &&String| ![PERHAPS_COMPUTED, MEASURED].iter().any(|list| list.contains(&word.as_str()));
+        words.iter().filter(kept).cloned().collect()
+    };
+    let is_twin = |other: &String| {
+        let others = words_of(&split_unit(other).name);
+        !is_computed(&others) && !may_be_computed(&others) && !others.is_empty() && bare(&others) == bare(&words)
+    };
+    is_computed(&words) || may_be_computed(&words) && titles.iter().any(is_twin)
 }
 
-/// Whether a column was computed: a fit, a model, a scatter.
+/// Whether a word says that a column was computed.
 fn is_computed(words: &[String]) -> bool {
-    const COMPUTED: &[&str] = &[
-        "fit",
-        "fits",
-        "fitted",
-        "fitting",
-        "model",
-        "modell",
-        "modelled",
-        "modeled",
-        "modelo",
-        "pred",
-        "predicted",
-        "prediction",
-        "sim",
-        "simulated",
-        "simulation",
-        "fem",
-        "fea",
-        "fe",
-        "theory",
-        "theoretical",
-        "calc",
-        "calculated",
-        "analytical",
-        "err",
-        "error",
-        "std",
-        "sd",
-        "stdev",
-        "stddev",
-        "deviation",
-        "residual",
-        "residuals",
-        "uncertainty",
-        "sem",
-        "ci",
-    ];
     words.iter().any(|word| COMPUTED.contains(&word.as_str()))
+}
+
+fn may_be_computed(words: &[String]) -> bool {
+    words.iter().any(|word| PERHAPS_COMPUTED.contains(&word.as_str()))
 }
 
 fn kind_of(words: &[String], unit: Option<Unit>, spelled: Option<&str>) -> Result<Option<Kind>, &'static str> {
@@ -476,6 +514,11 @@ mod tests {
             ("Déplacement (mm)", Displacement, Some(1e-3), None),
             ("Prüfzeit [s]", Time, Some(1.0), None),
             ("2nd Piola-Kirchhoff stress [Pa]", Stress, Some(1.0), Some(Measure::Lagrange)),
+            ("Calibrated force [N]", Force, Some(1.0), None),
+            ("Workpiece force [kN]", Force, Some(1e3), None),
+            ("Temperature corrected force [N]", Force, Some(1.0), None),
+            ("Force model 9301B [N]", Force, Some(1.0), None),
+            ("Force CI [N]", Force, Some(1.0), None),
         ] {
             let column = Column::recognise(0, title).unwrap().unwrap_or_else(|| panic!("{title}"));
             assert_eq!((column.kind, column.measure), (kind, measure), "{title}");
@@ -500,12 +543,21 @@ mod tests {
             "sigma_c_fit_MPa",
             "X_Value",
             "Angular acceleration [rad/s]",
+            "Dehngeschwindigkeit [1/s]",
+            "Prüfraumtemperatur [°C]",
+            "Work [J]",
         ] {
             assert_eq!(Column::recognise(0, title), Ok(None), "{title}");
         }
-        for title in
-            ["Elongation", "Almansi strain", "stress [mm]", "engineering true strain", "Force [g/cm]", "Force [V]"]
-        {
+        for title in [
+            "Force [kN] [N]",
+            "Elongation",
+            "Almansi strain",
+            "stress [mm]",
+            "engineering true strain",
+            "Force [g/cm]",
+            "Force [V]",
+        ] {
             assert!(Column::recognise(0, title).is_err(), "{title}");
         }
     }

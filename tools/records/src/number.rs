@@ -34,10 +34,7 @@ pub enum Cell {
     Text,
 }
 
-/// Reads a cell.
-///
-/// Groups of thousands by the other decimal sign are understood only where the number has its decimal sign as well:
-/// alone, 1,234 has two meanings. A blank or an apostrophe between groups has one.
+/// Reads a cell. The other decimal sign, a blank or an apostrophe may stand between groups of thousands.
 pub fn read(cell: &str, decimal: Decimal) -> Cell {
     if let Some(number) = simple(cell, decimal) {
         return Cell::Number(number);
@@ -56,6 +53,31 @@ pub fn read(cell: &str, decimal: Decimal) -> Cell {
         Some(Ok(number)) if number.is_finite() && !text.contains(char::is_alphabetic) => Cell::Number(number),
         Some(Ok(number)) if number.is_finite() && has_exponent(&text) => Cell::Number(number),
         _ => Cell::Text,
+    }
+}
+
+/// The part of one in a cell such as 10 %.
+pub fn percentage(cell: &str, decimal: Decimal) -> Option<f64> {
+    match read(cell.trim().strip_suffix('%')?, decimal) {
+        Cell::Number(number) => Some(0.01 * number),
+        _ => None,
+    }
+}
+
+/// The decimal sign that a cell tells, as a number that is none by the other sign.
+pub fn told(cell: &str) -> Option<Decimal> {
+    match [Decimal::Point, Decimal::Comma].map(|decimal| matches!(read(cell, decimal), Cell::Number(_))) {
+        [true, false] => Some(Decimal::Point),
+        [false, true] => Some(Decimal::Comma),
+        _ => None,
+    }
+}
+
+/// Whether a cell is one number with a decimal point and another with a comma, as 1,234 is: both of them.
+pub fn two_meanings(cell: &str) -> Option<[f64; 2]> {
+    match [Decimal::Point, Decimal::Comma].map(|decimal| read(cell, decimal)) {
+        [Cell::Number(a), Cell::Number(b)] if a != b => Some([a, b]),
+        _ => None,
     }
 }
 
@@ -138,11 +160,13 @@ fn ungrouped(text: &str, group: char, decimal: char) -> Option<String> {
     if !text.contains(group) {
         return Some(text.into());
     }
-    let (whole, _) = text.split_once(decimal)?;
+    let (whole, fraction) = text.split_once(decimal).unwrap_or((text, ""));
     let mut groups = whole.trim_start_matches(['-', '+']).split(group);
     let first = groups.next()?;
-    let grouped = (1..=3).contains(&first.len()) && groups.all(|digits| digits.len() == 3);
-    (grouped && text.rfind(group) < text.find(decimal)).then(|| text.replace(group, ""))
+    let digits = |group: &str| group.chars().all(|c| c.is_ascii_digit());
+    let grouped = (1..=3).contains(&first.len()) && !first.starts_with('0') && digits(first);
+    (grouped && groups.all(|group| group.len() == 3 && digits(group)) && !fraction.contains(group))
+        .then(|| text.replace(group, ""))
 }
 
 /// Whether the only letter is the e of an exponent ("inf" parses as a number, too).
@@ -165,6 +189,8 @@ mod tests {
             ("1.234,5", Decimal::Comma, 1234.5),
             ("1,2e-3", Decimal::Comma, 1.2e-3),
             ("+7", Decimal::Comma, 7.0),
+            ("1,234", Decimal::Point, 1234.0),
+            ("-12.345.678", Decimal::Comma, -12345678.0),
             ("1 234.5", Decimal::Point, 1234.5),
             ("-12\u{202f}345\u{a0}678", Decimal::Comma, -12345678.0),
             ("1'234,5", Decimal::Comma, 1234.5),
@@ -176,10 +202,29 @@ mod tests {
     }
 
     #[test]
+    fn a_group_alone_has_two_meanings() {
+        assert_eq!(two_meanings("54,711"), Some([54711.0, 54.711]));
+        assert_eq!(two_meanings("54.711"), Some([54.711, 54711.0]));
+        for (text, decimal) in [
+            ("0,711", Some(Decimal::Comma)),
+            ("54,71", Some(Decimal::Comma)),
+            ("1.234,5", Some(Decimal::Comma)),
+            ("1.234.567", Some(Decimal::Comma)),
+            ("1234.567", Some(Decimal::Point)),
+            ("54711", None),
+            ("word", None),
+        ] {
+            assert_eq!((two_meanings(text), told(text)), (None, decimal), "{text}");
+        }
+    }
+
+    #[test]
     fn what_is_no_number_is_not_taken_for_one() {
         for (text, decimal) in [
-            ("1,234", Decimal::Point),
-            ("1.234", Decimal::Comma),
+            ("0,123", Decimal::Point),
+            ("1,2345", Decimal::Point),
+            ("1.234e3", Decimal::Comma),
+            ("1234.567", Decimal::Comma),
             ("1;0", Decimal::Point),
             ("inf", Decimal::Point),
             ("12 mm", Decimal::Point),

@@ -3,10 +3,11 @@
 use std::sync::Arc;
 
 use super::ReadError;
+use super::cells::clock;
 use super::column::{self, Column, Kind};
 use super::number::{self, Cell, Decimal};
 use super::sheet::{Body, Row, Sheet};
-use super::unit::Unit;
+use super::unit::{Dimension, Unit};
 
 /// The rows of one specimen.
 #[derive(Clone, Debug)]
@@ -28,6 +29,8 @@ pub struct Table {
     pub words: String,
     /// The specimens.
     pub series: Vec<Series>,
+    /// Why columns are not understood.
+    pub unclear: Vec<String>,
     /// How the file was understood where it left a choice.
     pub notes: Vec<String>,
     sheet: Arc<Sheet>,
@@ -88,12 +91,12 @@ impl Table {
                     list(&titles)
                 )
             });
-            return Err(ReadError::file(reason));
+            return Err(ReadError::file(format!("{reason}{}", noted(&notes))));
         }
         let words = format!("{}\n{}", titles.join("\n"), sheet.words());
         let series = split(sheet, body, &columns);
         notes.insert(0, described(sheet, body));
-        Ok(Self { columns, titles, words, series, notes, sheet: Arc::clone(sheet) })
+        Ok(Self { columns, titles, words, series, unclear, notes, sheet: Arc::clone(sheet) })
     }
 
     /// The columns of `kind`.
@@ -110,6 +113,12 @@ impl Table {
         match number::read(cell, self.sheet.decimal) {
             Cell::Number(number) => Ok(Some(number)),
             Cell::Missing => Ok(None),
+            Cell::Text if column.kind == Kind::Time && clock(cell).is_some() => {
+                Ok(clock(cell).map(|seconds| seconds / column.si.unwrap_or(1.0)))
+            }
+            Cell::Text if column.kind.dimension() == Some(Dimension::Ratio) && self.percentage(cell).is_some() => {
+                Ok(self.percentage(cell).map(|part| part / column.si.unwrap_or(1.0)))
+            }
             Cell::Text => {
                 let sign = if self.sheet.decimal == Decimal::Point { "point" } else { "comma" };
                 let reason =
@@ -117,6 +126,10 @@ impl Table {
                 Err(ReadError::line(row.line, reason))
             }
         }
+    }
+
+    fn percentage(&self, cell: &str) -> Option<f64> {
+        number::percentage(cell, self.sheet.decimal)
     }
 
     /// The sheet that the table stands in.
@@ -140,12 +153,21 @@ impl Table {
     }
 }
 
+/// Notes as the end of an error.
+pub(super) fn noted(notes: &[String]) -> String {
+    notes.iter().map(|note| format!("; {note}")).collect()
+}
+
 /// The columns of a table that are understood, those without any number left out, and why others are not.
 fn understood(sheet: &Sheet, body: &Body, titles: &[String], notes: &mut Vec<String>) -> (Vec<Column>, Vec<String>) {
     let mut columns: Vec<Column> = Vec::new();
     let mut unclear = Vec::new();
     let mut others = Vec::new();
     for (index, title) in titles.iter().enumerate().filter(|(_, title)| !title.is_empty()) {
+        if column::is_of_a_model(title, titles) {
+            notes.push(format!("\"{title}\" is passed over, as a fit, a model or a scatter"));
+            continue;
+        }
         match Column::recognise(index, title) {
             Ok(Some(column)) if column.kind.dimension().is_some() && is_empty(sheet, body, index) => {
                 notes.push(format!("\"{title}\" has no values and is passed over"));
@@ -154,9 +176,6 @@ fn understood(sheet: &Sheet, body: &Body, titles: &[String], notes: &mut Vec<Str
             Ok(None) => others.push((index, title)),
             Err(reason) => unclear.push(reason),
         }
-    }
-    for (_, title) in others.iter().filter(|(_, title)| column::is_of_a_model(title)) {
-        notes.push(format!("\"{title}\" is passed over, as a fit, a model or a scatter"));
     }
     // LabVIEW's first column, by what stands above it.
     for (index, title) in others.iter().filter(|(_, title)| sheet.facts.x_is_time && title.starts_with("X_Value")) {
@@ -177,6 +196,17 @@ fn understood(sheet: &Sheet, body: &Body, titles: &[String], notes: &mut Vec<Str
             notes.push(format!("\"{}\" is in {text}: {of} above the table says so", column.title));
             (column.si, column.unit) = (Some(unit.si), Some(text));
         }
+    }
+    for column in columns.iter_mut().filter(|column| column.si.is_none()) {
+        let cell = body.blocks.iter().flatten().next().map_or("", |row| sheet.cell(*row, column.index));
+        let ratio = column.kind.dimension() == Some(Dimension::Ratio);
+        let (unit, of) = match column.kind {
+            Kind::Time if clock(cell).is_some() => ("s", "times of day"),
+            _ if ratio && number::percentage(cell, sheet.decimal).is_some() => ("1", "percentages"),
+            _ => continue,
+        };
+        notes.push(format!("\"{}\" holds {of}", column.title));
+        (column.si, column.unit) = (Some(1.0), Some(unit.into()));
     }
     let by_unit: Vec<Column> = others.iter().filter_map(|(index, title)| Column::by_unit(*index, title)).collect();
     for column in &by_unit {

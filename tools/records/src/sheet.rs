@@ -154,6 +154,28 @@ mod tests {
     }
 
     #[test]
+    fn groups_of_thousands_are_told_apart_from_fractions() {
+        for text in [
+            "a,b\n1,\"54,711\"\n2,\"101,111\"\n",
+            "a;b\n1;54,711\n2.5;101,111\n",
+            "a\tb\n0.1\t54,711\n0.2\t101,111\n",
+            "a;b\n0,1;54.711\n0,2;101.111\n",
+        ] {
+            let read = numbers(&sheet(text));
+            assert_eq!([read[0][1], read[1][1]], [54711.0, 101111.0], "{text}");
+        }
+        assert_eq!(numbers(&sheet("a,b\n1,54.711\n2,10.111\n")), [[1.0, 54.711], [2.0, 10.111]]);
+        let text = "a;b\n1;54,711\n2;101,111\n";
+        let error = parse(text.as_bytes(), &Layout::default()).unwrap_err().to_string();
+        assert!(error.starts_with("line 2: \"54,711\" is 54711 with a decimal point and 54.711 with"), "{error}");
+        assert!(error.contains("expected --decimal point or --decimal comma"), "{error}");
+        for (decimal, number) in [(number::Decimal::Point, 54711.0), (number::Decimal::Comma, 54.711)] {
+            let layout = Layout { decimal: Some(decimal), ..Layout::default() };
+            assert_eq!(numbers(&parse(text.as_bytes(), &layout).unwrap())[0][1], number);
+        }
+    }
+
+    #[test]
     fn what_is_no_table_is_refused_at_its_first_line_of_digits() {
         let error = parse(b"strain;stress\n10 %;0.2 MPa\n", &Layout::default()).unwrap_err().to_string();
         assert!(error.starts_with("line 2: \"10 %;0.2 MPa\" is no row"), "{error}");

@@ -13,7 +13,7 @@ use super::ReadError;
 use super::channel::Filter;
 use super::column::{Column, Kind};
 use super::impact::{Contact, Given, MIN_BEFORE};
-use super::series::Table;
+use super::series::{Table, noted};
 use super::sheet::{self, Sheet};
 use super::understood::Understood;
 use super::unit::{Dimension, parse_quantity};
@@ -106,6 +106,8 @@ fn load(table: &Table, options: &Options) -> Result<Column, ReadError> {
             return with_unit(choice.column(table, kind, option)?, option);
         }
     }
+    // The first note is how the file was taken apart.
+    let passed_over = table.notes.get(1..).unwrap_or_default();
     for (kind, option) in [(Kind::Force, "--force-column"), (Kind::Acceleration, "--acceleration")] {
         let all: Vec<&Column> = table.of(kind).collect();
         // An unfiltered channel beside filtered ones.
@@ -116,11 +118,12 @@ fn load(table: &Table, options: &Options) -> Result<Column, ReadError> {
             ([only], _) | (_, [only]) => return with_unit((*only).clone(), option),
             _ => {
                 let reason = format!(
-                    "{} columns of {}: {}; name one, as in {option} \"{}\"",
+                    "{} columns of {}: {}; name one, as in {option} \"{}\"{}",
                     all.len(),
                     kind.example().0,
                     titles(&all),
-                    all[0].title
+                    all[0].title,
+                    noted(passed_over)
                 );
                 return Err(ReadError::file(reason));
             }
@@ -129,7 +132,9 @@ fn load(table: &Table, options: &Options) -> Result<Column, ReadError> {
     let listed = table.titles.iter().map(|title| format!("\"{title}\"")).collect::<Vec<_>>().join(", ");
     let reason = format!(
         "no column of force or acceleration understood among {listed}: name it with its unit, as in --force-column \"TITLE [N]\" or \
-         --acceleration \"TITLE [g]\""
+         --acceleration \"TITLE [g]\"{}{}",
+        noted(&table.unclear),
+        noted(passed_over)
     );
     Err(ReadError::file(reason))
 }
@@ -207,7 +212,7 @@ impl Record<'_> {
         say_impacts(&mut understood, &impacts, wanted, factor);
         let trace = Cut { samples, contact, index, factor }.trace(&self.channels)?;
         let trace = Trace { understood, ..trace };
-        self.judged(trace, contact.impacts[index].peak * factor)
+        self.judged(trace, contact.threshold(index) * factor)
     }
 
     /// N in one unit of the load's column.

@@ -41,6 +41,8 @@ pub struct Alignment {
 const LARGEST_SHIFT: f64 = 0.12;
 /// Shift that is tried, as a part of the duration.
 const SEARCHED: f64 = 0.25;
+/// Samples of it, at most: a quarter of an impact of 200 ms, the longest that is likely.
+const FARTHEST: f64 = 1000.0;
 /// Shift within which the phase rates 1, as a part of the duration: CORA's D_min.
 const SMALLEST_SHIFT: f64 = 0.01;
 /// Exponent of the progression: CORA's K_V. Those of size and phase are 1.
@@ -83,7 +85,7 @@ impl CurveScore {
         let sample = |lag: f64| -> Vec<f64> { times.iter().map(|time| simulated.at(time + lag)).collect() };
         let flanks = contact::rise(simulated)? - contact::rise(measured)?;
         let correlate = |samples: f64| correlation(&reference, &sample(flanks + samples * measured.interval));
-        let shift = best_shift((SEARCHED * count as f64).ceil() as i32, correlate);
+        let shift = best_shift((SEARCHED * count as f64).ceil().min(FARTHEST) as i32, correlate);
         let alignment = Alignment { lag: flanks + shift * measured.interval, beyond_flanks: shift * measured.interval };
         let aligned = sample(alignment.lag);
         let squares = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>();

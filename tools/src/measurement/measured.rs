@@ -83,3 +83,28 @@ pub fn expected(impactor: &Impactor) -> Option<Expected> {
     let speed = impactor.start_speed();
     (impactor.motion != Motion::Prescribed && speed > 0.0).then_some(Expected { mass: impactor.mass, speed })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::measurement::curve_score::CurveScore;
+    use softanvil_kernel::preset;
+
+    /// A half sine of 4000 N and 8 ms in a record of a second, behind which the mass rests on the anvil.
+    #[test]
+    fn the_mass_at_rest_is_none_of_the_impact() {
+        let row = |i: i32| {
+            let time = -5e-3 + f64::from(i) * 5e-5;
+            let push = if time > 0.0 && time < 8e-3 { 4e3 * (std::f64::consts::PI * time / 8e-3).sin() } else { 0.0 };
+            format!("{time:.5},{:.3}\n", push + if time > 0.5 { 49.0 } else { 0.0 })
+        };
+        let text = "time (s),force (N)\n".to_string() + &(0..=20_100).map(row).collect::<String>();
+        let impactor = preset::study().impactor;
+        let Measured { series, .. } = Measured::of("r.csv", text.as_bytes(), &Options::default(), &impactor).unwrap();
+        // 159 samples at 20 kHz, and 2/pi of the peak over 8 ms.
+        assert!((series.duration(20.0) - 7.95e-3).abs() < 1e-9, "{}", series.duration(20.0));
+        assert!((series.impulse(20.0) - 20.372).abs() < 1e-2, "{}", series.impulse(20.0));
+        let score = CurveScore::new(&series, &series, 20.0).unwrap();
+        assert!((score.rating() - 1.0).abs() < 1e-9, "{score:?}");
+    }
+}

@@ -17,7 +17,7 @@ use crate::text::{self, Lines};
 /// # Errors
 /// As [`super::parse`].
 pub fn of_lines(lines: Lines, decimal: Option<Decimal>, cells: Option<Separator>) -> Result<Sheet, ReadError> {
-    let notation = Notation::find(&lines, decimal, cells).ok_or_else(|| no_table(&lines))?;
+    let notation = Notation::find(&lines, decimal, cells)?.ok_or_else(|| no_table(&lines))?;
     Assembly::new(lines, notation).finish()
 }
 

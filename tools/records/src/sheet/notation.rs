@@ -1,6 +1,7 @@
 //! How the rows of numbers in a file are written: separator, decimal sign, and what else may stand in them.
 
-use crate::cells::{Cells, SEPARATORS, Separator, is_date};
+use crate::ReadError;
+use crate::cells::{Cells, SEPARATORS, Separator, clock, is_date};
 use crate::facts;
 use crate::number::{self, Cell, Decimal};
 use crate::text::{self, Lines};
@@ -21,9 +22,12 @@ pub(super) struct Notation {
 
 impl Notation {
     /// The notation that the file states, or else by which most lines of a sample are rows of numbers.
-    pub fn find(lines: &Lines, decimal: Option<Decimal>, cells: Option<Separator>) -> Option<Self> {
+    ///
+    /// # Errors
+    /// Numbers that all have two meanings.
+    pub fn find(lines: &Lines, decimal: Option<Decimal>, cells: Option<Separator>) -> Result<Option<Self>, ReadError> {
         if let Some((separator, stated)) = facts::notation_of_labview(lines) {
-            return Some(Self { separator, decimal: decimal.unwrap_or(stated), least: 1, beside: 0 });
+            return Ok(Some(Self { separator, decimal: decimal.unwrap_or(stated), least: 1, beside: 0 }));
         }
         let step = (lines.len() / SAMPLE).max(1);
         let sample = (1..=lines.len().min(SAMPLE)).chain((SAMPLE + 1..=lines.len()).step_by(step));
@@ -50,22 +54,63 @@ impl Notation {
             }
         }
         let beside = if facts::is_tektronix(lines.get(1)) { 3 } else { 0 };
-        best.map(|best| Self { beside, ..best })
+        if let (Some(best), None) = (&mut best, decimal) {
+            best.decimal = best.told_decimal(lines)?;
+        }
+        Ok(best.map(|best| Self { beside, ..best }))
+    }
+
+    /// The decimal sign, where cells with groups of three digits have two meanings: that which other cells tell, or a point where
+    /// commas separate the cells.
+    fn told_decimal(&self, lines: &Lines) -> Result<Decimal, ReadError> {
+        let is_row = |line: &&str| {
+            let of = |decimal| is_numeric(self.separator.cells(line), decimal, self.least);
+            text::comment(line).is_none() && (of(Decimal::Point) || of(Decimal::Comma))
+        };
+        let (mut told, mut unclear) = ([false; 2], None);
+        for number in 1..=lines.len() {
+            for cell in Some(lines.get(number)).filter(is_row).into_iter().flat_map(|line| self.separator.cells(line)) {
+                match number::told(cell) {
+                    Some(decimal) => told[usize::from(decimal == Decimal::Comma)] = true,
+                    None if unclear.is_none() => unclear = number::two_meanings(cell).map(|both| (number, cell, both)),
+                    None => {}
+                }
+            }
+            // What both signs tell is left to the number of rows.
+            if told[0] && told[1] || (told[0] || told[1]) && number >= SAMPLE {
+                break;
+            }
+        }
+        match (told, unclear) {
+            ([true, true], _) | (_, None) => Ok(self.decimal),
+            ([true, false], _) => Ok(Decimal::Point),
+            ([false, true], _) => Ok(Decimal::Comma),
+            _ if self.separator == Separator::Sign(b',') => Ok(Decimal::Point),
+            (_, Some((line, cell, [a, b]))) => {
+                let reason = format!(
+                    "\"{cell}\" is {a} with a decimal point and {b} with a decimal comma, and no other number tells which: \
+                     expected --decimal point or --decimal comma"
+                );
+                Err(ReadError::line(line, reason))
+            }
+        }
     }
 }
 
-/// Whether cells are a row of numbers: `least` or more, beside them only names, dates and times of day.
+/// Whether cells are a row of numbers: `least` or more, of which one may be a time of day, beside them only names and dates.
 pub(super) fn is_numeric<'a>(cells: impl Iterator<Item = &'a str>, decimal: Decimal, least: usize) -> bool {
-    let mut numbers = 0;
+    let (mut numbers, mut clocks) = (0, 0);
     for cell in cells {
         match number::read(cell, decimal) {
             Cell::Number(_) => numbers += 1,
             Cell::Missing => {}
+            Cell::Text if number::percentage(cell, decimal).is_some() => numbers += 1,
+            Cell::Text if clock(cell).is_some() => clocks = 1,
             Cell::Text if is_name(cell) || is_date(cell) => {}
             Cell::Text => return false,
         }
     }
-    numbers >= least
+    numbers > 0 && numbers + clocks >= least
 }
 
 fn is_name(cell: &str) -> bool {

@@ -98,6 +98,10 @@ fn scaled(index: usize, title: &str, kind: Kind, unit: &str) -> Result<Column, S
     if per.is_some_and(differs) {
         return Err(format!("the column is in {}", own.unwrap_or_default()));
     }
+    // A sensitivity is one of a signal, not of what a title already states in the unit of the load.
+    if let (Some(_), Ok(Column { unit: Some(own), .. })) = (per, Column::named(index, title, kind, None)) {
+        return Err(format!("the column is in {own}: expected one in V or mV, or its unit alone"));
+    }
     let dimension = kind.dimension().unwrap_or(Dimension::Ratio);
     match Unit::of(dimension, text) {
         Some(found) if number > 0.0 && number.is_finite() => {

@@ -23,7 +23,7 @@ impl Cut<'_> {
     pub fn trace(&self, channels: &Channels) -> Result<Trace, ReadError> {
         self.check_gaps()?;
         let Self { samples, contact, index, factor } = self;
-        let range = contact.range(*index, samples.times.len());
+        let range = contact.range(*index, &samples.times, &samples.loads);
         let impact = contact.impacts[*index];
         let push = |load: &f64| contact.sign * (load - contact.offset) * factor;
         let forces: Vec<f64> = samples.loads[range.clone()].iter().map(push).collect();

@@ -6,20 +6,17 @@ use crate::column::{Column, Kind};
 use crate::robust::median;
 
 impl Record<'_> {
-    /// The trace with what is unlikely of it; what can only be a wrong unit is refused.
-    pub(super) fn judged(&self, mut trace: Trace, peak: f64) -> Result<Trace, ReadError> {
+    /// The trace with what is unlikely of it, an impact from the force `threshold` on; what can only be a wrong unit is refused.
+    pub(super) fn judged(&self, mut trace: Trace, threshold: f64) -> Result<Trace, ReadError> {
         let warnings = &mut trace.understood.warnings;
-        // From the sample before to the sample after, because there may be few of them.
-        let lasting = |part: f64| {
-            let first = trace.forces.iter().position(|force| *force >= part * peak).unwrap_or_default();
-            let last = trace.forces.iter().rposition(|force| *force >= part * peak).unwrap_or_default();
-            (first.saturating_sub(1), (last + 1).min(trace.forces.len() - 1))
-        };
         if let Some(count) = clipped(&trace.forces) {
             warnings
                 .push(format!("{count} samples in a row show the largest force: it may be cut off by the amplifier"));
         }
-        let (first, last) = lasting(0.05);
+        // From the sample before to the sample after, because there may be few of them.
+        let first = trace.forces.iter().position(|force| *force >= threshold).unwrap_or_default().saturating_sub(1);
+        let last = trace.forces.iter().rposition(|force| *force >= threshold).unwrap_or_default() + 1;
+        let last = last.min(trace.forces.len() - 1);
         let duration = trace.times[last] - trace.times[first];
         let pairs =
             (first.max(1)..=last).map(|i| (trace.times[i] - trace.times[i - 1], trace.forces[i - 1] + trace.forces[i]));

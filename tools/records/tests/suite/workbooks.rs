@@ -3,6 +3,7 @@
 use std::io::{Cursor, Write};
 
 use softanvil_records::column::Kind;
+use softanvil_records::number::Decimal;
 use softanvil_records::series::Table;
 use softanvil_records::sheet::{self, Layout};
 use softanvil_records::trace::{self, Options};
@@ -78,6 +79,14 @@ fn of_xml(names: &[&str], data: &[String]) -> Vec<u8> {
             format!("{head}<Relationships xmlns=\"{package}/relationships\">{links}</Relationships>"),
         ),
     ];
+    // Styles 1 to 3: a clock, a percentage, a duration.
+    let styles = ["0", "164", "10", "46"].map(|id| format!("<xf numFmtId=\"{id}\" applyNumberFormat=\"1\"/>")).concat();
+    files.push((
+        "xl/styles.xml",
+        format!(
+            "{head}<styleSheet xmlns=\"{main}\"><numFmts count=\"1\"><numFmt numFmtId=\"164\" formatCode=\"mm:ss.000\"/></numFmts><cellXfs count=\"4\">{styles}</cellXfs></styleSheet>"
+        ),
+    ));
     let paths: Vec<String> = (1..=data.len()).map(|id| format!("xl/worksheets/sheet{id}.xml")).collect();
     for (path, data) in paths.iter().zip(data) {
         files.push((path, format!("{head}<worksheet xmlns=\"{main}\"><sheetData>{data}</sheetData></worksheet>")));
@@ -148,6 +157,72 @@ fn columns_of_a_workbook_are_those_of_text() {
     assert_eq!((stress.si, stress.title.as_str()), (Some(1e6), "Spannung [MPa]"));
     let values: Vec<_> = table.series[0].rows.iter().map(|row| table.value(stress, row).unwrap()).collect();
     assert_eq!(values, [Some(0.5), Some(1.25e-3)]);
+}
+
+/// Rows of cells in XML under a row of titles.
+fn titled(titles: &[&str], rows: impl Iterator<Item = [String; 2]>) -> Vec<u8> {
+    let text = |text: &str| format!("<c t=\"inlineStr\"><is><t>{text}</t></is></c>");
+    let head = format!("<row>{}</row>", titles.iter().map(|title| text(title)).collect::<String>());
+    let rows: String = rows.map(|cells| format!("<row>{}</row>", cells.concat())).collect();
+    of_xml(&["Drop"], &[head + &rows])
+}
+
+#[test]
+fn times_and_durations_are_seconds() {
+    for style in [1, 3] {
+        for (title, si) in [("Time", "s"), ("time [s]", "s"), ("time [ms]", "ms")] {
+            let row = |(time, force): (f64, f64)| {
+                [format!("<c s=\"{style}\"><v>{}</v></c>", time / 86_400.0), format!("<c><v>{force}</v></c>")]
+            };
+            let bytes = titled(&[title, "force [N]"], impact().into_iter().map(row));
+            let trace = trace::read("drop", &bytes, &Options::default(), Some(&EXPECTED))
+                .unwrap_or_else(|error| panic!("{title}, {style}: {error}"));
+            assert_impact(&trace, 1e-6, si);
+        }
+    }
+}
+
+#[test]
+fn a_percentage_keeps_its_meaning() {
+    for title in ["strain", "strain [%]", "strain [-]"] {
+        let row = |strain: &f64| [format!("<c s=\"2\"><v>{strain}</v></c>"), "<c><v>5</v></c>".to_string()];
+        let sheet = sheet::parse(&titled(&[title, "stress [kPa]"], [0.1, 0.2].iter().map(row)), &Layout::default());
+        let table = Table::new(sheet.unwrap(), None).unwrap();
+        let strain = table.of(Kind::Strain).next().unwrap();
+        let rows = &table.series[0].rows;
+        let values = rows.iter().map(|row| table.value(strain, row).unwrap().unwrap() * strain.si.unwrap());
+        for (value, expected) in values.zip([0.1, 0.2]) {
+            assert!((value - expected).abs() < 1e-12, "{title}: {value}");
+        }
+    }
+}
+
+#[test]
+fn numbers_typed_as_text_have_their_decimal_sign() {
+    let typed = |text: String| format!("<c t=\"inlineStr\"><is><t>{text}</t></is></c>");
+    let bytes = |number: &dyn Fn(f64) -> String| {
+        let row = |(time, force): (f64, f64)| [typed(number(time)), typed(number(force))];
+        titled(&["time [s]", "force [N]"], impact().into_iter().map(row))
+    };
+    let read = |bytes: &[u8], decimal| {
+        let options = Options { layout: Layout { decimal, ..Layout::default() }, ..Options::default() };
+        trace::read("drop", bytes, &options, Some(&EXPECTED))
+    };
+    let comma = bytes(&|number| format!("{number:.6}").replace('.', ","));
+    for decimal in [None, Some(Decimal::Comma)] {
+        assert_impact(&read(&comma, decimal).unwrap(), 1e-5, "typed with commas");
+    }
+    assert!(read(&comma, Some(Decimal::Point)).is_err());
+    assert_impact(&read(&bytes(&|number| format!("{number:.6}")), None).unwrap(), 1e-5, "typed with points");
+    // Every number as 54,711.
+    let row = |i: u32| [typed(format!("{i},000")), typed(format!("{},711", 50 + i))];
+    let two = titled(&["strain [%]", "stress [kPa]"], (1..5).map(row));
+    let error = sheet::parse(&two, &Layout::default()).unwrap_err().to_string();
+    assert!(error.contains("\"1,000\", typed as text, has two meanings: expected --decimal"), "{error}");
+    let layout = Layout { decimal: Some(Decimal::Comma), ..Layout::default() };
+    let table = Table::new(sheet::parse(&two, &layout).unwrap(), None).unwrap();
+    let stress = table.of(Kind::Stress).next().unwrap();
+    assert_eq!(table.value(stress, &table.series[0].rows[0]).unwrap(), Some(51.711));
 }
 
 #[test]

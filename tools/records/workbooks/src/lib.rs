@@ -4,7 +4,7 @@
 
 use std::io::Cursor;
 
-use calamine::{Data, DataRef, Range, Reader, Sheets, open_workbook_auto_from_rs};
+use calamine::{Data, DataRef, ExcelDateTime, Range, Reader, Sheets, Style, open_workbook_auto_from_rs};
 
 /// Cells of a sheet, at most, empty ones among them: a file of a few bytes may claim any number.
 const MAX_CELLS: u64 = 30_000_000;
@@ -49,7 +49,8 @@ impl<'a> Workbook<'a> {
         self.0.sheet_names()
     }
 
-    /// The sheet `name` as text: a line for each row, tabs between the cells, numbers with all their digits.
+    /// The sheet `name` as text: a line for each row, tabs between the cells, numbers with all their digits, times and durations as
+    /// 10:11:12.995, percentages of XLSX with their sign, and [`TYPED`] before a text that begins as a number does.
     ///
     /// # Errors
     /// A sheet that cannot be read, or of too many cells.
@@ -64,9 +65,14 @@ fn rows(workbook: &mut Sheets<Cursor<&[u8]>>, name: &str) -> Result<String, Stri
         // Cell by cell: a range would hold every cell between the first and the last.
         Sheets::Xlsx(workbook) => {
             let mut cells = workbook.worksheet_cells_reader(name).map_err(|error| refuse(&error))?;
+            let percent: Vec<bool> = cells.styles().iter().map(is_percent).collect();
             let mut text = Text::default();
-            while let Some(cell) = cells.next_cell().map_err(|error| refuse(&error))? {
-                text.push(cell.get_position(), &shown_of(cell.get_value()))?;
+            while let Some((cell, style)) = cells.next_cell_with_style_id().map_err(|error| refuse(&error))? {
+                let shown = match cell.get_value() {
+                    DataRef::Float(number) if percent.get(style) == Some(&true) => format!("{}%", 100.0 * number),
+                    value => shown_of(value),
+                };
+                text.push(cell.get_position(), &shown)?;
             }
             Ok(text.text)
         }
@@ -122,9 +128,11 @@ fn shown(value: &Data) -> String {
     match value {
         Data::Int(number) => number.to_string(),
         Data::Float(number) => number.to_string(),
-        Data::String(text) | Data::DateTimeIso(text) | Data::DurationIso(text) => one_line(text),
+        Data::String(text) => typed(text),
+        Data::DateTimeIso(text) => one_line(text),
+        Data::DurationIso(text) => of_duration(text).unwrap_or_else(|| one_line(text)),
         Data::Bool(value) => value.to_string(),
-        Data::DateTime(time) => time.as_f64().to_string(),
+        Data::DateTime(time) => of_time(time),
         Data::Error(_) => "#N/A".into(),
         _ => String::new(),
     }
@@ -134,16 +142,72 @@ fn shown_of(value: &DataRef) -> String {
     match value {
         DataRef::Int(number) => number.to_string(),
         DataRef::Float(number) => number.to_string(),
-        DataRef::String(text) | DataRef::DateTimeIso(text) | DataRef::DurationIso(text) => one_line(text),
-        DataRef::SharedString(text) => one_line(text),
+        DataRef::String(text) => typed(text),
+        DataRef::SharedString(text) => typed(text),
+        DataRef::DateTimeIso(text) => one_line(text),
+        DataRef::DurationIso(text) => of_duration(text).unwrap_or_else(|| one_line(text)),
         DataRef::Bool(value) => value.to_string(),
-        DataRef::DateTime(time) => time.as_f64().to_string(),
+        DataRef::DateTime(time) => of_time(time),
         DataRef::Error(_) => "#N/A".into(),
         _ => String::new(),
     }
 }
 
+/// Stands before a text that begins as a number does: somebody typed it with whatever decimal sign.
+pub const TYPED: char = '\u{1}';
+
+fn typed(text: &str) -> String {
+    let text = one_line(text);
+    let is_number =
+        text.trim_start().starts_with(|c: char| c.is_ascii_digit() || matches!(c, '-' | '+' | '.' | ',' | '−'));
+    if is_number { format!("{TYPED}{text}") } else { text }
+}
+
+/// Whether numbers of `style` are shown as percentages.
+fn is_percent(style: &Style) -> bool {
+    let Some(format) = &style.number_format else { return false };
+    let (mut quoted, mut escaped) = (false, false);
+    format.format_code.chars().any(|c| {
+        let plain = !quoted && !escaped;
+        quoted ^= c == '"' && !escaped;
+        escaped = c == '\\' && !escaped;
+        plain && c == '%'
+    })
+}
+
+/// A time or a duration, in days, as hours, minutes and seconds; a date alone as a date.
+fn of_time(time: &ExcelDateTime) -> String {
+    let days = time.as_f64();
+    if time.is_datetime() && days >= 1.0 && days.fract() == 0.0 {
+        let (year, month, day, ..) = time.to_ymd_hms_milli();
+        return format!("{year}-{month:02}-{day:02}");
+    }
+    if days.is_nan() || days < 0.0 { days.to_string() } else { clock(86_400.0 * days) }
+}
+
+/// The clock of `seconds`, to a nanosecond.
+fn clock(seconds: f64) -> String {
+    const SECOND: u128 = 1_000_000_000;
+    let count = (seconds * SECOND as f64).round() as u128;
+    let (whole, fraction) = (count / SECOND, count % SECOND);
+    format!("{:02}:{:02}:{:02}.{fraction:09}", whole / 3600, whole / 60 % 60, whole % 60)
+}
+
+/// The clock of a duration such as PT1H2M3.5S.
+fn of_duration(text: &str) -> Option<String> {
+    let mut rest = text.strip_prefix("PT")?.strip_suffix('S')?;
+    let mut seconds = 0.0;
+    for (sign, length) in [('H', 3600.0), ('M', 60.0)] {
+        if let Some((number, behind)) = rest.split_once(sign) {
+            seconds += length * number.parse::<f64>().ok()?;
+            rest = behind;
+        }
+    }
+    seconds += rest.replace(',', ".").parse::<f64>().ok()?;
+    (seconds.is_finite() && seconds >= 0.0).then(|| clock(seconds))
+}
+
 /// Text without tabs and line ends. A quotation mark at its beginning would swallow the cells behind it.
 fn one_line(text: &str) -> String {
-    text.replace(['\t', '\n', '\r'], " ").replace('"', "”")
+    text.replace(['\t', '\n', '\r', TYPED], " ").replace('"', "”")
 }
