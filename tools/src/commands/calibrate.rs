@@ -21,8 +21,8 @@ use crate::progress;
 ///
 /// The problem file names the parameters with their ranges, the impacts (lines of the paper's table, your own numbers, or
 /// force traces) and the score; `calibration/` in the repository holds those of the presets. Interrupt with Ctrl-C: what
-/// was found so far is written, and the same command continues. Every evaluation is a line of evaluations.csv; the log of
-/// another problem is refused.
+/// was found so far is written, the exit code is 130, and the same command continues. Every evaluation is a line of
+/// evaluations.csv; the log of another problem is refused.
 #[derive(Debug, Args)]
 pub struct Options {
     /// Problem file (TOML)
@@ -77,8 +77,11 @@ fn show_front(problem: &mut Problem, options: &Options, stop: &AtomicBool) -> Re
         problem.objective.material_weight = *weight;
         problem.objective.check().map_err(Failure::Input)?;
         let out = options.out.join(format!("weight-{weight}"));
-        let (_, found) = search_in(problem, &out, options, stop)?;
-        points.push(Point::of(problem, &found));
+        match search_in(problem, &out, options, stop) {
+            // The points until then.
+            Err(Failure::Interrupted) if !points.is_empty() => break,
+            found => points.push(Point::of(problem, &found?.1)),
+        }
     }
     let picture = front::picture(&points).map_err(|error| Failure::Failed(error.to_string()))?;
     let text = front::text(&points);
@@ -107,8 +110,7 @@ fn search_in(
         })
     })?;
     bar.finish_and_clear();
-    let failed = || Failure::Failed("interrupted at once".into());
-    let found = Found::new(problem, &log.entries, descents).ok_or_else(failed)?;
+    let found = Found::new(problem, &log.entries, descents).ok_or(Failure::Interrupted)?;
     let warnings = warnings_of(&problem.scenario).unwrap_or_default();
     let outcome = match options.uncertainty {
         true => Some(pool.install(|| infer(problem, &found, &mut folder, stop))?),
