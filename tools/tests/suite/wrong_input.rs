@@ -23,6 +23,9 @@ const REFUSED: &[(&[&str], &[&str])] = &[
     (&["--out", "a", "validate"], &["--out <DIR>"]),
     (&["run", "--unknown"], &["--unknown"]),
     (&["drop"], &["drop"]),
+    (&["run", "--impacts", "2", "--rest", "-1"], &["'-1'", "--rest <S>", "expected 0 to 1000000000 s"]),
+    (&["run", "--impacts", "2", "--rest", "NaN"], &["'NaN'", "--rest <S>", "expected 0 to 1000000000 s"]),
+    (&["golden"], &["golden", "check, write"]),
     (&["--out"], &["--out <DIR>"]),
     (&["--out", ".."], &["..", "name of a folder"]),
     (&["--out", "missing/report"], &["missing/report", "there is no folder missing"]),
@@ -84,6 +87,8 @@ fn a_file_that_cannot_be_written_keeps_the_others_back() {
         let arguments = ["run", "--duration", "0.001", "--csv", "trace.csv", "--plot", picture];
         let line = fail(folder.path(), &arguments, 1);
         assert!(line.starts_with(&format!("{picture} cannot be written: ")), "{line}");
+        assert!(!line.contains(".softanvil-"), "{line}");
+        assert_eq!(line.ends_with(": there is no folder missing"), picture.starts_with("missing/"), "{line}");
         assert_eq!(entries(folder.path()), ["folder.svg"]);
     }
 }
