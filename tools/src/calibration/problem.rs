@@ -19,7 +19,7 @@ use crate::measurement::quantity::{COUNT, QUANTITIES};
 use crate::measurement::series;
 use crate::measurement::series::Sensor;
 use crate::run::Until;
-use crate::scenario_file::assign::{self, Written};
+use crate::scenario_file::assign::{self, Given, Written};
 use crate::scenario_file::names;
 use crate::{presets, scenario_file};
 
@@ -241,12 +241,18 @@ impl Problem {
             scenario = scenario_file::read(&folder.join(path), &scenario).map_err(|error| error.to_string())?;
         }
         let mut changes = Changes::of(&scenario);
+        let mut given = Given::default();
         for (name, value) in &file.fixed {
-            fix(&mut changes, name, value)?;
+            fix(&mut changes, &mut given, name, value)?;
         }
         let layers = changes.values().scenario();
         let variables = file.parameters.iter().map(|(name, range)| variable(&layers, name, range));
         let variables = variables.collect::<Result<Vec<_>, _>>()?;
+        for variable in &variables {
+            let parameter = variable.parameter();
+            let added = parameter.map_or(Ok(()), |parameter| given.add(parameter, &variable.name));
+            added.map_err(|error| format!("parameters: {error}"))?;
+        }
         let scenario = changed(changes, &variables)?;
         if variables.is_empty() {
             return Err("[parameters] is empty: there is nothing to search for".into());
@@ -311,8 +317,9 @@ fn changed(mut changes: Changes, variables: &[Variable]) -> Result<Scenario, Str
 }
 
 /// Sets a parameter to what stands under [fixed]: a number, or the label of a choice.
-fn fix(changes: &mut Changes, name: &str, value: &Value) -> Result<(), String> {
+fn fix(changes: &mut Changes, given: &mut Given, name: &str, value: &Value) -> Result<(), String> {
     let parameter = names::find(changes.values(), name).map_err(|error| format!("fixed: {error}"))?;
+    given.add(parameter, name).map_err(|error| format!("fixed: {error}"))?;
     let written = match value {
         Value::Number(number) => number.as_f64().map_or(Written::Other, Written::Number),
         Value::String(label) => Written::Label(label),
@@ -353,6 +360,19 @@ mod tests {
                 .contains("expected \"bonded\" or \"frictional\" or \"sliding\"")
         );
         assert!(refused(&text.replace("= 1\n", "= -1\n")).contains("expected 0 to 10"));
+    }
+
+    #[test]
+    fn a_parameter_stands_once_by_whatever_name() {
+        let range = "\"layers[0].c10\" = { min = 1e4, max = 1e6 }\n[[impact]]";
+        assert_eq!(
+            refused(&GOOD.replace("[[impact]]", range)),
+            "parameters: layers[0].c10 and silicone.c10 state the same thing: expected one of them"
+        );
+        assert_eq!(
+            refused(&format!("{GOOD}[fixed]\n\"silicone.c10\" = 1e5\n")),
+            "parameters: silicone.c10 is given twice: expected one value"
+        );
     }
 
     /// Both sides go through the filter, unless the trace has been through it.

@@ -16,6 +16,15 @@ const REFUSED: &[(&[&str], &[&str])] = &[
     (&["run", "--preset", "studdy"], &["studdy", "study"]),
     (&["validate", "--preset", "none"], &["none", "study"]),
     (&["scenario", "--preset", ""], &["--preset <NAME>", "study"]),
+    (
+        &["run", "--set", "silicone.thickness=0.01", "--set", "layers[0].thickness=0.02"],
+        &["--set layers[0].thickness=0.02: silicone.thickness and layers[0].thickness state the same thing"],
+    ),
+    (&["run", "--set", "silicone.c10=1e5", "--set", "silicone.c10=2e5"], &["silicone.c10 is given twice"]),
+    (
+        &["run", "--set", "impactor.drop_energy=5", "--energy", "9.8"],
+        &["impactor.drop_energy and --energy state the same thing: expected one of them"],
+    ),
     (&["run", "--scenario", "missing.toml"], &["missing.toml"]),
     (&["run", "--scenario", "."], &["."]),
     (&["run", "--plot", "force.jpg"], &["force.jpg", ".svg or .png"]),
