@@ -9,6 +9,7 @@ use softanvil_kernel::preset::Preset;
 use softanvil_kernel::{Changes, Parameter, Scenario};
 
 use super::material_test::MaterialTest;
+use super::possible::Possible;
 use super::prior::Prior;
 use super::target::{Impact, Target, read_impacts};
 use super::uncertainty::options::UncertaintyOptions;
@@ -264,6 +265,8 @@ impl Problem {
         file.objective.check()?;
         let target = |impact: &Impact| Target::new(impact, &scenario, folder, file.objective.cfc);
         let targets = impacts.iter().map(target).collect::<Result<Vec<_>, _>>()?;
+        let possible = Possible::new(&scenario, &variables)?;
+        targets.iter().try_for_each(|target| possible.check(target))?;
         if !targets.iter().any(|target| !target.predict) {
             return Err("no [[impact]] counts: there is nothing to aim at".into());
         }
