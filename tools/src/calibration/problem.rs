@@ -271,7 +271,7 @@ impl Problem {
             return Err("no [[impact]] counts: there is nothing to aim at".into());
         }
         if let Some(prior) = &file.prior {
-            prior.check()?;
+            prior.check(&scenario)?;
         }
         for test in &file.material_test {
             test.check(&scenario)?;
