@@ -213,6 +213,11 @@ impl Problem {
         })
     }
 
+    /// Whether numbers were measured, and not traces alone.
+    pub fn has_numbers(&self) -> bool {
+        self.targets.iter().flat_map(|target| target.measured).any(|measured| measured.is_some())
+    }
+
     /// Digest of [`Problem::inputs`].
     pub fn digest(&self) -> String {
         folder::digest(self.inputs().to_string().as_bytes())

@@ -70,6 +70,11 @@ fn show_front(problem: &mut Problem, options: &Options, stop: &AtomicBool) -> Re
     if problem.material_tests.iter().all(|test| test.predict) {
         return Err(Failure::Input("--material-weights has no effect: no [[material_test]] counts".into()));
     }
+    if !problem.has_numbers() {
+        let reason =
+            "--material-weights is refused: traces alone were measured; expected numbers, whose mean error it shows";
+        return Err(Failure::Input(reason.into()));
+    }
     let mut folder = Folder::new(&options.out, options.overwrite.overwrite);
     folder.check(front::FILES)?;
     let mut points = Vec::new();
@@ -106,7 +111,10 @@ fn search_in(
     let descents = pool.install(|| {
         search(problem, &mut log, stop, &|done, best| {
             bar.set_position(done as u64);
-            bar.set_message(format!("score {:.3}, mean error {:.2} %", best.score, best.mean_error));
+            // Of traces alone there is no mean.
+            let mean =
+                if best.mean_error.is_nan() { String::new() } else { format!(", mean error {:.2} %", best.mean_error) };
+            bar.set_message(format!("score {:.3}{mean}", best.score));
         })
     })?;
     bar.finish_and_clear();
