@@ -1,15 +1,16 @@
 //! The command line: arguments in, text and exit code out.
 
+use std::cell::OnceCell;
 use std::ffi::OsString;
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::{Args, CommandFactory, Parser, Subcommand};
 
 use crate::commands::{
     calibrate, fit, fmu, golden, measure, page, protect, reduction, report, run, scenario, sweep, validate,
 };
-use crate::failure::Failure;
+use crate::failure::{Failure, INTERRUPTED};
 use crate::{identity, interrupt};
 
 /// Drop-weight impact on a soft anvil, by explicit finite elements that give the same bits everywhere.
@@ -17,7 +18,10 @@ use crate::{identity, interrupt};
 /// Without a command: the three drops of the paper, its table side by side, and a report folder.
 #[derive(Debug, Parser)]
 #[command(name = "softanvil", version, long_version = identity::long_version(), args_conflicts_with_subcommands = true)]
-#[command(after_help = "Exit codes: 0 done, 1 the simulation or a file failed, 2 wrong input.")]
+#[command(
+    after_help = "Exit codes: 0 done, 1 the simulation or a file failed, 2 wrong input, 130 interrupted: what was done \
+                         by then is shown and written."
+)]
 pub struct Cli {
     #[command(flatten)]
     report: report::Options,
@@ -110,7 +114,7 @@ pub struct Outcome {
     pub stdout: String,
     /// Text for standard error.
     pub stderr: String,
-    /// 0 done, 1 failed, 2 wrong input.
+    /// 0 done, 1 failed, 2 wrong input, 130 interrupted.
     pub exit_code: u8,
 }
 
@@ -128,7 +132,13 @@ pub fn execute_with(arguments: impl IntoIterator<Item = OsString>, interrupt: &d
         // Help and version.
         Err(error) => return done(error.to_string()),
     };
-    match cli.carry_out(interrupt) {
+    let asked = OnceCell::new();
+    let stop = || Arc::clone(asked.get_or_init(interrupt));
+    match cli.carry_out(&stop) {
+        // What was done until then is not what was asked for.
+        Ok(text) if asked.get().is_some_and(|stop| stop.load(Ordering::Relaxed)) => {
+            Outcome { exit_code: INTERRUPTED, ..done(text) }
+        }
         Ok(text) => done(text),
         Err(failure) => refused(&failure),
     }

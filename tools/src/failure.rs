@@ -3,6 +3,9 @@
 use std::fmt::Display;
 use std::path::Path;
 
+/// Exit code of a command that was interrupted, as shells have it: 128 and the number of the signal.
+pub const INTERRUPTED: u8 = 130;
+
 /// Why a command did not do what it was asked.
 #[derive(Debug, thiserror::Error)]
 pub enum Failure {
@@ -12,6 +15,9 @@ pub enum Failure {
     /// The simulation failed, or a file could not be written.
     #[error("{0}")]
     Failed(String),
+    /// It was interrupted before there was anything to show.
+    #[error("interrupted before anything was done")]
+    Interrupted,
 }
 
 impl Failure {
@@ -20,6 +26,7 @@ impl Failure {
         match self {
             Self::Failed(_) => 1,
             Self::Input(_) => 2,
+            Self::Interrupted => INTERRUPTED,
         }
     }
 

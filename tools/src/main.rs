@@ -1,12 +1,28 @@
 //! The command line of Softanvil.
 
-use std::io::Write;
+use std::io::{self, ErrorKind, Write};
 use std::process::ExitCode;
+
+use softanvil_tools::failure::Failure;
 
 fn main() -> ExitCode {
     let outcome = softanvil_tools::cli::execute(std::env::args_os());
-    // A reader that has gone away (`softanvil scenario | head`) is no failure of ours.
-    let _ = std::io::stdout().write_all(outcome.stdout.as_bytes());
-    let _ = std::io::stderr().write_all(outcome.stderr.as_bytes());
-    ExitCode::from(outcome.exit_code)
+    // There is nowhere else to say that an error cannot be written.
+    let _ = write(io::stderr(), &outcome.stderr);
+    match write(io::stdout(), &outcome.stdout) {
+        Ok(()) => ExitCode::from(outcome.exit_code),
+        Err(error) => {
+            let failure = Failure::Failed(format!("standard output cannot be written: {error}"));
+            let _ = write(io::stderr(), &format!("error: {failure}\n"));
+            ExitCode::from(failure.exit_code())
+        }
+    }
+}
+
+/// Writes all of `text`. A reader that has gone away (`softanvil scenario | head`) is no failure of ours.
+fn write(mut stream: impl Write, text: &str) -> io::Result<()> {
+    match stream.write_all(text.as_bytes()).and_then(|()| stream.flush()) {
+        Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
+        written => written,
+    }
 }

@@ -1,7 +1,7 @@
 //! Calibration: the parameters with which simulated impacts come closest to measured ones.
 //!
 //! 1. [`problem`] is the file that says what is searched for; [`variable`] a parameter with its bounds, [`target`] the
-//!    measured impacts, [`material_test`] tests of the material by itself, which [`uniaxial`] computes, [`prior`] a softer
+//!    measured impacts, [`possible`] which numbers they can have, [`material_test`] tests of the material by itself, which [`uniaxial`] computes, [`prior`] a softer
 //!    demand of the same kind.
 //! 2. [`objective`] turns values into a score: it simulates the impacts and compares.
 //! 3. [`search`] looks for the lowest score with CMA-ES and restarts; every evaluation goes to the [`log`], from which an
@@ -17,6 +17,7 @@ pub mod front;
 pub mod log;
 pub mod material_test;
 pub mod objective;
+pub mod possible;
 pub mod prior;
 pub mod problem;
 pub mod result;

@@ -40,7 +40,8 @@ pub struct Simulated {
 pub struct Evaluation {
     /// The score.
     pub score: f64,
-    /// Mean of the absolute errors of all measured numbers, %, whether they count or not; NaN if not simulated.
+    /// Mean of the absolute errors of all measured numbers, %, whether they count or not; NaN if not simulated, or if traces alone
+    /// were measured.
     pub mean_error: f64,
     /// The impacts in the order of the targets; none if they could not be simulated.
     pub impacts: Vec<Simulated>,
@@ -154,6 +155,9 @@ fn scored_errors<'a>(problem: &'a Problem, impacts: &'a [Simulated]) -> impl Ite
 }
 
 fn mean_error(problem: &Problem, impacts: &[Simulated]) -> f64 {
+    if !problem.has_numbers() {
+        return f64::NAN;
+    }
     crate::measurement::errors::mean_absolute(errors(problem, impacts))
 }
 

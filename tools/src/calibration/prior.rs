@@ -5,6 +5,7 @@
 //! score: a factor e between model and measurement costs one weight, the same in both directions.
 
 use serde::{Deserialize, Serialize};
+use softanvil_kernel::Scenario;
 use softanvil_kernel::material::{Elastic, Material};
 use softanvil_kernel::tensor::stretch::IsochoricStretch;
 
@@ -50,8 +51,21 @@ impl Prior {
     /// Whether the numbers make sense.
     ///
     /// # Errors
-    /// What is refused.
-    pub fn check(&self) -> Result<(), String> {
+    /// What is refused, and an anvil of several layers, of which it does not say which was tested, or one that does not keep its volume.
+    pub fn check(&self, scenario: &Scenario) -> Result<(), String> {
+        const INSTEAD: &str = "[[material_test]] takes a layer";
+        if scenario.layers.len() > 1 {
+            let count = scenario.layers.len();
+            return Err(format!(
+                "prior: the anvil has {count} layers, which may all be meant: expected one; {INSTEAD}"
+            ));
+        }
+        if scenario.layers.iter().any(|layer| layer.material.law.is_compressible()) {
+            return Err(
+                "prior: the law of the layer is compressible; expected one that keeps its volume, as the cylinder does"
+                    .into(),
+            );
+        }
         let moduli = [self.youngs_modulus, self.relaxed_shear_modulus, self.initial_shear_modulus];
         let positive = |value: f64| value > 0.0 && value.is_finite();
         if !moduli.iter().flatten().all(|modulus| positive(*modulus)) || !positive(self.time) || !positive(self.weight)
@@ -110,13 +124,36 @@ fn secant_shear_modulus(material: &Material, strain: f64) -> f64 {
 mod tests {
     use super::*;
     use softanvil_kernel::material::NeoHookean;
-    use softanvil_kernel::preset;
+    use softanvil_kernel::{Parameter, preset};
 
     #[test]
     fn a_neo_hookean_cylinder_has_the_secant_of_the_textbook() {
         let material = preset::study().layers[0].material.with(NeoHookean { c10: 1e5 });
         // Nominal stress 2 C10 (l - l^-2) at l = 0.5 is -7 C10.
         assert!((secant_shear_modulus(&material, 0.5) - 7e5 / 1.5).abs() < 1.0);
+    }
+
+    /// It does not say which layer was tested, and the cylinder keeps its volume.
+    #[test]
+    fn several_layers_and_foams_are_refused() {
+        let prior = Prior {
+            weight: 1.0,
+            youngs_modulus: Some(1e5),
+            time: 1.0,
+            relaxation_strain: 0.5,
+            relaxed_shear_modulus: None,
+            initial_shear_modulus: None,
+        };
+        let mut scenario = preset::study();
+        assert_eq!(prior.check(&scenario), Ok(()));
+        let law = Parameter::find("layers[0].law").unwrap();
+        let foam = law.labels().iter().position(|label| *label == "hyperfoam").unwrap();
+        law.set(&mut scenario, foam as f64).unwrap();
+        assert!(prior.check(&scenario).unwrap_err().contains("the law of the layer is compressible"));
+        let mut scenario = preset::study();
+        scenario.add_layer(preset::chamois()).unwrap();
+        let error = prior.check(&scenario).unwrap_err();
+        assert!(error.contains("the anvil has 2 layers") && error.contains("[[material_test]]"), "{error}");
     }
 
     #[test]

@@ -9,6 +9,7 @@ use softanvil_kernel::preset::Preset;
 use softanvil_kernel::{Changes, Parameter, Scenario};
 
 use super::material_test::MaterialTest;
+use super::possible::Possible;
 use super::prior::Prior;
 use super::target::{Impact, Target, read_impacts};
 use super::uncertainty::options::UncertaintyOptions;
@@ -19,7 +20,7 @@ use crate::measurement::quantity::{COUNT, QUANTITIES};
 use crate::measurement::series;
 use crate::measurement::series::Sensor;
 use crate::run::Until;
-use crate::scenario_file::assign::{self, Written};
+use crate::scenario_file::assign::{self, Given, Written};
 use crate::scenario_file::names;
 use crate::{presets, scenario_file};
 
@@ -212,6 +213,11 @@ impl Problem {
         })
     }
 
+    /// Whether numbers were measured, and not traces alone.
+    pub fn has_numbers(&self) -> bool {
+        self.targets.iter().flat_map(|target| target.measured).any(|measured| measured.is_some())
+    }
+
     /// Digest of [`Problem::inputs`].
     pub fn digest(&self) -> String {
         folder::digest(self.inputs().to_string().as_bytes())
@@ -241,12 +247,18 @@ impl Problem {
             scenario = scenario_file::read(&folder.join(path), &scenario).map_err(|error| error.to_string())?;
         }
         let mut changes = Changes::of(&scenario);
+        let mut given = Given::default();
         for (name, value) in &file.fixed {
-            fix(&mut changes, name, value)?;
+            fix(&mut changes, &mut given, name, value)?;
         }
         let layers = changes.values().scenario();
         let variables = file.parameters.iter().map(|(name, range)| variable(&layers, name, range));
         let variables = variables.collect::<Result<Vec<_>, _>>()?;
+        for variable in &variables {
+            let parameter = variable.parameter();
+            let added = parameter.map_or(Ok(()), |parameter| given.add(parameter, &variable.name));
+            added.map_err(|error| format!("parameters: {error}"))?;
+        }
         let scenario = changed(changes, &variables)?;
         if variables.is_empty() {
             return Err("[parameters] is empty: there is nothing to search for".into());
@@ -258,11 +270,13 @@ impl Problem {
         file.objective.check()?;
         let target = |impact: &Impact| Target::new(impact, &scenario, folder, file.objective.cfc);
         let targets = impacts.iter().map(target).collect::<Result<Vec<_>, _>>()?;
+        let possible = Possible::new(&scenario, &variables)?;
+        targets.iter().try_for_each(|target| possible.check(target))?;
         if !targets.iter().any(|target| !target.predict) {
             return Err("no [[impact]] counts: there is nothing to aim at".into());
         }
         if let Some(prior) = &file.prior {
-            prior.check()?;
+            prior.check(&scenario)?;
         }
         for test in &file.material_test {
             test.check(&scenario)?;
@@ -311,8 +325,9 @@ fn changed(mut changes: Changes, variables: &[Variable]) -> Result<Scenario, Str
 }
 
 /// Sets a parameter to what stands under [fixed]: a number, or the label of a choice.
-fn fix(changes: &mut Changes, name: &str, value: &Value) -> Result<(), String> {
+fn fix(changes: &mut Changes, given: &mut Given, name: &str, value: &Value) -> Result<(), String> {
     let parameter = names::find(changes.values(), name).map_err(|error| format!("fixed: {error}"))?;
+    given.add(parameter, name).map_err(|error| format!("fixed: {error}"))?;
     let written = match value {
         Value::Number(number) => number.as_f64().map_or(Written::Other, Written::Number),
         Value::String(label) => Written::Label(label),
@@ -353,6 +368,19 @@ mod tests {
                 .contains("expected \"bonded\" or \"frictional\" or \"sliding\"")
         );
         assert!(refused(&text.replace("= 1\n", "= -1\n")).contains("expected 0 to 10"));
+    }
+
+    #[test]
+    fn a_parameter_stands_once_by_whatever_name() {
+        let range = "\"layers[0].c10\" = { min = 1e4, max = 1e6 }\n[[impact]]";
+        assert_eq!(
+            refused(&GOOD.replace("[[impact]]", range)),
+            "parameters: layers[0].c10 and silicone.c10 state the same thing: expected one of them"
+        );
+        assert_eq!(
+            refused(&format!("{GOOD}[fixed]\n\"silicone.c10\" = 1e5\n")),
+            "parameters: silicone.c10 is given twice: expected one value"
+        );
     }
 
     /// Both sides go through the filter, unless the trace has been through it.

@@ -27,6 +27,9 @@ use crate::text::wrap::filled;
 /// Names of the files of a result.
 pub const FILES: [&str; 3] = ["best.toml", "summary.json", "summary.txt"];
 
+/// What is said in place of a mean of no numbers.
+const TRACES_ALONE: &str = "No numbers were measured, traces alone";
+
 /// The best values, evaluated once more, and how far they are pinned.
 pub struct Found {
     /// The evaluation in the log.
@@ -83,7 +86,10 @@ impl Found {
     fn head(&self, problem: &Problem) -> String {
         let (score, evaluations) = (self.entry.score, self.evaluations);
         let found = format!("The best of {evaluations} evaluations by `softanvil calibrate`, score {score:.3}.\n");
-        let impacts = format!("Mean |error| of all measured numbers {:.2} %.\n", self.evaluation.mean_error);
+        let impacts = match problem.has_numbers() {
+            true => format!("Mean |error| of all measured numbers {:.2} %.\n", self.evaluation.mean_error),
+            false => format!("{TRACES_ALONE}.\n"),
+        };
         let lines = found + &impacts + &self.material_lines(problem) + &self.convergence.text(problem.variables.len());
         let lines = lines + &self.bounds(problem) + &self.determined(problem);
         lines.lines().map(|line| format!("# {line}\n")).collect::<String>() + "#\n"
@@ -120,11 +126,18 @@ impl Found {
         let counted = problem.targets.iter().flat_map(|target| target.counts).filter(|counts| *counts).count();
         let searched = problem.variables.len();
         let channel = problem.objective.cfc.map_or(String::new(), |class| format!(", filtered by CFC {class}"));
+        let counted = match problem.has_numbers() {
+            true => format!("{counted} numbers counted"),
+            false => TRACES_ALONE.to_lowercase(),
+        };
+        let mean = match problem.has_numbers() {
+            true => format!(" mean |error| of all measured numbers {:.2} %,", self.evaluation.mean_error),
+            false => String::new(),
+        };
         text += &filled(&format!(
-            "Score {:.3}, mean |error| of all measured numbers {:.2} %, after {} evaluations: {searched} parameter{} \
-             searched, {counted} numbers counted.\n{spread}Compared force: {}{channel}.",
+            "Score {:.3},{mean} after {} evaluations: {searched} parameter{} searched, {counted}.\n{spread}Compared force: \
+             {}{channel}.",
             self.entry.score,
-            self.evaluation.mean_error,
             self.evaluations,
             if searched == 1 { "" } else { "s" },
             problem.objective.force.label(),

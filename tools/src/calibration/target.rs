@@ -3,7 +3,8 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use serde::Deserialize;
+use serde::de::Error;
+use serde::{Deserialize, Deserializer};
 use serde_json::{Map, Value, json};
 use softanvil_kernel::Scenario;
 use softanvil_records::sheet::Layout;
@@ -50,8 +51,7 @@ pub struct Impact {
 }
 
 /// A file with a measured trace.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(untagged)]
+#[derive(Clone, Debug)]
 pub enum TraceFile {
     /// Its name.
     Name(String),
@@ -60,8 +60,7 @@ pub enum TraceFile {
 }
 
 /// A file with a measured trace, and what it leaves open: the options of `softanvil measure`, without their dashes.
-#[derive(Clone, Debug, Default, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Debug, Default)]
 pub struct OpenTrace {
     /// Name of the file.
     file: String,
@@ -77,7 +76,70 @@ pub struct OpenTrace {
     decimal: Option<String>,
 }
 
+/// By hand, so that what is wrong is named with what is expected.
+impl<'de> Deserialize<'de> for TraceFile {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        match Value::deserialize(deserializer)? {
+            Value::String(name) => Ok(Self::Name(name)),
+            Value::Object(table) => {
+                OpenTrace::of(&table).map(|open| Self::Open(Box::new(open))).map_err(D::Error::custom)
+            }
+            other => Err(D::Error::custom(format!(
+                "trace = {other} is refused: expected the name of a file, or a table {{ file = \"drop.csv\" }} with keys of docs/measured-data.md"
+            ))),
+        }
+    }
+}
+
+/// Keys of the table of a trace whose values are texts, each with an example.
+const TEXTS: [(&str, &str); 9] = [
+    ("file", "drop.csv"),
+    ("time", "t [ms]"),
+    ("force", "Fz [kN]"),
+    ("acceleration", "a [m/s2]"),
+    ("mass", "5 kg"),
+    ("rate", "20 kHz"),
+    ("sign", "-"),
+    ("sheet", "Sheet1"),
+    ("decimal", "comma"),
+];
+/// Those whose values are numbers.
+const NUMBERS: [&str; 2] = ["offset", "impact"];
+
 impl OpenTrace {
+    fn of(table: &Map<String, Value>) -> Result<Self, String> {
+        let known = || TEXTS.iter().map(|(key, _)| *key).chain(NUMBERS);
+        if let Some(key) = table.keys().find(|key| !known().any(|known| known == *key)) {
+            return Err(format!("trace.{key} is unknown: expected {}", known().collect::<Vec<_>>().join(", ")));
+        }
+        let refuse = |key: &str, legal: &str| format!("trace.{key} = {} is refused: expected {legal}", table[key]);
+        let text = |key: &str| match table.get(key) {
+            None => Ok(None),
+            Some(Value::String(text)) => Ok(Some(text.clone())),
+            Some(_) => {
+                let example = TEXTS.iter().find(|(name, _)| *name == key).map_or("", |(_, example)| example);
+                Err(refuse(key, &format!("a text in quotation marks, such as \"{example}\"")))
+            }
+        };
+        let offset = table.get("offset").map(|value| value.as_f64().ok_or_else(|| refuse("offset", "a number")));
+        let whole = |value: &Value| value.as_u64().and_then(|value| u32::try_from(value).ok());
+        let impact =
+            table.get("impact").map(|value| whole(value).ok_or_else(|| refuse("impact", "a whole number, 1 or more")));
+        Ok(Self {
+            file: text("file")?.ok_or("trace is refused: expected a key file with the name of the file")?,
+            time: text("time")?,
+            force: text("force")?,
+            acceleration: text("acceleration")?,
+            mass: text("mass")?,
+            rate: text("rate")?,
+            sign: text("sign")?,
+            sheet: text("sheet")?,
+            decimal: text("decimal")?,
+            offset: offset.transpose()?,
+            impact: impact.transpose()?,
+        })
+    }
+
     fn options(&self) -> Result<trace::Options, String> {
         fn parsed<T>(
             key: &str,
@@ -307,6 +369,25 @@ mod tests {
         assert!(target.half_unit.iter().zip(rounded).all(|(a, b)| (a - b).abs() < 1e-12), "{:?}", target.half_unit);
         let target = Target::new(&Impact { predict: true, ..impact }, &scenario(), Path::new("."), None).unwrap();
         assert_eq!(target.counts, [false; COUNT]);
+    }
+
+    #[test]
+    fn what_is_wrong_in_the_table_of_a_trace_is_named() {
+        let refused = |trace: &str| toml_edit::de::from_str::<Impact>(&format!("energy = 5\n{trace}")).unwrap_err();
+        for (trace, message) in [
+            (
+                "trace = { file = \"x.csv\", mass = 5 }",
+                "trace.mass = 5 is refused: expected a text in quotation marks, such as \"5 kg\"",
+            ),
+            ("trace = { file = \"x.csv\", weight = 5 }", "trace.weight is unknown: expected file, time, force"),
+            ("trace = { mass = \"5 kg\" }", "expected a key file with the name of the file"),
+            ("trace = { file = \"x.csv\", impact = -1 }", "trace.impact = -1 is refused: expected a whole number"),
+            ("trace = { file = \"x.csv\", offset = \"1\" }", "trace.offset = \"1\" is refused: expected a number"),
+            ("trace = 3", "trace = 3 is refused: expected the name of a file, or a table"),
+        ] {
+            let error = refused(trace).to_string();
+            assert!(error.contains(message), "{trace}: {error}");
+        }
     }
 
     #[test]

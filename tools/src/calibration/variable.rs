@@ -91,6 +91,14 @@ impl Variable {
         Ok(Self { name: name.into(), unit, range, place })
     }
 
+    /// The parameter that it is; none of what several parameters make.
+    pub fn parameter(&self) -> Option<Parameter> {
+        match self.place {
+            Place::Row(parameter) => Some(parameter),
+            Place::Overstress { .. } => None,
+        }
+    }
+
     /// The value in `scenario`.
     pub fn get(&self, scenario: &Scenario) -> f64 {
         match self.place {

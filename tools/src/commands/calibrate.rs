@@ -21,8 +21,8 @@ use crate::progress;
 ///
 /// The problem file names the parameters with their ranges, the impacts (lines of the paper's table, your own numbers, or
 /// force traces) and the score; `calibration/` in the repository holds those of the presets. Interrupt with Ctrl-C: what
-/// was found so far is written, and the same command continues. Every evaluation is a line of evaluations.csv; the log of
-/// another problem is refused.
+/// was found so far is written, the exit code is 130, and the same command continues. Every evaluation is a line of
+/// evaluations.csv; the log of another problem is refused.
 #[derive(Debug, Args)]
 pub struct Options {
     /// Problem file (TOML)
@@ -70,6 +70,11 @@ fn show_front(problem: &mut Problem, options: &Options, stop: &AtomicBool) -> Re
     if problem.material_tests.iter().all(|test| test.predict) {
         return Err(Failure::Input("--material-weights has no effect: no [[material_test]] counts".into()));
     }
+    if !problem.has_numbers() {
+        let reason =
+            "--material-weights is refused: traces alone were measured; expected numbers, whose mean error it shows";
+        return Err(Failure::Input(reason.into()));
+    }
     let mut folder = Folder::new(&options.out, options.overwrite.overwrite);
     folder.check(front::FILES)?;
     let mut points = Vec::new();
@@ -77,8 +82,11 @@ fn show_front(problem: &mut Problem, options: &Options, stop: &AtomicBool) -> Re
         problem.objective.material_weight = *weight;
         problem.objective.check().map_err(Failure::Input)?;
         let out = options.out.join(format!("weight-{weight}"));
-        let (_, found) = search_in(problem, &out, options, stop)?;
-        points.push(Point::of(problem, &found));
+        match search_in(problem, &out, options, stop) {
+            // The points until then.
+            Err(Failure::Interrupted) if !points.is_empty() => break,
+            found => points.push(Point::of(problem, &found?.1)),
+        }
     }
     let picture = front::picture(&points).map_err(|error| Failure::Failed(error.to_string()))?;
     let text = front::text(&points);
@@ -103,12 +111,14 @@ fn search_in(
     let descents = pool.install(|| {
         search(problem, &mut log, stop, &|done, best| {
             bar.set_position(done as u64);
-            bar.set_message(format!("score {:.3}, mean error {:.2} %", best.score, best.mean_error));
+            // Of traces alone there is no mean.
+            let mean =
+                if best.mean_error.is_nan() { String::new() } else { format!(", mean error {:.2} %", best.mean_error) };
+            bar.set_message(format!("score {:.3}{mean}", best.score));
         })
     })?;
     bar.finish_and_clear();
-    let failed = || Failure::Failed("interrupted at once".into());
-    let found = Found::new(problem, &log.entries, descents).ok_or_else(failed)?;
+    let found = Found::new(problem, &log.entries, descents).ok_or(Failure::Interrupted)?;
     let warnings = warnings_of(&problem.scenario).unwrap_or_default();
     let outcome = match options.uncertainty {
         true => Some(pool.install(|| infer(problem, &found, &mut folder, stop))?),

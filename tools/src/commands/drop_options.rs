@@ -11,7 +11,8 @@ use crate::failure::Failure;
 use crate::output::subject::Subject;
 use crate::presets;
 use crate::run::Until;
-use crate::scenario_file::{self, assign, names};
+use crate::scenario_file::assign::{self, Given};
+use crate::scenario_file::{self, names};
 
 /// Which drop to simulate.
 #[derive(Debug, Args)]
@@ -66,15 +67,15 @@ impl DropOptions {
             scenario = scenario_file::read_material(path, &scenario)?;
         }
         let mut own_duration = scenario.time.duration != preset.time.duration || self.duration.is_some();
-        let mut changes = Changes::of(&scenario);
+        let (mut changes, mut given) = (Changes::of(&scenario), Given::default());
         for text in &self.set {
-            let parameter = assign::set_text(&mut changes, text)
+            let parameter = assign::set_text(&mut changes, &mut given, text)
                 .map_err(|error| Failure::Input(format!("--set {text}: {error}")))?;
             own_duration |= parameter.name() == DURATION;
         }
-        self.start.apply(&mut changes)?;
+        self.start.apply(&mut changes, &mut given)?;
         if let Some(duration) = self.duration {
-            set(&mut changes, DURATION, duration)?;
+            set(&mut changes, &mut given, ("--duration", DURATION), duration)?;
         }
         let scenario = changes.apply().map_err(|error| Failure::Input(error.to_string()))?;
         Ok(Subject {
@@ -92,21 +93,24 @@ impl DropOptions {
 pub(super) const DURATION: &str = "time.duration";
 
 impl StartOptions {
-    fn apply(&self, changes: &mut Changes) -> Result<(), Failure> {
+    fn apply(&self, changes: &mut Changes, given: &mut Given) -> Result<(), Failure> {
         for (option, value) in [("energy", self.energy), ("height", self.height), ("speed", self.speed)] {
             if let Some(value) = value {
                 if changes.values().scenario().impactor.motion == Motion::Prescribed {
                     let text = "is refused: impactor.motion = prescribed does not fall; expected drop";
                     return Err(Failure::Input(format!("--{option} {text}")));
                 }
-                set(changes, &format!("impactor.drop_{option}"), value)?;
+                let names = (format!("--{option}"), format!("impactor.drop_{option}"));
+                set(changes, given, (&names.0, &names.1), value)?;
             }
         }
         Ok(())
     }
 }
 
-fn set(changes: &mut Changes, name: &str, value: f64) -> Result<(), Failure> {
+/// Sets the parameter called `name` by `option`.
+fn set(changes: &mut Changes, given: &mut Given, (option, name): (&str, &str), value: f64) -> Result<(), Failure> {
     let parameter = names::find(changes.values(), name).map_err(Failure::Input)?;
+    given.add(parameter, option).map_err(Failure::Input)?;
     changes.set(parameter, value).map_err(|error| Failure::Input(error.to_string()))
 }

@@ -12,6 +12,7 @@ use crate::golden::{self, Played};
 
 /// Check this build on this machine against the golden traces, bit by bit.
 #[derive(Debug, Args)]
+#[command(arg_required_else_help = false)]
 pub struct Options {
     #[command(subcommand)]
     action: Action,

@@ -46,7 +46,8 @@ pub struct Options {
         conflicts_with = "vtu")]
     impacts: u32,
     /// Time between one impact and the next in s
-    #[arg(long, value_name = "S", default_value_t = 60.0, allow_negative_numbers = true, requires = "impacts")]
+    #[arg(long, value_name = "S", default_value = "60", allow_negative_numbers = true, value_parser = rest,
+        requires = "impacts")]
     rest: f64,
     #[command(flatten)]
     uncertainty: UncertaintyOptions,
@@ -155,6 +156,15 @@ pub(super) fn simulate_watched(
         bar.inc(steps);
         watch(simulation)
     })
+}
+
+/// Longest time between impacts that the kernel takes, s.
+const LONGEST_REST: f64 = 1e9;
+
+/// A time between impacts in s.
+fn rest(text: &str) -> Result<f64, String> {
+    let rest = text.parse().ok().filter(|rest| (0.0..=LONGEST_REST).contains(rest));
+    rest.ok_or_else(|| format!("expected 0 to {LONGEST_REST} s"))
 }
 
 /// Longest time between frames, s.

@@ -30,7 +30,7 @@ use crate::sweep::{Sweep, columns, file};
 /// scenario's own value is always among them:
 /// `softanvil sweep silicone.c10=1e5,2e5 core.interface=bonded,frictional --convergence`. Or files that say what is changed and
 /// why, as those of the folder `sweeps`, which make what the paper changed: `softanvil sweep sweeps/*.toml --out pages`.
-/// Interrupt with Ctrl-C: what is done by then is shown and written.
+/// Interrupt with Ctrl-C: what is done by then is shown and written, and the exit code is 130.
 #[derive(Debug, Args)]
 pub struct Options {
     /// Parameters with their values, or files of sweeps

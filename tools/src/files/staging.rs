@@ -28,8 +28,14 @@ fn stage_file(path: &Path, content: &[u8]) -> io::Result<(NamedTempFile, PathBuf
     if let Some(permissions) = shared(0o666) {
         builder.permissions(permissions);
     }
-    let mut file = builder.prefix(PREFIX).tempfile_in(parent(&place))?;
-    file.write_all(content)?;
+    let folder = parent(&place);
+    if !folder.is_dir() {
+        return Err(io::Error::other(format!("there is no folder {}", folder.display())));
+    }
+    // Without the name of the temporary file, which nobody asked for.
+    let unnamed = |error: io::Error| io::Error::from(error.kind());
+    let mut file = builder.prefix(PREFIX).tempfile_in(folder).map_err(unnamed)?;
+    file.write_all(content).map_err(unnamed)?;
     Ok((file, place))
 }
 

@@ -55,6 +55,8 @@ pub struct Curves {
     pub words: String,
     /// How the files were understood where they left a choice.
     pub notes: Vec<String>,
+    /// What speaks against their numbers.
+    pub warnings: Vec<String>,
 }
 
 /// How files become curves.
@@ -76,7 +78,7 @@ impl Curves {
         let mut notes: Vec<String> = Vec::new();
         let mut files = Vec::new();
         let mut specimens: Vec<Vec<Point>> = Vec::new();
-        let (mut volumes, mut words) = (Vec::new(), String::new());
+        let (mut volumes, mut words, mut warnings) = (Vec::new(), String::new(), Vec::new());
         for path in paths {
             let source = Source::read(path)?;
             let name = source.name();
@@ -84,6 +86,7 @@ impl Curves {
             let curve = curve::read(&name, &source.bytes, &options).map_err(|error| source.refused(&error))?;
             let mut say = |note: &str| notes.push(format!("{name}: {note}"));
             curve.notes.iter().for_each(|note| say(note));
+            warnings.extend(curve.warnings.iter().map(|warning| format!("{name}: {warning}")));
             for repeat in &curve.repeats {
                 let label = if repeat.name.is_empty() { String::new() } else { format!("specimen {}: ", repeat.name) };
                 let mut own = Vec::new();
@@ -106,7 +109,7 @@ impl Curves {
         // Of a shear the stretch is 1 more than the amount.
         let rest = if mode == Mode::SimpleShear { 1.0 } else { 0.0 };
         let points = points.iter().map(|point| (point.stretch - rest, point.stress)).collect();
-        Ok(Self { data: DataSet { mode, points }, files, n_specimen, volumes, words, notes })
+        Ok(Self { data: DataSet { mode, points }, files, n_specimen, volumes, words, notes, warnings })
     }
 }
 

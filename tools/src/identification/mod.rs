@@ -130,6 +130,7 @@ impl Identification {
             Some(law) => position(&fits, law, &failed)?,
             None => ranking::choose(&fits),
         };
+        caveats.extend(curves.iter().flat_map(|curves| curves.warnings.iter().cloned()));
         caveats.extend(volume::caveats(&curves, volume));
         caveats.extend(fits.get(chosen).into_iter().flat_map(|fit| ranking::caveats(fit, &fits, &data, &settings)));
         let relaxed = match relaxation {

@@ -36,6 +36,27 @@ pub fn number(parameter: &Parameter, written: Written) -> Result<f64, String> {
     found.ok_or_else(|| legal(parameter))
 }
 
+/// The parameters that have been given in one place, by their names there.
+#[derive(Debug, Default)]
+pub struct Given(Vec<(Parameter, String)>);
+
+impl Given {
+    /// Takes `parameter`, which is called `name` here.
+    ///
+    /// # Errors
+    /// It has been given before, by the same name or another: one of the two values would have no effect.
+    pub fn add(&mut self, parameter: Parameter, name: &str) -> Result<(), String> {
+        match self.0.iter().find(|(other, _)| *other == parameter) {
+            Some((_, before)) if before == name => Err(format!("{name} is given twice: expected one value")),
+            Some((_, before)) => Err(format!("{before} and {name} state the same thing: expected one of them")),
+            None => {
+                self.0.push((parameter, name.into()));
+                Ok(())
+            }
+        }
+    }
+}
+
 /// What a parameter may be.
 fn legal(parameter: &Parameter) -> String {
     let (min, max) = parameter.range();
@@ -49,15 +70,16 @@ fn legal(parameter: &Parameter) -> String {
     }
 }
 
-/// Sets what `text`, `group.field=value`, says.
+/// Sets what `text`, `group.field=value`, says, beside what is `given` already.
 ///
 /// # Errors
-/// A text of another form, an unknown name, or a value that is refused.
-pub fn set_text(changes: &mut Changes, text: &str) -> Result<Parameter, String> {
+/// A text of another form, an unknown name, a parameter that is given already, or a value that is refused.
+pub fn set_text(changes: &mut Changes, given: &mut Given, text: &str) -> Result<Parameter, String> {
     let (name, value) = text.split_once('=').ok_or_else(|| {
         format!("{text} is refused: expected group.field=value, such as silicone.c10=2e5 or core.interface=bonded")
     })?;
     let parameter = names::find(changes.values(), name.trim())?;
+    given.add(parameter, name.trim())?;
     set_bare(changes, parameter, value)?;
     Ok(parameter)
 }
@@ -80,7 +102,7 @@ mod tests {
 
     #[test]
     fn numbers_and_labels_of_a_command_line_are_set() {
-        let mut changes = Changes::of(&preset::study());
+        let (mut changes, mut given) = (Changes::of(&preset::study()), Given::default());
         for text in [
             "silicone.c10=2e5",
             "layers[0].rows=4",
@@ -88,11 +110,23 @@ mod tests {
             "layers[1].thickness=0.001",
             " impactor.mass = 4 ",
         ] {
-            set_text(&mut changes, text).unwrap();
+            set_text(&mut changes, &mut given, text).unwrap();
         }
         let scenario = changes.apply().unwrap();
         assert_eq!((scenario.layers[0].material.coefficient("c10"), scenario.impactor.mass), (Some(2e5), 4.0));
         assert_eq!((scenario.layers.len(), scenario.layers[0].rows, scenario.layers[1].thickness), (2, 4, 1e-3));
+    }
+
+    #[test]
+    fn a_parameter_is_given_once_by_whatever_name() {
+        let (mut changes, mut given) = (Changes::of(&preset::study()), Given::default());
+        let mut set = |text: &str| set_text(&mut changes, &mut given, text).map(|_| ());
+        set("silicone.thickness=0.01").unwrap();
+        set("silicone.c10=1e5").unwrap();
+        let twice = set("layers[0].thickness=0.02").unwrap_err();
+        assert_eq!(twice, "silicone.thickness and layers[0].thickness state the same thing: expected one of them");
+        assert_eq!(set("silicone.c10=2e5").unwrap_err(), "silicone.c10 is given twice: expected one value");
+        assert_eq!(changes.apply().unwrap().layers[0].thickness, 0.01);
     }
 
     #[test]
@@ -115,7 +149,7 @@ mod tests {
             ),
         ] {
             let mut changes = Changes::of(&preset::study());
-            let error = set_text(&mut changes, text).err().unwrap();
+            let error = set_text(&mut changes, &mut Given::default(), text).err().unwrap();
             assert!(error.starts_with(message), "{error}");
             assert_eq!(changes.apply().unwrap(), preset::study());
         }

@@ -6,7 +6,7 @@ use std::path::Path;
 use softanvil_kernel::{Changes, Parameter, ParameterError, Scenario, ScenarioError};
 use toml_edit::{Document, Item, TableLike, TomlError, Value};
 
-use super::assign::{self, Written};
+use super::assign::{self, Given, Written};
 use super::names::{self, LAYERS};
 use crate::failure::Failure;
 
@@ -52,6 +52,14 @@ pub enum ScenarioFileError {
         found: String,
         /// What may stand there.
         legal: String,
+    },
+    /// The parameter has a value already.
+    #[error("line {line}: {reason}")]
+    Twice {
+        /// Line of the second value, from 1.
+        line: usize,
+        /// Both names.
+        reason: String,
     },
     /// The number is out of its range.
     #[error("line {line}: {error}")]
@@ -109,29 +117,35 @@ pub fn parse_material(text: &str, base: &Scenario) -> Result<Scenario, ScenarioF
 /// have no effect, or do not fit together.
 pub fn parse(text: &str, base: &Scenario) -> Result<Scenario, ScenarioFileError> {
     let document = Document::parse(text).map_err(|error| syntax(text, &error))?;
-    let mut changes = Changes::of(base);
+    let mut content = Content { changes: Changes::of(base), given: Given::default() };
     // First of all the layers, whose names may be those of sections.
     if let Some(item) = document.get(LAYERS) {
         let position = Position { text, line: line_of(text, key_span(document.as_table(), LAYERS)) };
-        read_layers(&position, item, &mut changes)?;
+        read_layers(&position, item, &mut content)?;
     }
     for (group, item) in document.iter().filter(|(group, _)| *group != LAYERS) {
         let position = Position { text, line: line_of(text, key_span(document.as_table(), group)) };
         let is_group = |parameter: Parameter| parameter.name().group() == group;
-        let is_layer = || changes.values().scenario().layers.iter().any(|layer| layer.name == group);
+        let is_layer = || content.changes.values().scenario().layers.iter().any(|layer| layer.name == group);
         if !Parameter::all().any(is_group) && !is_layer() {
-            return Err(position.unknown(&changes, group));
+            return Err(position.unknown(&content.changes, group));
         }
         let Some(section) = item.as_table_like() else {
             return Err(position.wrong_type(group, item, format!("a section [{group}] of keys")));
         };
-        read_section(&position, group, section, &mut changes)?;
+        read_section(&position, group, section, &mut content)?;
     }
-    Ok(changes.apply()?)
+    Ok(content.changes.apply()?)
+}
+
+/// What a file has said so far.
+struct Content {
+    changes: Changes,
+    given: Given,
 }
 
 /// Reads the tables of layers: as many as there are layers, the first next to the core.
-fn read_layers(position: &Position, item: &Item, changes: &mut Changes) -> Result<(), ScenarioFileError> {
+fn read_layers(position: &Position, item: &Item, content: &mut Content) -> Result<(), ScenarioFileError> {
     let legal = || format!("a table [[{LAYERS}]] for each layer");
     let tables: Vec<&dyn TableLike> = match item {
         Item::ArrayOfTables(tables) => tables.iter().map(|table| table as &dyn TableLike).collect(),
@@ -142,7 +156,7 @@ fn read_layers(position: &Position, item: &Item, changes: &mut Changes) -> Resul
         _ => return Err(position.wrong_type(LAYERS, item, legal())),
     };
     if let Some(count) = Parameter::find("layers.count") {
-        position.set(changes, count, tables.len() as f64)?;
+        position.set(content, count, "layers.count", tables.len() as f64)?;
     }
     for (number, table) in tables.into_iter().enumerate() {
         for (field, item) in table.iter() {
@@ -150,13 +164,13 @@ fn read_layers(position: &Position, item: &Item, changes: &mut Changes) -> Resul
             let name = format!("{LAYERS}[{number}].{field}");
             if field == "name" {
                 let text = item.as_str().ok_or_else(|| position.wrong_type(&name, item, "a text".into()))?;
-                let legal = names::check_layer_name(changes.values(), number, text);
+                let legal = names::check_layer_name(content.changes.values(), number, text);
                 legal.map_err(|legal| position.wrong_type(&name, item, legal))?;
-                changes.name_layer(number, text);
+                content.changes.name_layer(number, text);
                 continue;
             }
-            let parameter = Parameter::find(&name).ok_or_else(|| position.unknown(changes, &name))?;
-            position.set(changes, parameter, position.value(&parameter, item)?)?;
+            let parameter = Parameter::find(&name).ok_or_else(|| position.unknown(&content.changes, &name))?;
+            position.set(content, parameter, &name, position.value(&parameter, item)?)?;
         }
     }
     Ok(())
@@ -166,13 +180,14 @@ fn read_section(
     position: &Position,
     group: &str,
     section: &dyn TableLike,
-    changes: &mut Changes,
+    content: &mut Content,
 ) -> Result<(), ScenarioFileError> {
     for (field, item) in section.iter() {
         let name = format!("{group}.{field}");
         let position = Position { line: line_of(position.text, key_span(section, field)), ..*position };
+        let changes = &content.changes;
         let parameter = changes.values().find(&name).ok_or_else(|| position.unknown(changes, &name))?;
-        position.set(changes, parameter, position.value(&parameter, item)?)?;
+        position.set(content, parameter, &name, position.value(&parameter, item)?)?;
     }
     Ok(())
 }
@@ -195,8 +210,16 @@ impl Position<'_> {
         assign::number(parameter, written).map_err(|legal| self.wrong_type(&parameter.name().to_string(), item, legal))
     }
 
-    fn set(&self, changes: &mut Changes, parameter: Parameter, value: f64) -> Result<(), ScenarioFileError> {
-        changes.set(parameter, value).map_err(|error| ScenarioFileError::Value { line: self.line, error })
+    fn set(
+        &self,
+        content: &mut Content,
+        parameter: Parameter,
+        name: &str,
+        value: f64,
+    ) -> Result<(), ScenarioFileError> {
+        let line = self.line;
+        content.given.add(parameter, name).map_err(|reason| ScenarioFileError::Twice { line, reason })?;
+        content.changes.set(parameter, value).map_err(|error| ScenarioFileError::Value { line, error })
     }
 
     fn unknown(&self, changes: &Changes, name: &str) -> ScenarioFileError {

@@ -102,6 +102,21 @@ fn a_refused_line_tells_its_number_and_what_is_legal() {
     }
 }
 
+/// One of the two would win without a word.
+#[test]
+fn a_parameter_has_one_value_in_a_file_by_whatever_name() {
+    assert_eq!(
+        refused("[[layers]]\nthickness = 0.010\n[silicone]\nthickness = 0.02\n"),
+        "line 4: layers[0].thickness and silicone.thickness state the same thing: expected one of them"
+    );
+    let named = "[[layers]]\n[[layers]]\nname = \"skin\"\nthickness = 1e-3\n[skin]\ndensity = 900\nthickness = 2e-3\n";
+    assert_eq!(
+        refused(named),
+        "line 7: layers[1].thickness and skin.thickness state the same thing: expected one of them"
+    );
+    assert!(parse(&named.replace("thickness = 2e-3\n", ""), &preset::study()).is_ok());
+}
+
 #[test]
 fn broken_toml_tells_its_line() {
     for text in ["[impactor]\nmass = ", "[impactor]\nmass = 5\nmass = 5", "[impactor]\n= 5"] {

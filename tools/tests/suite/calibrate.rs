@@ -74,7 +74,7 @@ fn a_log_of_another_problem_is_refused_and_says_what_differs() {
     let continued = ["calibrate", "problem.toml", "--out", "out", "--evaluations", "6", "--seed", "1"];
     for (text, difference) in [
         (PROBLEM.to_string() + "peak_force = 3000\n", "impacts[0].peak_force.measured was 5400.0 and is 3000.0"),
-        (PROBLEM.to_string() + "peak_force = 5400\nimpulse = 3\n", "impacts[0].impulse.measured was 16.0 and is 3.0"),
+        (PROBLEM.to_string() + "peak_force = 5400\nimpulse = 15\n", "impacts[0].impulse.measured was 16.0 and is 15.0"),
         (
             PROBLEM.replace("7.5e-3", "7.6e-3") + "peak_force = 5400\n",
             "scenario.mesh.element_size was 0.0075 and is 0.0076",
@@ -332,4 +332,34 @@ fn the_page_of_the_protocols_has_the_errors_of_the_presets() {
             _ => {}
         }
     }
+}
+
+/// Ctrl-C: what was found is written and shown, and the exit code says that it is not all.
+#[cfg(unix)]
+#[test]
+fn an_interrupted_search_shows_what_it_found_and_says_so_by_its_exit_code() {
+    use std::process::{Command, Stdio};
+    use std::time::Duration;
+
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    fs::write(folder.join("problem.toml"), PROBLEM).unwrap();
+    let mut child = Command::new(env!("CARGO_BIN_EXE_softanvil"))
+        .args(["calibrate", "problem.toml", "--out", "out", "--evaluations", "100000"])
+        .current_dir(folder)
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let done = || fs::read_to_string(folder.join("out/evaluations.csv")).map_or(0, |text| text.lines().count());
+    while done() < 7 {
+        assert!(child.try_wait().unwrap().is_none(), "it ended by itself");
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    assert!(Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());
+    let output = child.wait_with_output().unwrap();
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert_eq!((output.status.code(), output.stderr.len()), (Some(130), 0), "{text}");
+    assert!(text.contains("Interrupted: the same command continues."), "{text}");
+    assert!(folder.join("out/best.toml").exists());
 }

@@ -97,7 +97,16 @@ fn a_calibration_says_how_it_read_its_traces() {
     problem("{ file = \"drop.csv\", time = \"t [ms]\", force = \"Fz [kN]\" }");
     let text = crate::common::succeed(folder.path(), &["calibrate", "problem.toml", "--out", "out"]);
     assert!(text.contains("column 2 \"Fz\", in kN (1000 N)"), "{text}");
+    // There is no mean of no numbers.
+    let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(words.contains("1 parameter searched, no numbers were measured, traces alone."), "{text}");
+    assert!(!text.contains("mean |error|"), "{text}");
+    let best = std::fs::read_to_string(folder.path().join("out/best.toml")).unwrap();
+    assert!(best.contains("# No numbers were measured, traces alone.\n"), "{best}");
     let summary = std::fs::read_to_string(folder.path().join("out/summary.json")).unwrap();
     let summary: serde_json::Value = serde_json::from_str(&summary).unwrap();
     assert_eq!(summary["impacts"][0]["trace"]["force"]["unit"], "kN");
+    assert!(summary["mean_error_percent"].is_null(), "{summary}");
+    // The log is read again.
+    crate::common::succeed(folder.path(), &["calibrate", "problem.toml", "--out", "out"]);
 }

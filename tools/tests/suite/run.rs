@@ -327,6 +327,28 @@ fn the_long_version_states_kernel_digest_and_target() {
     assert!(long.contains(&format!("\ntarget {}-{}", std::env::consts::ARCH, std::env::consts::OS)), "{long}");
 }
 
+/// What a disk that is full does not take is an error; a reader that has gone away is none.
+#[cfg(target_os = "linux")]
+#[test]
+fn output_that_cannot_be_written_is_exit_code_1() {
+    use std::process::{Command, Stdio};
+
+    let written_to = |stdout: Stdio| {
+        let mut child = Command::new(env!("CARGO_BIN_EXE_softanvil"));
+        child.arg("scenario").stdout(stdout).stderr(Stdio::piped()).spawn().unwrap()
+    };
+    let full = std::fs::File::create("/dev/full").unwrap();
+    let output = written_to(full.into()).wait_with_output().unwrap();
+    let stderr = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(1), "{stderr}");
+    assert!(stderr.starts_with("error: standard output cannot be written: "), "{stderr}");
+    assert_eq!(stderr.lines().count(), 1, "{stderr}");
+    let mut child = written_to(Stdio::piped());
+    drop(child.stdout.take());
+    let output = child.wait_with_output().unwrap();
+    assert_eq!((output.status.code(), output.stderr.len()), (Some(0), 0));
+}
+
 #[test]
 fn a_step_that_fails_is_exit_code_1_and_writes_nothing() {
     let folder = tempfile::tempdir().unwrap();

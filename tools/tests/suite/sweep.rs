@@ -446,7 +446,7 @@ fn an_interrupted_sweep_keeps_what_is_done() {
     }
     assert!(Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());
     let output = child.wait_with_output().unwrap();
-    assert_eq!((output.status.code(), output.stderr.len()), (Some(0), 0));
+    assert_eq!((output.status.code(), output.stderr.len()), (Some(130), 0));
     let page: Value = serde_json::from_slice(&output.stdout).unwrap();
     assert_eq!((page["missing"].as_u64(), page["cases"].as_array().unwrap().len()), (Some(1), 3));
     let text = fs::read_to_string(folder.path().join("pages/convergence.md")).unwrap();

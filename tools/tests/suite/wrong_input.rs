@@ -16,6 +16,15 @@ const REFUSED: &[(&[&str], &[&str])] = &[
     (&["run", "--preset", "studdy"], &["studdy", "study"]),
     (&["validate", "--preset", "none"], &["none", "study"]),
     (&["scenario", "--preset", ""], &["--preset <NAME>", "study"]),
+    (
+        &["run", "--set", "silicone.thickness=0.01", "--set", "layers[0].thickness=0.02"],
+        &["--set layers[0].thickness=0.02: silicone.thickness and layers[0].thickness state the same thing"],
+    ),
+    (&["run", "--set", "silicone.c10=1e5", "--set", "silicone.c10=2e5"], &["silicone.c10 is given twice"]),
+    (
+        &["run", "--set", "impactor.drop_energy=5", "--energy", "9.8"],
+        &["impactor.drop_energy and --energy state the same thing: expected one of them"],
+    ),
     (&["run", "--scenario", "missing.toml"], &["missing.toml"]),
     (&["run", "--scenario", "."], &["."]),
     (&["run", "--plot", "force.jpg"], &["force.jpg", ".svg or .png"]),
@@ -23,6 +32,9 @@ const REFUSED: &[(&[&str], &[&str])] = &[
     (&["--out", "a", "validate"], &["--out <DIR>"]),
     (&["run", "--unknown"], &["--unknown"]),
     (&["drop"], &["drop"]),
+    (&["run", "--impacts", "2", "--rest", "-1"], &["'-1'", "--rest <S>", "expected 0 to 1000000000 s"]),
+    (&["run", "--impacts", "2", "--rest", "NaN"], &["'NaN'", "--rest <S>", "expected 0 to 1000000000 s"]),
+    (&["golden"], &["golden", "check, write"]),
     (&["--out"], &["--out <DIR>"]),
     (&["--out", ".."], &["..", "name of a folder"]),
     (&["--out", "missing/report"], &["missing/report", "there is no folder missing"]),
@@ -84,6 +96,8 @@ fn a_file_that_cannot_be_written_keeps_the_others_back() {
         let arguments = ["run", "--duration", "0.001", "--csv", "trace.csv", "--plot", picture];
         let line = fail(folder.path(), &arguments, 1);
         assert!(line.starts_with(&format!("{picture} cannot be written: ")), "{line}");
+        assert!(!line.contains(".softanvil-"), "{line}");
+        assert_eq!(line.ends_with(": there is no folder missing"), picture.starts_with("missing/"), "{line}");
         assert_eq!(entries(folder.path()), ["folder.svg"]);
     }
 }

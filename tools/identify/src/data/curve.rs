@@ -7,7 +7,7 @@ use softanvil_records::sheet::{self, Layout};
 
 use super::point::{Point, Repeat};
 use super::specimen::{Specimen, at_rest, displacement_at_rest};
-use super::{shear, volume};
+use super::{shear, touch, volume};
 
 /// Which way the specimen was loaded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -74,6 +74,8 @@ pub struct Curve {
     pub words: String,
     /// How the file was understood where it left a choice.
     pub notes: Vec<String>,
+    /// What speaks against its numbers: a way without load at the beginning, a load at rest.
+    pub warnings: Vec<String>,
 }
 
 /// Reads the curve in `bytes` of the file called `name`.
@@ -82,20 +84,27 @@ pub struct Curve {
 /// What cannot be understood, or in two ways.
 pub fn read(name: &str, bytes: &[u8], options: &Options) -> Result<Curve, ReadError> {
     let table = Table::new(sheet::parse(bytes, &options.layout)?, options.columns.as_deref())?;
-    let mut notes = table.notes.clone();
+    let (mut notes, mut warnings) = (table.notes.clone(), Vec::new());
     let pairs = pairs(&table, options)?;
-    let mut repeats = Vec::new();
+    let (mut repeats, mut pair_of) = (Vec::new(), Vec::new());
     for series in &table.series {
         for (index, pair) in pairs.iter().enumerate() {
-            let points = points(&table, series, pair, options, &mut notes)?;
+            let (points, warning) = points(&table, series, pair, options, &mut notes)?;
             let name = if pairs.len() > 1 { format!("{} {}", series.name, index + 1) } else { series.name.clone() };
+            let name = name.trim().to_string();
+            let label = if name.is_empty() { String::new() } else { format!("specimen {name}: ") };
+            warnings.extend(warning.map(|warning| format!("{label}{warning}")));
             if !points.is_empty() {
-                repeats.push(Repeat { name: name.trim().into(), points });
+                repeats.push(Repeat { name, points });
+                pair_of.push(pair);
             }
         }
     }
-    if let Some(pair) = pairs.first() {
-        notes.push(format!("{} over {}, {}", pair.load.title, pair.deformation.title, pair.measures()));
+    for (index, pair) in pairs.iter().enumerate() {
+        // Pairs of other measures than all before.
+        if pairs[..index].iter().all(|other| other.measures() != pair.measures()) {
+            notes.push(format!("{} over {}, {}", pair.load.title, pair.deformation.title, pair.measures()));
+        }
     }
     if repeats.iter().all(|repeat| repeat.points.len() < 3) {
         return Err(ReadError::file("fewer than three points with strain and stress"));
@@ -108,14 +117,14 @@ pub fn read(name: &str, bytes: &[u8], options: &Options) -> Result<Curve, ReadEr
     }
     if let Some(pair) = pairs.first().filter(|_| options.shear) {
         shear::orient(&pair.deformation, &mut repeats, &mut notes);
-        return Ok(Curve { repeats, volumes: Vec::new(), words: table.words, notes });
+        return Ok(Curve { repeats, volumes: Vec::new(), words: table.words, notes, warnings });
     }
     let stretched = pairs.iter().any(|pair| pair.deformation.kind == Kind::Stretch);
     let words = if stretched { None } else { Some(format!("{name}\n{}", table.words)) };
     orient(words.as_deref(), options.direction, &mut repeats, &mut notes)?;
-    to_stretch(&pairs, &mut repeats)?;
+    to_stretch(&pair_of, &mut repeats)?;
     let volumes = volume::read(&table, &repeats, &mut notes)?;
-    Ok(Curve { repeats, volumes, words: table.words, notes })
+    Ok(Curve { repeats, volumes, words: table.words, notes, warnings })
 }
 
 /// The column of the deformation and that of the load, with their measures.
@@ -196,14 +205,14 @@ fn candidates(table: &Table, kinds: &[Kind], machine: Kind, wanted: Option<Measu
     classes.into_iter().find(|columns| !columns.is_empty()).unwrap_or_default()
 }
 
-/// Strain as the file has it (in `stretch`) and stress in Pa.
+/// Strain as the file has it (in `stretch`) and stress in Pa, from where the specimen bears load; and what speaks against them.
 fn points(
     table: &Table,
     series: &Series,
     pair: &Pair,
     options: &Options,
     notes: &mut Vec<String>,
-) -> Result<Vec<Point>, ReadError> {
+) -> Result<(Vec<Point>, Option<String>), ReadError> {
     let strain_factor = options.specimen.strain_per_unit(table, series, &pair.deformation, notes)?;
     let stress_factor = options.specimen.stress_per_unit(table, &pair.load)?;
     let cycle = table.of(Kind::Cycle).next();
@@ -220,7 +229,36 @@ fn points(
     if pair.deformation.kind == Kind::Strain && strain_factor == 1.0 && !options.shear {
         refuse_stretches(&pair.deformation, &points)?;
     }
-    Ok(points)
+    let warning = begin_at_the_touch(&mut points, pair, (strain_factor, stress_factor));
+    Ok((points, warning))
+}
+
+/// Takes a way without load off the beginning of `points`, where it can be taken off, and says so; or that there is a load at
+/// rest. `factors` make strains and stresses of the columns' numbers.
+fn begin_at_the_touch(points: &mut Vec<Point>, pair: &Pair, factors: (f64, f64)) -> Option<String> {
+    let (deformation, load) = (&pair.deformation.title, &pair.load.title);
+    let Some(touch) = touch::find(points) else {
+        let rest = touch::offset(points)?;
+        let largest = points.iter().map(|point| point.stress.abs()).fold(0.0, f64::max);
+        return Some(format!(
+            "\"{load}\" is {:.4} ({:.1} % of the largest) where the specimen is at rest: an offset of the load cell, or a preload \
+             from which the deformation counts, goes into the law as it is; take it off the column",
+            rest / factors.1,
+            100.0 * rest.abs() / largest
+        ));
+    };
+    let way = (touch.strain - points.first().map_or(0.0, |point| point.stretch)).abs() / factors.0;
+    let found = format!(
+        "\"{deformation}\" moves by {way:.4} ({:.1} % of its way) before \"{load}\" rises, as with a gap before the touch or slack",
+        100.0 * touch.part
+    );
+    if pair.strain_measure != Measure::Engineering {
+        let measure = pair.strain_measure.names().0;
+        return Some(format!("{found}; it is not taken off a {measure} strain, and makes the modulus too small"));
+    }
+    touch::take_off(points, &touch);
+    let level = touch.stress / factors.1;
+    Some(format!("{found}: the curve begins there, and its load counts from {level:.4}"))
 }
 
 /// Strains that are 1 at no load, and nowhere near 0, are stretches.
@@ -329,11 +367,14 @@ pub(crate) fn hinted(words: &str) -> Option<Direction> {
 }
 
 /// From strains and stresses of any measure to stretches and nominal stresses.
-fn to_stretch(pairs: &[Pair], repeats: &mut [Repeat]) -> Result<(), ReadError> {
-    let Some(pair) = pairs.first() else { return Ok(()) };
-    for point in repeats.iter_mut().flat_map(|repeat| &mut repeat.points) {
-        point.stretch = pair.strain_measure.stretch(point.stretch, point.line)?;
-        point.stress = pair.stress_measure.nominal(point.stress, point.stretch);
+///
+/// Every one of `repeats` has the measures of its own pair of columns.
+fn to_stretch(pairs: &[&Pair], repeats: &mut [Repeat]) -> Result<(), ReadError> {
+    for (repeat, pair) in repeats.iter_mut().zip(pairs) {
+        for point in &mut repeat.points {
+            point.stretch = pair.strain_measure.stretch(point.stretch, point.line)?;
+            point.stress = pair.stress_measure.nominal(point.stress, point.stretch);
+        }
     }
     Ok(())
 }
@@ -417,6 +458,20 @@ mod tests {
         let curve = curve("x", text, &options).unwrap();
         let points: Vec<_> = curve.repeats[0].points.iter().map(|p| (p.stretch, p.stress)).collect();
         close(&points, &[(0.9, -2e4), (0.8, -4e4), (0.7, -6e4)]);
+    }
+
+    /// The same test as Green strain with second Piola-Kirchhoff stress, and as true ones.
+    #[test]
+    fn every_pair_of_columns_has_its_own_measures() {
+        let (e, row) = ([0.1, 0.2, 0.3], |e: &f64| {
+            let l = 1.0 + e;
+            let stress = 2e5 * e;
+            format!("{},{},{},{}\n", 0.5 * (l * l - 1.0), stress / l, l.ln(), stress * l)
+        });
+        let text: String = e.iter().map(row).collect();
+        let titles = "green strain,2nd Piola-Kirchhoff stress [Pa],true strain,true stress [Pa]\n";
+        let expected = [(1.1, 2e4), (1.2, 4e4), (1.3, 6e4)];
+        close(&pairs_of(&format!("{titles}{text}")), &[expected, expected].concat());
     }
 
     #[test]

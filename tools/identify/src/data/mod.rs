@@ -1,7 +1,7 @@
 //! From the tables of a test machine to curves in SI units.
 //!
 //! The crate `softanvil-records` reads the files. [`curve`] makes stretches and nominal stresses of their columns (with
-//! [`specimen`], and [`shear`] for a shear), [`volume`] reads the volume beside them, [`cycles`] tells loading from unloading, [`repeats`] makes one curve
+//! [`specimen`], [`touch`] for where they begin, and [`shear`] for a shear), [`volume`] reads the volume beside them, [`cycles`] tells loading from unloading, [`repeats`] makes one curve
 //! of several specimens, and [`thinned`] fewer points of very many.
 
 pub mod curve;
@@ -11,4 +11,5 @@ pub mod repeats;
 pub mod shear;
 pub mod specimen;
 pub mod thinned;
+pub mod touch;
 pub mod volume;

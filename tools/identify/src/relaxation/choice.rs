@@ -29,17 +29,30 @@ pub struct Choice {
     pub caveats: Vec<String>,
 }
 
-/// No series describes the loads better than their mean does.
+/// Why there is no series.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-#[error(
-    "no series describes this relaxation: the loads scatter less around their mean than around the best of them (R2 = {0:.3}); \
-     are time, load and strain read as they are meant (--relaxation-columns, --relaxation-start, --ramp-time)?"
-)]
-pub struct Undescribed(f64);
+pub enum Undescribed {
+    /// None describes the loads better than their mean does: its R2.
+    #[error(
+        "no series describes this relaxation: the loads scatter less around their mean than around the best of them (R2 = {0:.3}); \
+         are time, load and strain read as they are meant (--relaxation-columns, --relaxation-start, --ramp-time)?"
+    )]
+    Loads(f64),
+    /// That of the hold has another ramp: by which part of the largest load it misses that, and what it may at most.
+    #[error(
+        "the series of the hold misses the ramp by {:.0} % of the largest load (root mean square; expected {:.0} % at most): the \
+         load did not rise like this; --relaxation-start and --ramp-time say how, and a file without the ramp is one of a step",
+        100.0 * .0, 100.0 * GROSS
+    )]
+    Ramp(f64),
+}
 
 /// Root mean square of a ramp over that of the hold, and that of the hold over what it would be without the ramp, beyond which
 /// ramp and hold are not of one linear material; and the parts of the largest load that are no misfit.
 const ONE_MATERIAL: [(f64, f64); 2] = [(2.0, 5e-3), (1.5, 1e-3)];
+/// Part of the largest load by which a series misses the ramp of no sample, root mean square: one that softens at once, to where
+/// it stays, is missed by a third.
+const GROSS: f64 = 0.4;
 /// Part of a load that is no misfit.
 const ROUNDING: f64 = 1e-6;
 /// Points of a hold that tell a series by themselves, at least.
@@ -55,7 +68,7 @@ impl Choice {
     /// The residual falls with every term, so the study's rule, the lowest residual, would choose the most terms.
     ///
     /// # Errors
-    /// Series that are all worse than the mean.
+    /// Series that are all worse than the mean, or that have another ramp altogether.
     pub fn new(data: &Relaxation, n_term: Option<usize>) -> Result<Self, Undescribed> {
         let mut choice = Self::of(data, n_term);
         let hold = data.hold();
@@ -63,7 +76,11 @@ impl Choice {
             let of_hold = fit(choice.prony().terms.len(), &hold);
             if !is_one_material(data, choice.prony(), &of_hold) {
                 choice = Self::of(&hold, n_term);
-                choice.caveats.push(left_out(data, choice.prony()));
+                let missed = choice.prony().residuals(data).0.unwrap_or_default() / largest(data);
+                if missed > GROSS {
+                    return Err(Undescribed::Ramp(missed));
+                }
+                choice.caveats.push(left_out(missed));
             }
         }
         choice.keep_described(largest(data))?;
@@ -89,7 +106,7 @@ impl Choice {
         let is_described =
             |prony: &Prony| prony.statistics.r_squared >= 0.0 || prony.statistics.rms <= ROUNDING * largest;
         if !is_described(self.prony()) {
-            return Err(Undescribed(self.prony().statistics.r_squared));
+            return Err(Undescribed::Loads(self.prony().statistics.r_squared));
         }
         let n_term = self.prony().terms.len();
         self.series.retain(is_described);
@@ -112,11 +129,11 @@ fn is_one_material(data: &Relaxation, of_all: &Prony, of_hold: &Prony) -> bool {
 }
 
 /// That the ramp does not count.
-fn left_out(data: &Relaxation, prony: &Prony) -> String {
+fn left_out(missed: f64) -> String {
     format!(
         "the ramp is not that of the material that relaxes in the hold (a sample that softens, a law that is not linear, or \
          another ramp time): the series is of the hold alone, and misses the ramp by {:.1} % of the largest load",
-        100.0 * prony.residuals(data).0.unwrap_or_default() / largest(data)
+        100.0 * missed
     )
 }
 
@@ -180,6 +197,19 @@ mod tests {
         assert!(instantaneous > largest && instantaneous < 1.5 * largest, "{instantaneous} {largest}");
     }
 
+    /// A load that stands there for most of what is said to be its ramp, and then jumps.
+    #[test]
+    fn a_ramp_that_is_none_is_refused() {
+        let mut data = slow_ramp(|part| part);
+        let step = |(load, time): (&mut f64, &f64)| {
+            *load = if *time < 9.9 { 0.3 } else { 2.0 + 3.0 * (-(time - 9.9) / 40.0).exp() }
+        };
+        data.loads.iter_mut().zip(&data.times).for_each(step);
+        let error = Choice::new(&data, None).unwrap_err();
+        assert!(matches!(error, Undescribed::Ramp(missed) if missed > 0.4), "{error:?}");
+        assert!(error.to_string().contains("expected 40 % at most"), "{error}");
+    }
+
     /// Terms of a tenth of the loading time are as fast as any that are looked for.
     #[test]
     fn what_was_never_measured_is_said() {
@@ -207,6 +237,7 @@ mod tests {
         let loads = times.iter().map(|time| 1.0 + 0.1 * time).collect();
         let history = History::measured(vec![(0.0, 1.0), (49.0, 0.01)]);
         let error = Choice::new(&Relaxation::of_samples(times, loads, 0.0, history), None).unwrap_err();
-        assert!(error.0 < 0.0 && error.to_string().contains("--relaxation-columns"), "{error}");
+        assert!(matches!(error, Undescribed::Loads(r_squared) if r_squared < 0.0), "{error:?}");
+        assert!(error.to_string().contains("--relaxation-columns"), "{error}");
     }
 }

@@ -2,6 +2,7 @@
 
 use softanvil_records::ReadError;
 use softanvil_records::column::{self, Column, Kind, Measure};
+use softanvil_records::robust::median;
 use softanvil_records::series::{DYNAMIC, Series, Table};
 use softanvil_records::sheet::{self, Layout};
 
@@ -90,6 +91,11 @@ pub fn read(bytes: &[u8], options: &Options, elastic: Option<&dyn Fn(f64) -> f64
     };
     let mut notes = Vec::new();
     let mut rows = rows(&table, series, options, &mut notes)?;
+    if let Some(load) = touch(&rows) {
+        let share = 100.0 * (load / rows[peak(&rows)].load).abs();
+        notes.push(format!("a load of {share:.1} % of the largest that stood there before the rise is taken off"));
+        rows.iter_mut().for_each(|row| row.load -= load);
+    }
     let start = options.start.unwrap_or_else(|| beginning(&rows, &mut notes));
     rows.iter_mut().for_each(|row| row.time -= start);
     if rows.iter().all(|row| row.load == 0.0) {
@@ -217,6 +223,25 @@ const UNLOADED: f64 = 0.05;
 fn peak(rows: &[Row]) -> usize {
     let larger = |best: usize, index: usize| if rows[index].load.abs() > rows[best].load.abs() { index } else { best };
     (0..rows.len()).fold(0, larger)
+}
+
+/// Rows before the rise that tell a load which stood there, at least.
+const STANDING: usize = 3;
+/// Parts of the peak between which such a load is one: less is nothing, and more may be a load that was there at once.
+const TOUCH: (f64, f64) = (5e-3, 0.5);
+
+/// The load that stood at the specimen before it was loaded, by which a machine holds it or which its load cell shows; none of a
+/// record that does not begin with one.
+fn touch(rows: &[Row]) -> Option<f64> {
+    let top = peak(rows);
+    let (first, largest) = (rows.first()?.load, rows[top].load);
+    let alike = |row: &Row| (row.load - first).abs() < UNLOADED * (largest - first).abs();
+    let last = rows[..top].iter().rposition(alike)?;
+    let standing = &rows[..=risen_from(rows, last)];
+    let load = median(standing.iter().map(|row| row.load).collect());
+    let part = (load / largest).abs();
+    let stands = standing.len() >= STANDING && standing.iter().all(alike);
+    (stands && (TOUCH.0..TOUCH.1).contains(&part)).then_some(load)
 }
 
 /// When loading began on the file's clock: at 0, or where a load that was nothing begins to rise; says so if it is later.
@@ -408,6 +433,22 @@ mod tests {
         let found = test(text, &Options::default()).unwrap();
         assert!((found.relaxation.history.elastic(&[0.1])[0] - 1.0).abs() < 1e-9, "{:?}", found.relaxation);
         assert!(found.notes[0].contains("begins at 10.1 s"), "{:?}", found.notes);
+    }
+
+    /// 20 N hold the specimen for 5 s, then a step by 280 N relaxes to a third of that.
+    #[test]
+    fn a_load_that_stood_there_before_the_step_is_no_ramp() {
+        let load = |t: f64| if t < 5.0 { 20.0 } else { 20.0 + 280.0 * (1.0 + 2.0 * (-(t - 5.0) / 2.0).exp()) / 3.0 };
+        for (sign, noise) in [(1.0, 0.0), (-1.0, 0.3)] {
+            let at = |k: i32| (0.1 * f64::from(k), noise * (f64::from(k) * 12.9898).sin());
+            let row = |(t, error): (f64, f64)| format!("{t:.1},{}\n", sign * (load(t + 1e-9) + error));
+            let text: String = (0..=600).map(at).map(row).collect();
+            let found = test(&format!("time [s],force [N]\n{text}"), &Options::default()).unwrap();
+            assert!(found.notes[0].starts_with("a load of 6.7 % of the largest that stood there"), "{:?}", found.notes);
+            let choice = crate::relaxation::choice::Choice::new(&found.relaxation, Some(1)).unwrap();
+            let (g, tau) = choice.prony().normalised()[0];
+            assert!((g - 2.0 / 3.0).abs() < 0.02 && (tau / 2.0 - 1.0).abs() < 0.05, "{g} {tau}");
+        }
     }
 
     #[test]

@@ -3,7 +3,8 @@
 //!
 //! Independent ensembles run side by side, each with a generator of random numbers for each walker, so that the number of
 //! threads changes nothing. The first half of each is left out. Their agreement is told by the split R-hat of Gelman and Rubin
-//! over the halves of what is left, their length by the integrated autocorrelation time of the mean of the walkers.
+//! over the halves of what is left, the length of all
+//! ensembles together by the integrated autocorrelation time of the mean of the walkers.
 
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -18,7 +19,7 @@ use serde::Serialize;
 const ENSEMBLES: usize = 4;
 /// Largest R-hat of chains that agree.
 const AGREE: f64 = 1.02;
-/// Autocorrelation times that a chain has to last.
+/// Autocorrelation times that the moves of all ensembles together have to last.
 const TIMES: f64 = 50.0;
 /// Acceptance of a chain that moves.
 const ACCEPTANCE: std::ops::RangeInclusive<f64> = 0.1..=0.9;
@@ -62,6 +63,7 @@ pub struct Diagnostics {
 impl Diagnostics {
     /// What speaks against the chains; nothing if they have converged.
     pub fn refusal(&self) -> Option<String> {
+        // The ensembles are independent, so that their moves add up.
         let needed = TIMES * self.autocorrelation_time;
         if !ACCEPTANCE.contains(&self.acceptance) {
             let legal = format!("{} to {}", ACCEPTANCE.start(), ACCEPTANCE.end());
@@ -74,7 +76,7 @@ impl Diagnostics {
         let long = (ENSEMBLES * self.moves) as f64;
         (needed.is_nan() || long < needed).then(|| {
             format!(
-                "the chains are too short: {long} moves, expected {TIMES} times the autocorrelation time of {:.0}",
+                "the chains are too short: {long} moves of all ensembles together, expected {TIMES} times the autocorrelation time of {:.0}",
                 self.autocorrelation_time
             )
         })
@@ -230,7 +232,11 @@ mod tests {
         let stuck = Diagnostics { acceptance: 0.01, ..good.clone() }.refusal().unwrap();
         assert!(stuck.contains("acceptance is 0.010"), "{stuck}");
         let short = Diagnostics { autocorrelation_time: 1e6, ..good.clone() }.refusal().unwrap();
-        assert!(short.contains("too short"), "{short}");
+        assert!(short.contains("too short: 8000 moves of all ensembles together, expected 50 times"), "{short}");
+        // The moves of four ensembles, of which the first half is left out, are what counts.
+        let just = |time: f64| Diagnostics { autocorrelation_time: time, ..good.clone() }.refusal();
+        assert_eq!((good.moves, just(160.0)), (2000, None));
+        assert!(just(160.1).is_some());
         assert!(Diagnostics { r_hat: f64::NAN, ..good }.refusal().is_some());
     }
 }

@@ -291,7 +291,7 @@ fn keys_of_trace(folder: &TempDir) -> String {
         std::fs::write(folder.path().join("file.toml"), text).unwrap();
         fail(folder.path(), &["calibrate", "file.toml"], 2)
     };
-    assert!(refused("file = \"none.csv\", zzz = 1").contains("did not match"));
+    assert!(refused("file = \"none.csv\", zzz = 1").contains("trace.zzz is unknown"));
     let rows = TRACE.map(|(key, value, meaning)| {
         let value = if key == "file" { String::new() } else { format!(", {key} = {value}") };
         let error = refused(&format!("file = \"none.csv\"{value}"));

@@ -105,7 +105,7 @@ const MEANINGS: &[(&str, &str)] = &[
     ("reading", "how the force was read"),
     ("fitted.parameters", "parameters that were fitted to the table"),
     ("fitted.numbers", "numbers of the table that they were fitted to"),
-    ("mean_error_percent", "mean of the absolute errors of all numbers, %"),
+    ("mean_error_percent", "mean of the absolute errors of all numbers, %; null of traces alone"),
     ("peak_force_mean_error_percent", "the same of the peak forces, %"),
     ("energy", "impact energy, J"),
     ("error_percent.<number>", "error of each of the four numbers, %"),
