@@ -31,8 +31,8 @@ pub(crate) struct Forecast {
 /// Most steps between two looks at all cells. The monitor looks at some of them in each step.
 const MAX_STRIDE: Real = 16.0;
 
-/// Part of the limit that it may fall by between two looks, half of what the step keeps away from it; the next look comes sooner
-/// where it fell by more, or a cell that is pressed fast would turn inside out by a step that is no longer stable.
+/// Part of the limit that it may fall by between two looks at a foam, half of what the step keeps away from it; the next look comes
+/// sooner where it fell by more, or a cell that is pressed fast would turn inside out by a step that is no longer stable.
 const FALL: Real = 0.05;
 
 /// Part of the layer's thickness that the face may travel between two looks, so that no limit falls far in between.
@@ -134,8 +134,10 @@ impl Trial<'_> {
         arrays: &ModelArrays,
         state: &mut StateMemory,
     ) -> Result<(), ModelError> {
-        // The touch is a blow: the first looks come at once.
-        let (mut time, mut steps, mut turned, mut most) = (0.0, 0, false, 1.0);
+        let (mut time, mut steps, mut turned) = (0.0, 0, false);
+        // To a foam the touch is a blow: the first looks come at once.
+        let stiffens = self.constants.has_foam();
+        let mut most = if stiffens { 1.0 } else { MAX_STRIDE };
         while steps < MAX_STEPS {
             let model = self.model(arrays);
             let mut view = State::view(&model, state.lend())?;
@@ -152,7 +154,9 @@ impl Trial<'_> {
             let ended = falls_anew || (motion.has_ended(self.constants, &view, time) && !comes_back);
             let before = self.smallest;
             self.look(arrays, state, stopped);
-            most = next_most(stride as Real, 1.0 - self.smallest / before);
+            if stiffens {
+                most = next_most(stride as Real, 1.0 - self.smallest / before);
+            }
             if ended || stopped.is_some_and(|error| matches!(error, StepError::Inverted { .. })) {
                 break;
             }
