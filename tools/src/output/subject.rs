@@ -158,7 +158,25 @@ fn formulation(geometry: &Geometry) -> String {
 /// What makes the numbers of a run doubtful, of which `end` is the last step, in lines without a break.
 pub fn warnings(constants: &Constants, end: &Scalars) -> Vec<String> {
     let size = 1e3 * constants.scenario.mesh.element_size;
-    coarse(&constants.grid, size).into_iter().chain(unbalanced(&end.energy)).collect()
+    let way = end.metrics.max_deformation;
+    [coarse(&constants.grid, size), flat(way, constants.scenario.thickness()), unbalanced(&end.energy)]
+        .into_iter()
+        .flatten()
+        .collect()
+}
+
+/// Part of the layers' thickness beyond which no test of a material goes.
+const FLAT: f64 = 0.95;
+
+fn flat(deformation: f64, thickness: f64) -> Option<String> {
+    (deformation > FLAT * thickness).then(|| {
+        format!(
+            "the layers are pressed by {} mm of {} mm, further than any test of a material goes: the force is what the law happens to \
+             make of it, and small steps take long; less energy, or a thicker or stiffer layer, is what the law is for",
+            four_digits(1e3 * deformation),
+            short(1e3 * thickness)
+        )
+    })
 }
 
 /// Part of the external energy that a sound simulation leaves unexplained at most.
@@ -218,6 +236,13 @@ mod tests {
         let warnings = warnings_of(&scenario).unwrap();
         assert!(warnings.len() == 1 && warnings[0].contains("2 rows of cells"), "{warnings:?}");
         assert!(warnings[0].contains("mesh.element_size = 7.5 mm"), "{warnings:?}");
+    }
+
+    #[test]
+    fn layers_that_are_pressed_flat_are_warned_of() {
+        assert_eq!(flat(14.0e-3, 15e-3), None);
+        let text = flat(14.48e-3, 15e-3).unwrap();
+        assert!(text.starts_with("the layers are pressed by 14.48 mm of 15 mm, further"), "{text}");
     }
 
     #[test]
