@@ -18,6 +18,7 @@ pub use energy::EnergyBalance;
 pub(crate) use energy::{ContactWork, ENERGY_WORDS, SOFTENING_WORDS, StepWork};
 pub use memory::StateMemory;
 pub use metrics::Metrics;
+pub use next_impact::LONGEST_REST;
 pub(crate) use nodes::{Rows, StateNodes, corners};
 pub(crate) use pair::{
     ABREAST, FORCE, LEFT, MOBILITY, NORMAL, OPENING, PART, PairPack, PairRow, RESISTANCE, SHIFT, WEIGHT, columns,

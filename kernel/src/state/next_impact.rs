@@ -8,8 +8,8 @@ use crate::model::Model;
 use crate::number::real::Real;
 use crate::state::{Scalars, SolidState, State};
 
-/// Longest rest, s.
-const LONGEST_REST: Real = 1e9;
+/// Longest rest between two impacts, s.
+pub const LONGEST_REST: Real = 1e9;
 
 impl State<'_> {
     /// Lets the anvil rest for `rest` s, 0 to 10^9, and lifts the impactor, which falls again as at the start: time, samples,

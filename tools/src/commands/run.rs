@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use softanvil_kernel::scenario::Motion;
+use softanvil_kernel::state::LONGEST_REST;
 use softanvil_kernel::{SAMPLING_INTERVAL, Simulation};
 
 use super::drop_options::DropOptions;
@@ -157,9 +158,6 @@ pub(super) fn simulate_watched(
         watch(simulation)
     })
 }
-
-/// Longest time between impacts that the kernel takes, s.
-const LONGEST_REST: f64 = 1e9;
 
 /// A time between impacts in s.
 fn rest(text: &str) -> Result<f64, String> {

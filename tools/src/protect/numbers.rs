@@ -1,14 +1,12 @@
 //! The numbers by which pads are judged.
 
 use softanvil_kernel::Output;
+use softanvil_records::unit::GRAVITY;
 
 use super::padding;
 use super::watch::Extremes;
 use crate::measurement::series::{Sensor, Series};
 use crate::run::{Ending, Run};
-
-/// Standard acceleration of free fall, m/s2 (ISO 80000-3), the unit of peak accelerations.
-pub const STANDARD_GRAVITY: f64 = 9.80665;
 
 /// What came of a drop.
 #[derive(Clone, Debug)]
@@ -78,7 +76,7 @@ impl Numbers {
         Self {
             ending: run.ending(),
             transmitted: Series::of_run(run, Sensor::Core).peak(),
-            acceleration: result("result.peak_force") / (mass * STANDARD_GRAVITY),
+            acceleration: result("result.peak_force") / (mass * GRAVITY),
             duration: result("result.impact_duration"),
             impulse: result("result.impulse"),
             energy,
