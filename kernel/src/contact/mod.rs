@@ -10,6 +10,8 @@ pub(crate) mod rigid_core;
 mod rounded_face;
 mod segments;
 pub(crate) mod solid_core;
+mod solid_edge;
 pub(crate) mod solid_face;
 mod solid_node;
+mod solid_touch;
 pub mod surface;

@@ -1,12 +1,15 @@
-//! Contact and friction between the surface nodes of a solid and the face.
+//! Contact and friction between the surface of a solid and the face.
 //!
 //! As under a face that is round or has edges in the section ([`crate::contact::rounded_face`]), with a third direction: the face is
 //! flat over a disc or a rectangle and rounded beyond it, and the forces along its normal leave every touching node on it at the
-//! end of the step. Friction stops a node along the face within the limit of Coulomb's law.
+//! end of the step. So do those on the surface between the nodes where the face has its edge ([`crate::contact::solid_edge`]).
+//! Friction stops a node along the face within the limit of Coulomb's law.
 
 use crate::contact::friction::limited_vector;
 use crate::contact::rounded_face::depth;
+use crate::contact::solid_edge;
 use crate::contact::solid_node::{SolidNodes, across, dot};
+use crate::contact::solid_touch::Touch;
 use crate::impactor::{FaceContact, Prediction};
 use crate::model::{Constants, Model, SOLID_TOUCH_FIELDS};
 use crate::number::math;
@@ -26,10 +29,10 @@ pub(crate) fn contact(model: &Model, state: &mut State, prediction: &Prediction)
     let solid = SolidState::of(&constants.grid, constants.solid_history_packs, solid);
     let nodes = SolidNodes::new(model, [ux, uy, solid.displacement], [vx, vy, solid.velocity], [fx, fy, solid.force]);
     let mut surface = Surface { constants, nodes, touches: rounding.as_chunks_mut().0 };
-    surface.find_depths(prediction.position);
-    let smooth = surface.settle(prediction, 0.0);
+    let has_edge = surface.find_depths(prediction.position);
+    let smooth = surface.settle(prediction, 0.0, has_edge);
     let shear = surface.rub(smooth, prediction.velocity_half + smooth / constants.dt);
-    let rise = surface.settle(prediction, shear);
+    let rise = surface.settle(prediction, shear, has_edge);
     let normal_force = surface.press(rise) + shear;
     let before = impactor.velocity_half;
     let rail_force = impactor.advance(model, prediction, prediction.position + rise, normal_force);
@@ -53,38 +56,22 @@ impl FaceContact for Touching<'_, '_> {
 }
 
 /// The nodes at the surface.
-struct Surface<'s> {
-    constants: &'s Constants,
+pub(super) struct Surface<'s> {
+    pub constants: &'s Constants,
     nodes: SolidNodes<'s>,
-    touches: &'s mut [[Real; SOLID_TOUCH_FIELDS]],
+    pub touches: &'s mut [[Real; SOLID_TOUCH_FIELDS]],
 }
 
-/// A node that touches the face, or may.
-#[derive(Clone, Copy)]
-struct Touch {
-    /// Depth in the face at the end of a step without contact, m.
-    depth: Real,
-    /// Direction out of the face.
-    out: [Real; 3],
-    /// Friction along the face, N.
-    friction: [Real; 3],
-    /// kg; 0 in padding.
-    mass: Real,
-}
-
-impl Touch {
-    fn of([depth, x, y, z, fx, fy, fz, mass]: [Real; SOLID_TOUCH_FIELDS]) -> Self {
-        Self { depth, out: [x, y, z], friction: [fx, fy, fz], mass }
-    }
-
-    fn numbers(&self) -> [Real; SOLID_TOUCH_FIELDS] {
-        let ([x, y, z], [fx, fy, fz]) = (self.out, self.friction);
-        [self.depth, x, y, z, fx, fy, fz, self.mass]
-    }
-
-    /// The force that leaves the node on a face that has risen by `rise`, m, at the end of a step of `dt`, s; 0 away from it.
-    fn force(&self, rise: Real, dt: Real) -> Real {
-        math::max(0.0, self.mass * (self.depth + self.out[1] * rise)) / (dt * dt)
+/// How far a point `x` and `z` m beside the centre of a face is beyond the edge of its flat part, m; negative inside. Faces that are
+/// nowhere flat have no edge.
+fn beyond_edge(constants: &Constants, [x, z]: [Real; 2]) -> Real {
+    let (outline, scenario) = (&constants.outline, &constants.scenario);
+    match scenario.impactor.shape {
+        FaceShape::Round => math::sqrt(x * x + z * z) - outline.flat,
+        FaceShape::Rectangular => {
+            math::max(math::abs(x) - outline.flat, math::abs(z) - scenario.face_flat_length(outline))
+        }
+        FaceShape::Sphere | FaceShape::Bar => 0.0,
     }
 }
 
@@ -130,21 +117,39 @@ impl Surface<'_> {
         (grid.node_rows() - 1) * grid.plane()
     }
 
-    /// How deep every node is at the end of a step without contact, in a face at `height`, m.
-    fn find_depths(&mut self, height: Real) {
+    /// How deep every node is at the end of a step without contact, in a face at `height`, m; whether the edge of the face lies
+    /// among the nodes.
+    fn find_depths(&mut self, height: Real) -> bool {
         let (constants, first) = (self.constants, self.first());
+        let mut sides = [false; 2];
         for (place, numbers) in self.touches.iter_mut().enumerate() {
             let Some(node) = self.nodes.node(first + place) else { continue };
             let velocity = node.next_velocity(constants.dt);
             let [x, y, z] = core::array::from_fn(|i| node.position[i] + constants.dt * velocity[i]);
             let beside = [x - constants.scenario.impactor.offset, y - (constants.top_height + height), z];
             let (depth, out) = depth_in_face(constants, beside);
-            *numbers = Touch { depth, out, friction: [0.0; 3], mass: node.mass }.numbers();
+            let beyond = beyond_edge(constants, [beside[0], z]);
+            sides[usize::from(beyond > 0.0)] = true;
+            *numbers = Touch::new(node.mass, depth, out, [beside[1], beyond]).numbers();
         }
+        sides == [true; 2]
     }
 
     /// By how much the contact raises the face, m, with the upward friction `shear` on it, N.
-    fn settle(&self, prediction: &Prediction, shear: Real) -> Real {
+    fn settle(&mut self, prediction: &Prediction, shear: Real, has_edge: bool) -> Real {
+        let mut rise = self.settle_on(prediction, shear, has_edge);
+        if has_edge {
+            for _ in 0..solid_edge::PASSES {
+                solid_edge::press(self, rise);
+                rise = self.settle_on(prediction, shear, has_edge);
+            }
+        }
+        rise
+    }
+
+    /// The same with the forces at the edge as they are.
+    fn settle_on(&self, prediction: &Prediction, shear: Real, has_edge: bool) -> Real {
+        let shear = if has_edge { shear + solid_edge::total_force(self) } else { shear };
         let touching = Touching { surface: self, shear, position: prediction.position };
         prediction.settle(self.constants, &touching) - prediction.position
     }
@@ -159,10 +164,10 @@ impl Surface<'_> {
         for _ in 0..PASSES {
             let (mut masses, mut moments) = (0.0, 0.0);
             for touch in self.touches.iter().map(|numbers| Touch::of(*numbers)) {
-                let down = -touch.out[1];
-                if touch.depth > down * rise {
+                let (down, depth) = (-touch.out[1], touch.depth_left());
+                if depth > down * rise {
                     masses += touch.mass * down * down;
-                    moments += touch.mass * down * (touch.depth - down * start);
+                    moments += touch.mass * down * (depth - down * start);
                 }
             }
             rise = start + moments / (mass + masses);
@@ -178,13 +183,14 @@ impl Surface<'_> {
         let mut total = 0.0;
         for (place, numbers) in self.touches.iter_mut().enumerate() {
             let mut touch = Touch::of(*numbers);
-            let limit = coefficient * touch.force(rise, dt);
+            let (out, normal) = touch.pressed(touch.force(rise, dt), dt);
+            let limit = coefficient * normal;
             if limit <= 0.0 {
                 continue;
             }
             let Some(node) = self.nodes.node(first + place) else { continue };
             let [x, y, z] = node.next_velocity(dt);
-            let stick = across(&[x, y - velocity, z], &touch.out).map(|sliding| -touch.mass * sliding / dt);
+            let stick = across(&[x, y - velocity, z], &out).map(|sliding| -touch.mass * sliding / dt);
             touch.friction = limited_vector(stick, limit);
             total -= touch.friction[1];
             *numbers = touch.numbers();
@@ -199,14 +205,14 @@ impl Surface<'_> {
         let mut total = 0.0;
         for (place, numbers) in self.touches.iter_mut().enumerate() {
             let mut touch = Touch::of(*numbers);
-            let normal = touch.force(rise, dt);
+            touch.depth = touch.force(rise, dt);
+            let normal = touch.normal_force(dt);
             // A node that the friction of the others has let go keeps its own, of which the face has the reaction.
-            if normal > 0.0 || touch.friction != [0.0; 3] {
-                let force = core::array::from_fn(|i| normal * touch.out[i] + touch.friction[i]);
+            if normal != [0.0; 3] || touch.friction != [0.0; 3] {
+                let force = core::array::from_fn(|i| normal[i] + touch.friction[i]);
                 self.nodes.add_force(first + place, force);
-                total -= normal * touch.out[1];
+                total -= normal[1];
             }
-            touch.depth = normal;
             *numbers = touch.numbers();
         }
         total
@@ -218,14 +224,15 @@ impl Surface<'_> {
         let (dt, first) = (self.constants.dt, self.first());
         let mut total = [0.0; 2];
         for (place, touch) in self.touches.iter().map(|numbers| Touch::of(*numbers)).enumerate() {
-            if touch.depth <= 0.0 {
+            let normal = touch.normal_force(dt);
+            if normal == [0.0; 3] && touch.friction == [0.0; 3] {
                 continue;
             }
             let Some(node) = self.nodes.node(first + place) else { continue };
             let after = node.next_velocity(dt);
             let mut mean: [Real; 3] = core::array::from_fn(|i| 0.5 * (node.velocity[i] + after[i]));
             mean[1] -= face;
-            total[0] -= dt * touch.depth * dot(&mean, &touch.out);
+            total[0] -= dt * dot(&mean, &normal);
             total[1] -= dt * dot(&touch.friction, &mean);
         }
         total
@@ -235,7 +242,8 @@ impl Surface<'_> {
     fn show(&self, [down, along_x]: &mut [&mut [Real]; 2], along_z: &mut [Real]) {
         let places = down.iter_mut().zip(along_x.iter_mut()).zip(along_z);
         for (touch, ((down, x), z)) in self.touches.iter().map(|numbers| Touch::of(*numbers)).zip(places) {
-            let [fx, fy, fz]: [Real; 3] = core::array::from_fn(|i| touch.depth * touch.out[i] + touch.friction[i]);
+            let normal = touch.normal_force(self.constants.dt);
+            let [fx, fy, fz]: [Real; 3] = core::array::from_fn(|i| normal[i] + touch.friction[i]);
             (*down, *x, *z) = (-fy, fx, fz);
         }
     }

@@ -16,7 +16,7 @@ pub(crate) const SURFACE_FIELDS: usize = 2;
 pub(crate) const ROUNDING_FIELDS: usize = 4;
 
 /// The same of a solid: see [`crate::contact`].
-pub(crate) const SOLID_TOUCH_FIELDS: usize = 8;
+pub(crate) const SOLID_TOUCH_FIELDS: usize = 13;
 
 /// Numbers for each pack of nodes that may touch the layer across an interface: see [`crate::state::PairRow`].
 pub(crate) const PAIR_PACKS: usize = 14;

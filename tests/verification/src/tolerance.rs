@@ -20,6 +20,12 @@ pub const SOLID_HEXAHEDRA: f64 = 1.5e-2;
 /// Factor by which the two come closer when the cells are two thirds as large: of first order it were 1.5, of second 2.25.
 pub const SOLID_HEXAHEDRA_GAIN: f64 = 1.5;
 
+/// What the force may lose as a face gets wider by an eighth of a cell: 0.2 % where its edge reaches a node. Nodes alone lost
+/// 1.4 % in a quarter.
+pub const EDGE_FALL: f64 = 3e-3;
+/// What it may gain, over its gain in a whole cell: 0.32. Nodes alone gained 0.5 in a quarter.
+pub const EDGE_RISE: f64 = 0.4;
+
 /// P against central differences of W with a step of 10^-5: the next order is its square times a third derivative of
 /// some ten moduli, the round-off of W over the step about the same.
 pub const ENERGY_GRADIENT: f64 = 1e-8;

@@ -1,5 +1,6 @@
 //! The solid: its element, its limit of the step, and what it has in common with the section.
 
+mod edge;
 mod element;
 mod limits;
 mod press;

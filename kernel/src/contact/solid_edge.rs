@@ -1,0 +1,88 @@
+//! Contact with the face on a solid between its nodes, where the face has its edge.
+//!
+//! The edge of the flat part of a face crosses lines of the mesh, from a node under it to one beyond. Nodes alone would bear a whole
+//! cell or nothing, and the force would fall by that of a cell each time one slides from under the face. So contact is
+//! integrated over the part of such a line that lies under the face, by one point in its middle: a force on its two nodes that leaves this
+//! point on the face at the end of the step, or none. The point comes from the node under the face and moves along the line with the edge, so
+//! that the force changes smoothly.
+
+use crate::contact::solid_face::Surface;
+use crate::contact::solid_touch::Touch;
+use crate::model::SOLID_TOUCH_FIELDS;
+use crate::number::math;
+use crate::number::real::Real;
+
+/// Passes over the lines (projected Gauss-Seidel). Each has nodes of its own but for those in the corners of a mesh across a round
+/// edge, so that few are left to settle.
+pub(super) const PASSES: usize = 3;
+
+/// Sum of the forces at the edge, upwards on the face, N.
+pub(super) fn total_force(surface: &Surface) -> Real {
+    surface.touches.iter().map(|numbers| Touch::of(*numbers).edge).map(|[x, z]| x + z).sum()
+}
+
+/// Finds the forces at the edge, one line after another, under a face that has risen by `rise`, m.
+pub(super) fn press(surface: &mut Surface, rise: Real) {
+    let (grid, dt) = (&surface.constants.grid, surface.constants.dt);
+    let (columns, slices, stride) = (grid.n_u, grid.n_w, grid.stride());
+    for slice in 0..=slices {
+        for column in 0..=columns {
+            let place = slice * stride + column;
+            let next = [(column < columns).then_some(place + 1), (slice < slices).then_some(place + stride)];
+            for (along, next) in next.into_iter().enumerate() {
+                let Some(next) = next else { continue };
+                press_line(surface.touches, [place, next], along, rise, dt);
+            }
+        }
+    }
+}
+
+/// The same on the line between the nodes of two places, the second being the next one `along` x (0) or z (1).
+fn press_line(touches: &mut [[Real; SOLID_TOUCH_FIELDS]], places: [usize; 2], along: usize, rise: Real, dt: Real) {
+    let [Some(first), Some(second)] = places.map(|place| touches.get(place).map(|numbers| Touch::of(*numbers))) else {
+        return;
+    };
+    // Where a layer has no cell, a node has no mass.
+    if first.mass <= 0.0 || second.mass <= 0.0 {
+        return;
+    }
+    let Some(parts) = parts_of_point(first.beyond, second.beyond) else { return };
+    let mut ends = [first, second];
+    // The second time for a node that the first has taken off the face.
+    for _ in 0..2 {
+        let [one, other] = ends.map(|end| end.standing(rise, dt));
+        let above = parts[0] * one.above + parts[1] * other.above;
+        let give = parts[0] * parts[0] * one.give + parts[1] * parts[1] * other.give;
+        if give <= 0.0 {
+            break;
+        }
+        let before = ends[0].edge[along];
+        let force = math::max(0.0, before + above / give);
+        ends[0].edge[along] = force;
+        for (end, part) in ends.iter_mut().zip(parts) {
+            end.lowered += part * (force - before) * (dt * dt) / end.mass;
+        }
+    }
+    for (place, end) in places.into_iter().zip(ends) {
+        if let Some(numbers) = touches.get_mut(place) {
+            *numbers = end.numbers();
+        }
+    }
+}
+
+/// What the point in the middle of the covered part of a line has of each of its ends, which lie so far beyond the edge, m; none if the
+/// edge does not cross the line.
+fn parts_of_point(first: Real, second: Real) -> Option<[Real; 2]> {
+    let half_covered = |inner: Real, outer: Real| 0.5 * (inner / (inner - outer));
+    match [first > 0.0, second > 0.0] {
+        [false, true] => {
+            let part = half_covered(first, second);
+            Some([1.0 - part, part])
+        }
+        [true, false] => {
+            let part = half_covered(second, first);
+            Some([part, 1.0 - part])
+        }
+        _ => None,
+    }
+}
