@@ -79,6 +79,11 @@ impl fmt::Display for Pressed {
         if self.0 >= 1.0 {
             return f.write_str(" at rest (larger cells or a softer layer allow more)");
         }
+        if self.0 <= 0.0 {
+            return f.write_str(
+                " with a cell turned inside out: a layer does not bear this (less energy or depth, or a thicker or stiffer layer)",
+            );
+        }
         let percent = Decimal(math::ceil(1e3 * self.0) / 10.0);
         write!(
             f,

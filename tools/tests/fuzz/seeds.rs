@@ -15,7 +15,7 @@ pub fn root() -> &'static Path {
 }
 
 /// Bytes of a seed, at most, so that edits meet what matters and readers are quick.
-const LONGEST: usize = 6000;
+const LONGEST: usize = 2000;
 
 type Seeds = OnceLock<Vec<Vec<u8>>>;
 
