@@ -53,14 +53,14 @@ extern "C" {
 /** Version of this header. */
 #define SOFTANVIL_VERSION_MAJOR 0
 /** Version of this header. */
-#define SOFTANVIL_VERSION_MINOR 1
+#define SOFTANVIL_VERSION_MINOR 2
 /** Version of this header. */
 #define SOFTANVIL_VERSION_PATCH 0
 /** Version of this header as one number, to be compared with softanvil_version(). */
 #define SOFTANVIL_VERSION \
     (SOFTANVIL_VERSION_MAJOR * 1000000 + SOFTANVIL_VERSION_MINOR * 1000 + SOFTANVIL_VERSION_PATCH)
 /** Version of this header as text. */
-#define SOFTANVIL_VERSION_TEXT "0.1.0"
+#define SOFTANVIL_VERSION_TEXT "0.2.0"
 /** Digest of what the kernel of this version computes, to be compared with softanvil_kernel_digest(). */
 #define SOFTANVIL_KERNEL_DIGEST UINT64_C(0xf11c4d32531de9be)
 
