@@ -27,7 +27,7 @@ echo "version $version, soname $soname"
 ! nm -D --defined-only "$prefix/lib/libsoftanvil.so" | awk '{print $3}' | grep -Ev '^(softanvil_|fmi[23])'
 
 # Exactly the version or an older one of the same line is found, another line is not.
-for wanted in "0.1:0" "$version EXACT:0" "99.0:1"; do
+for wanted in "${version%.*}:0" "$version EXACT:0" "99.0:1"; do
     printf 'cmake_minimum_required(VERSION 3.16)\nproject(v NONE)\nfind_package(softanvil %s CONFIG REQUIRED)\n' \
         "${wanted%:*}" >"$work/CMakeLists.txt"
     code=0
