@@ -3,11 +3,12 @@
 
 pub mod effective_length;
 pub mod json;
+pub mod picture;
 pub mod table;
 
 use indicatif::ProgressBar;
-use softanvil_kernel::Scenario;
 use softanvil_kernel::scenario::{Body, Formulation};
+use softanvil_kernel::{ModelError, Scenario};
 
 use crate::failure::Failure;
 use crate::progress;
@@ -55,13 +56,15 @@ pub struct Common {
 /// # Errors
 /// A scenario that one of the formulations refuses, or that fails.
 pub fn compare(sweep: &Sweep, cases: &[Case], until: Until) -> Result<Reduction, Failure> {
-    let drops =
-        cases.iter().map(|case| Drop::until(&as_solid(&case.scenario), until)).collect::<Result<Vec<_>, _>>()?;
-    let bar = progress::bar(drops.iter().map(Drop::steps).sum());
+    for case in cases {
+        as_solid(&case.scenario).validate().map_err(ModelError::from).map_err(RunError::from)?;
+    }
+    let bar = progress::bar(0);
     let mut comparisons = Vec::new();
-    for (case, drop) in cases.iter().zip(drops) {
-        bar.set_message(case.settings.join(" "));
-        comparisons.push(Comparison::new(case, drop, until, &bar)?);
+    // One solid at a time: each takes tens of megabytes.
+    for (number, case) in cases.iter().enumerate() {
+        bar.set_message(format!("{} of {} {}", number + 1, cases.len(), case.settings.join(" ")));
+        comparisons.push(Comparison::new(case, until, &bar)?);
     }
     let common = common(cases, &comparisons, until)?;
     let headings = sweep.headings().into_iter().map(str::to_string).collect();
@@ -69,7 +72,10 @@ pub fn compare(sweep: &Sweep, cases: &[Case], until: Until) -> Result<Reduction,
 }
 
 impl Comparison {
-    fn new(case: &Case, drop: Drop, until: Until, bar: &ProgressBar) -> Result<Self, Failure> {
+    fn new(case: &Case, until: Until, bar: &ProgressBar) -> Result<Self, Failure> {
+        let drop = Drop::until(&as_solid(&case.scenario), until)?;
+        bar.set_length(drop.steps());
+        bar.reset();
         let solid = Outcome::new(drop.run(|steps| bar.inc(steps))?);
         let scenario = as_section(&case.scenario);
         let section = Outcome::simulate(&scenario, until)?;
