@@ -1,9 +1,10 @@
-//! Equilibrium of a [`SolidBody`] in the linear limit: the stiffness is the derivative of the kernel's forces.
+//! Equilibrium of a [`SolidBody`] by Newton's method, as [`crate::statics`] finds that of a section: the forces are the kernel's.
 
 use nalgebra::DMatrix;
 
 use crate::band::Band;
 use crate::solid_body::{SolidBody, SolidField, difference, dot};
+use crate::statics::stable_factor;
 
 /// What holds and loads the nodes of a solid.
 pub struct SolidSupports {
@@ -31,11 +32,17 @@ pub struct SolidEquilibrium {
 /// Step of the difference quotient over the smallest edge, as in [`crate::statics`].
 const PERTURBATION: f64 = 1e-6;
 
-/// The derivative of the internal forces at rest, by central differences: (row, column, value), three freedoms a node.
+/// Size of a correction over the displacement at which a balance is found: Newton's method nearly squares the error.
+const ACCURACY: f64 = 1e-6;
+
+/// Iterations after which it counts as not found.
+const ITERATIONS: usize = 30;
+
+/// The derivative of the internal forces, by central differences: (row, column, value), three freedoms a node.
 struct Stiffness(Vec<(usize, usize, f64)>);
 
 impl Stiffness {
-    fn new(body: &mut SolidBody) -> Self {
+    fn new(body: &mut SolidBody, displacement: &SolidField) -> Self {
         let step = PERTURBATION * shortest_edge(body);
         let mut entries = Vec::new();
         // Nodes three apart share no cell, so one evaluation serves a twenty-seventh of them.
@@ -44,8 +51,8 @@ impl Stiffness {
             let ends = body.cells();
             let shifted: Vec<_> = body.nodes().filter(|node| (0..3).all(|i| node[i] % 3 == colour[i])).collect();
             let force = [-step, step].map(|step| {
-                let mut displacement = vec![[0.0; 3]; body.n_node()];
-                shifted.iter().for_each(|node| displacement[body.node(*node)][direction] = step);
+                let mut displacement = displacement.clone();
+                shifted.iter().for_each(|node| displacement[body.node(*node)][direction] += step);
                 body.internal_forces(&displacement)
             });
             for node in shifted {
@@ -70,6 +77,28 @@ impl Stiffness {
         force
     }
 
+    /// The change of displacement that meets `part` of the supports and balances the linearised forces.
+    fn correction(
+        &self,
+        supports: &SolidSupports,
+        part: f64,
+        displacement: &SolidField,
+        force: &SolidField,
+    ) -> SolidField {
+        let prescribed = supports.prescribed.as_flattened();
+        let held: Vec<bool> = prescribed.iter().map(Option::is_some).collect();
+        let moved = prescribed.iter().zip(displacement.as_flattened());
+        let shift: Vec<f64> = moved.map(|(value, u)| value.map_or(0.0, |value| part * value - u)).collect();
+        let reaction = self.forces(&shift);
+        let residual = supports.load.as_flattened().iter().zip(force.as_flattened()).zip(&reaction);
+        let mut x: Vec<f64> = residual.map(|((load, force), reaction)| part * load - force - reaction).collect();
+        for (x, shift) in x.iter_mut().zip(&shift).zip(&held).filter_map(|(both, held)| held.then_some(both)) {
+            *x = *shift;
+        }
+        stable_factor(&self.matrix(&held)).solve(&mut x);
+        triples(&x)
+    }
+
     /// The symmetric matrix, in which held freedoms stand alone.
     fn matrix(&self, held: &[bool]) -> Band {
         let width = self.0.iter().map(|(row, column, _)| row.abs_diff(*column)).max().unwrap_or(0);
@@ -88,26 +117,48 @@ impl Stiffness {
 /// # Panics
 /// If the body is not held.
 pub fn linear(body: &mut SolidBody, supports: &SolidSupports) -> SolidEquilibrium {
-    let stiffness = Stiffness::new(body);
-    let prescribed: Vec<Option<f64>> = supports.prescribed.iter().flatten().copied().collect();
-    let held: Vec<bool> = prescribed.iter().map(Option::is_some).collect();
-    let shift: Vec<f64> = prescribed.iter().map(|value| value.unwrap_or(0.0)).collect();
-    let reaction = stiffness.forces(&shift);
-    let load = supports.load.iter().flatten();
-    let mut x: Vec<f64> = (load.zip(&reaction).zip(&prescribed))
-        .map(|((load, reaction), prescribed)| prescribed.unwrap_or(load - reaction))
-        .collect();
-    stiffness.matrix(&held).factor().expect("a body that is held").solve(&mut x);
-    let force = stiffness.forces(&x);
-    let triples = |values: &[f64]| values.as_chunks::<3>().0.to_vec();
-    SolidEquilibrium { displacement: triples(&x), force: triples(&force) }
+    let rest = vec![[0.0; 3]; body.n_node()];
+    let stiffness = Stiffness::new(body, &rest);
+    let displacement = stiffness.correction(supports, 1.0, &rest, &rest);
+    let force = triples(&stiffness.forces(displacement.as_flattened()));
+    SolidEquilibrium { displacement, force }
+}
+
+/// The equilibrium under `supports`, from rest, in `increments` equal parts.
+///
+/// # Panics
+/// If there is none: an unstable body, or increments that are too large.
+pub fn solve(body: &mut SolidBody, supports: &SolidSupports, increments: u32) -> SolidEquilibrium {
+    let mut displacement = vec![[0.0; 3]; body.n_node()];
+    for n in 1..=increments {
+        let part = f64::from(n) / f64::from(increments);
+        let found = (0..ITERATIONS).any(|_| {
+            let force = body.internal_forces(&displacement);
+            let correction = Stiffness::new(body, &displacement).correction(supports, part, &displacement, &force);
+            for (u, d) in displacement.as_flattened_mut().iter_mut().zip(correction.as_flattened()) {
+                *u += d;
+            }
+            largest(&correction) <= ACCURACY * largest(&displacement)
+        });
+        assert!(found, "no equilibrium after {ITERATIONS} iterations");
+    }
+    let force = body.internal_forces(&displacement);
+    SolidEquilibrium { displacement, force }
+}
+
+fn triples(values: &[f64]) -> SolidField {
+    values.as_chunks::<3>().0.to_vec()
+}
+
+fn largest(field: &SolidField) -> f64 {
+    field.as_flattened().iter().fold(0.0, |a, b| a.max(b.abs()))
 }
 
 /// The stiffness of a body at rest as a dense symmetric matrix, for its eigenvalues.
 pub fn dense_stiffness(body: &mut SolidBody) -> DMatrix<f64> {
-    let n = 3 * body.n_node();
+    let (n, rest) = (3 * body.n_node(), vec![[0.0; 3]; body.n_node()]);
     let mut matrix = DMatrix::zeros(n, n);
-    for (row, column, value) in Stiffness::new(body).0 {
+    for (row, column, value) in Stiffness::new(body, &rest).0 {
         matrix[(row, column)] += 0.5 * value;
         matrix[(column, row)] += 0.5 * value;
     }

@@ -58,7 +58,7 @@ pub fn regular_rows() -> Vec<Row> {
         softening::rows(),
         solid_section::rows(),
         solid_press::rows(),
-        solid_cook::rows(&solid_cook::CELLS),
+        solid_cook::rows(),
         solid_block::rows(),
         solid_lame::rows(),
         solid_swing::rows(),
