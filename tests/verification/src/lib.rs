@@ -17,6 +17,8 @@ pub mod relaxation;
 pub mod row;
 pub mod scenes;
 pub mod solid;
+pub mod solid_body;
+pub mod solid_statics;
 pub mod statics;
 pub mod table;
 pub mod tolerance;

@@ -294,7 +294,7 @@ impl Tangent {
 ///
 /// Far from balance, spurious pressures can make a stable body look unstable. The stiffening shortens the way there; it
 /// cannot move the balance, and where the body is truly unstable none is found.
-fn stable_factor(matrix: &Band) -> Factor {
+pub(crate) fn stable_factor(matrix: &Band) -> Factor {
     let mut part = 0.0;
     loop {
         let mut stiffened = matrix.clone();

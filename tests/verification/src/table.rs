@@ -5,7 +5,8 @@ use std::fmt::Write;
 use crate::problems::{
     bar_wave, bonded_strip, checkerboard, closed_forms, contact_convergence, cook, coulomb_block, cylinder, foam,
     harmonic, hertz, impactor, indentation, interface, lame, maxwell, patch, patch_distorted, slider, softening,
-    solid_press, solid_section, swinging_plate, tear, viscoelastic, volumetric,
+    solid_block, solid_checkerboard, solid_cook, solid_lame, solid_press, solid_section, solid_swing, swinging_plate,
+    tear, viscoelastic, volumetric,
 };
 use crate::row::{Check, Row};
 
@@ -57,6 +58,11 @@ pub fn regular_rows() -> Vec<Row> {
         softening::rows(),
         solid_section::rows(),
         solid_press::rows(),
+        solid_cook::rows(),
+        solid_block::rows(),
+        solid_lame::rows(),
+        solid_swing::rows(),
+        solid_checkerboard::rows(),
     ]
     .into_iter()
     .flatten()

@@ -25,6 +25,53 @@ pub const SOLID_HEXAHEDRA_GAIN: f64 = 1.5;
 pub const EDGE_FALL: f64 = 3e-3;
 /// What it may gain, over its gain in a whole cell: 0.32. Nodes alone gained 0.5 in a quarter.
 pub const EDGE_RISE: f64 = 0.4;
+/// Cook's membrane as a solid, linear, on 32 by 32 by 2 cells: as [`COOK_LINEAR`], with more ways for a cell to bend.
+pub const SOLID_COOK: f64 = 8e-3;
+
+/// Bonded solid blocks with twelve cells through their thickness: the edges of the bonds are singular, as are those of the section's.
+pub const SOLID_BLOCK: f64 = 0.035;
+
+/// Their limit, extrapolated from meshes of four to twelve cells: 0.6 % at most when measured.
+pub const SOLID_BLOCK_LIMIT: f64 = 8e-3;
+
+/// Least order of their apparent modulus: at an incompressible edge between bond and free side the displacement goes with the power 0.595
+/// of the distance, and the energy, in the limit, with twice as much of the size of the cells.
+pub const SOLID_BLOCK_ORDER: f64 = 1.1;
+
+/// Gent and Meinecke's modulus of a square at a shape factor of 0.5, as [`GENT_LINDLEY_SLENDER`]: it lacks what the corners hold too.
+pub const GENT_MEINECKE_SLENDER: f64 = 0.08;
+
+/// Displacement of Lame's problems as solids on the finest meshes, 12 and 32 cells through the wall, root mean square.
+pub const SOLID_LAME_DISPLACEMENT: f64 = 1e-3;
+
+/// Largest error of a displacement there: at a corner of the sphere's part, whose only cell is sheared.
+pub const SOLID_LAME_LARGEST: f64 = 1e-2;
+
+/// Least order of the largest error in a cylinder, and in a sphere, where that corner is not yet in the limit with 12 cells.
+pub const SOLID_LAME_LARGEST_ORDER: [f64; 2] = [1.85, 1.2];
+
+/// Pressure of the cells there over the pressure inside.
+pub const SOLID_LAME_PRESSURE: f64 = 2e-3;
+
+/// Least order of the pressure: one is what a constant in each cell promises.
+pub const SOLID_LAME_PRESSURE_ORDER: f64 = 1.3;
+
+/// Displacement of the swinging cube on 16 by 16 by 16 cells.
+pub const SOLID_SWING: f64 = 2e-3;
+
+/// Largest alternating part of the pressure of a solid with eight cells through the thickness, at any Poisson's ratio of the study.
+pub const SOLID_CHECKERBOARD: f64 = 6e-3;
+
+/// Least order of that part at Poisson's ratios of 0.48, 0.499 and 0.4999: as the volume stiffens, so do the alternating pressures, which
+/// a finer mesh feels less.
+pub const SOLID_CHECKERBOARD_ORDER: [f64; 3] = [2.0, 0.5, 0.2];
+
+/// Least square of an inf-sup value of a cube with a free side, times the square of the number of cells along a side: 1.03 or more when
+/// measured. The constant pressure of linear cells is known to lose as much.
+pub const SOLID_INF_SUP: f64 = 1.0;
+
+/// Zero inf-sup values: as [`ZERO_ENERGY`].
+pub const ZERO_INF_SUP: f64 = 1e-9;
 
 /// P against central differences of W with a step of 10^-5: the next order is its square times a third derivative of
 /// some ten moduli, the round-off of W over the step about the same.

@@ -1,9 +1,14 @@
-//! The solid: its element, its limit of the step, and what it has in common with the section.
+//! The solid: its element, its limit of the step, what it has in common with the section, and problems with a known answer.
 
+mod block;
+mod checkerboard;
+mod cook;
 mod edge;
 mod element;
+mod lame;
 mod limits;
 mod press;
 mod reduction;
 mod section;
 mod state;
+mod swing;
