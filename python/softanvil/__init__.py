@@ -10,13 +10,26 @@
     r.plot()
 
 `Scenario` says what is dropped on what, `run` and `run_many` simulate it, `Simulation` goes step by step, `sweep` studies many
-on one machine or on a cluster of Dask; `fit`, `measure`, `protect`, `calibrate` and `read_trace` are the commands of the command
-line. All numbers are in SI units.
+on one machine or on a cluster of Dask; `fit`, `measure`, `protect`, `reduction`, `calibrate` and `read_trace` are the commands of
+the command line. All numbers are in SI units.
 """
 
 from . import _softanvil
 from ._animation import Animation
-from ._commands import Calibration, Fit, Measurement, Verdict, calibrate, fit, material_front, measure, protect, read_trace
+from ._commands import (
+    Calibration,
+    Fit,
+    Measurement,
+    Reduction,
+    Verdict,
+    calibrate,
+    fit,
+    material_front,
+    measure,
+    protect,
+    read_trace,
+    reduction,
+)
 from ._design import design
 from ._errors import FileError, ParameterError, ScenarioError, SimulationError, SoftanvilError
 from ._plot import compare
@@ -42,6 +55,7 @@ __all__ = [
     "Layers",
     "Measurement",
     "ParameterError",
+    "Reduction",
     "Result",
     "Scenario",
     "ScenarioError",
@@ -64,6 +78,7 @@ __all__ = [
     "presets",
     "protect",
     "read_trace",
+    "reduction",
     "run",
     "run_many",
     "sweep",

@@ -8,7 +8,7 @@ import numbers
 import os
 import re
 import tempfile
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal
@@ -214,6 +214,56 @@ def _of_pad(row: dict[str, Any]) -> dict[str, Any]:
     judged = row.get("verdict") or {}
     plain = {key: value for key, value in row.items() if not isinstance(value, (list, dict))}
     return {**plain, "verdict": judged.get("verdict"), "level": judged.get("level")}
+
+
+@dataclass(frozen=True)
+class Reduction:
+    """Drops as a section and as a solid.
+
+    Attributes:
+        data: All that was found, in SI units, as ``softanvil reduction --json`` gives it.
+        table: A row for each scenario: its parameters, the four numbers "of the solid" and "of the section", the difference of their
+            forces, %, and the ``geometry.length``, m, with which the section bears what the solid does, none if there is none.
+    """
+
+    data: dict[str, Any]
+    table: pd.DataFrame
+
+    def _repr_html_(self) -> str:
+        return str(self.table.to_html())
+
+
+def reduction(
+    scenario: Scenario, parameters: Mapping[str, Sequence[float | str]] | None = None, *, plot: PathLike | None = None,
+    overwrite: bool = False
+) -> Reduction:
+    """Simulates a drop as a section and as a solid, and finds the length with which the section bears what the solid does.
+
+    Args:
+        scenario: A drop; its formulation says which section.
+        parameters: Values in SI units, or labels of a choice, by the names of parameters; all combinations are simulated, among
+            them the scenario's own value. A solid of the study's size takes some seconds.
+        plot: File to which the differences are drawn, .svg or .png.
+        overwrite: Replace that file if it is there.
+
+    Raises:
+        FileError: A scenario or value that is refused, also as a solid, or a file that is there.
+    """
+    what = [f"{name}={','.join(_text(value) for value in values)}" for name, values in (parameters or {}).items()]
+    with _of_scenario(scenario) as (drop, _):
+        options = _arguments({"plot": plot, "overwrite": overwrite})
+        data = _json(_call("reduction", [*what, *drop, *options, "--json"]))
+    return Reduction(data, pd.DataFrame([_of_case(case) for case in data["cases"]]))
+
+
+def _of_case(case: dict[str, Any]) -> dict[str, Any]:
+    """What stands in a row of a table, of a scenario as a section and as a solid."""
+    numbers = {f"{key} of the {body}": case[body][key] for key in NUMBERS for body in ("solid", "section")}
+    return {**case["settings"], **numbers, "difference": case["section_difference_percent"], "length": case["effective_length"]}
+
+
+# The four numbers of the test.
+NUMBERS = ["peak_force", "max_deformation", "impact_duration", "impulse"]
 
 
 @dataclass(frozen=True)

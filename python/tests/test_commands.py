@@ -29,6 +29,7 @@ OTHERS = {
                 "overwrite"},
     "protect": {"preset", "scenario", "material", "set", "energy", "height", "speed", "duration", "out", "pictures", "json",
                 "overwrite"},
+    "reduction": {"preset", "scenario", "material", "set", "energy", "height", "speed", "duration", "json", "PARAMETER=LIST"},
     "fit": {"paper", "pictures", "json"},
     "calibrate": {"PROBLEM", "material_weights"},  # material_front
 }
@@ -41,6 +42,18 @@ def test_every_option_of_the_command_line_is_an_argument(name):
     assert options - arguments.keys() == set() and arguments.keys() - options <= {"scenario", "problem"}
     for option in options:
         assert option in getattr(sa, name).__doc__
+
+
+def test_reduction_is_that_of_the_command_line(tmp_path):
+    scenario = sa.preset("study").update({"mesh.element_size": "7.5 mm"})
+    found = sa.reduction(scenario, {"impactor.drop_energy": [9.8]}, plot=tmp_path / "energies.svg")
+    line = told("reduction", "impactor.drop_energy=9.8", "--set", "mesh.element_size=0.0075")
+    assert found.data["cases"] == line["cases"] and (tmp_path / "energies.svg").is_file()
+    assert found.table["impactor.drop_energy [J]"].tolist() == [9.8, 14.7]
+    assert found.table["peak_force of the solid"][1] == line["cases"][1]["solid"]["peak_force"]
+    assert found._repr_html_().startswith("<table")
+    with pytest.raises(sa.FileError, match="overwrite"):
+        sa.reduction(scenario, plot=tmp_path / "energies.svg")
 
 
 def test_measure_is_that_of_the_command_line(trace):

@@ -12,6 +12,9 @@ use softanvil_verification::problems::reduction::{
 const HEAD: &str = include_str!("studies/head.txt");
 const EDGE: &str = include_str!("studies/edge.txt");
 const TAIL: &str = include_str!("studies/tail.txt");
+/// By `tests/verification/reduction.py`.
+const DROPS: &str = include_str!("studies/drops.txt");
+const END: &str = include_str!("studies/end.txt");
 
 /// Poisson's ratio and size of elements against depths.
 fn meshes() -> Vec<String> {
@@ -31,7 +34,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         (meshes(), edges.join())
     });
     let edges = edges.map_err(|_| "the study of the edge has failed")?;
-    let page = format!("{HEAD}{}\n{EDGE}{}\n{TAIL}", meshes.join("\n"), edges.join("\n"));
+    let page = format!("{HEAD}{}\n{EDGE}{}\n{TAIL}{DROPS}{END}", meshes.join("\n"), edges.join("\n"));
     fs::write(Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/studies.md"), page)?;
     Ok(())
 }

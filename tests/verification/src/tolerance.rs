@@ -25,6 +25,7 @@ pub const SOLID_HEXAHEDRA_GAIN: f64 = 1.5;
 pub const EDGE_FALL: f64 = 3e-3;
 /// What it may gain, over its gain in a whole cell: 0.32. Nodes alone gained 0.5 in a quarter.
 pub const EDGE_RISE: f64 = 0.4;
+
 /// Cook's membrane as a solid, linear, on 32 by 32 by 2 cells: as [`COOK_LINEAR`], with more ways for a cell to bend.
 pub const SOLID_COOK: f64 = 8e-3;
 

@@ -20,14 +20,32 @@ fn the_page_s_comparison_is_what_the_command_finds() {
     let peak = |of: &Value| number(&of["peak_force"]);
     assert!((peak(&shorter) / peak(&case["solid"]) - 1.0).abs() <= 1e-4, "{shorter}");
     let row = format!(
-        "| 14.7 | {:.0} | {:.0} ({:+.1} %) | {:.1} |",
+        "| energy (J) | 14.7 | {:.0} | {:.0} ({:+.1} %) |",
         peak(&case["solid"]),
         peak(&case["section"]),
         number(&case["section_difference_percent"]),
-        1e3 * length
     );
     let page = include_str!("../../../docs/studies.md");
-    assert!(page.contains(&row), "docs/studies.md lacks {row}");
+    let line =
+        page.lines().find(|line| line.starts_with(&row)).unwrap_or_else(|| panic!("docs/studies.md lacks {row}"));
+    assert!(line.ends_with(&format!("| {:.1} |", 1e3 * length)), "{line}: {length}");
+}
+
+#[test]
+fn pictures_are_drawn_over_a_parameter_or_over_time() {
+    let folder = tempdir().unwrap();
+    let drawn = |arguments: &[&str], name: &str| {
+        let coarse = ["--set", "mesh.element_size=0.0075", "--plot", name];
+        let text = succeed(folder.path(), &[&["reduction"], arguments, &coarse].concat());
+        assert!(text.ends_with(&format!("written: {name}\n")), "{text}");
+        std::fs::read_to_string(folder.path().join(name)).unwrap()
+    };
+    let over_energy = drawn(&["impactor.drop_energy=12"], "energy.svg");
+    assert!(over_energy.contains("impactor.drop_energy (J)") && over_energy.contains("max deformation"));
+    let over_time = drawn(&[], "time.svg");
+    assert!(over_time.contains("section") && over_time.contains("time since"));
+    let there = fail(folder.path(), &["reduction", "--plot", "time.svg"], 2);
+    assert!(there.contains("--overwrite"), "{there}");
 }
 
 /// A dome has no length; a coarse mesh is quick.
