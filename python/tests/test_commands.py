@@ -39,7 +39,7 @@ OTHERS = {
 def test_every_option_of_the_command_line_is_an_argument(name):
     options = {option.replace("-", "_") for option, _ in sa._softanvil.command_options(name)} - OTHERS[name]
     arguments = inspect.signature(getattr(sa, name)).parameters
-    assert options - arguments.keys() == set() and arguments.keys() - options <= {"scenario", "problem"}
+    assert options - arguments.keys() == set() and arguments.keys() - options <= {"scenario", "problem", "parameters"}
     for option in options:
         assert option in getattr(sa, name).__doc__
 

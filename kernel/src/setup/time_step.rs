@@ -25,7 +25,7 @@ const COARSE_ROWS: Real = 3.0;
 const REPEAT_BELOW: Real = 0.6;
 
 /// The same of a foam, whose limit falls further where its cells meet an edge.
-const REPEAT_FOAM_BELOW: Real = 0.8;
+const REPEAT_FOAM_BELOW: Real = 0.9;
 
 /// What a drop may leave of the limit that its trial has found: meshes and steps differ, and a layer may fold on the way up.
 const MARGIN: Real = 0.9;
