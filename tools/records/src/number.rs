@@ -23,12 +23,17 @@ impl FromStr for Decimal {
     }
 }
 
+/// What instruments write for a value beyond their range (SCPI 1999.0, volume 1, 7.2.1.4), and for none (7.2.1.5). No unit makes a number
+/// below it infinite.
+const BEYOND_RANGE: f64 = 9.9e37;
+const NOT_A_NUMBER: f64 = 9.91e37;
+
 /// What a cell of a table holds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Cell {
-    /// A finite number.
+    /// A number below 9.9e37, which instruments write for one beyond their range.
     Number(f64),
-    /// Nothing, or a word that says so.
+    /// Nothing, or a word or a number (9.91e37) that says so.
     Missing,
     /// Anything else.
     Text,
@@ -50,10 +55,15 @@ pub fn read(cell: &str, decimal: Decimal) -> Cell {
         Decimal::Comma => ungrouped(&text, '.', ',').map(|number| number.replace(',', ".")),
     };
     match plain.map(|number| number.parse::<f64>()) {
-        Some(Ok(number)) if number.is_finite() && !text.contains(char::is_alphabetic) => Cell::Number(number),
-        Some(Ok(number)) if number.is_finite() && has_exponent(&text) => Cell::Number(number),
+        Some(Ok(number)) if number == NOT_A_NUMBER => Cell::Missing,
+        Some(Ok(number)) if is_in_range(number) && !text.contains(char::is_alphabetic) => Cell::Number(number),
+        Some(Ok(number)) if is_in_range(number) && has_exponent(&text) => Cell::Number(number),
         _ => Cell::Text,
     }
+}
+
+fn is_in_range(number: f64) -> bool {
+    number.abs() < BEYOND_RANGE
 }
 
 /// The part of one in a cell such as 10 %.
@@ -97,7 +107,7 @@ fn simple(cell: &str, decimal: Decimal) -> Option<f64> {
         }
         _ => None,
     };
-    number.filter(|number: &f64| number.is_finite())
+    number.filter(|number: &f64| is_in_range(*number))
 }
 
 /// Bytes of a simple number, at most.
@@ -234,10 +244,13 @@ mod tests {
             ("infinity", Decimal::Comma),
             ("3D", Decimal::Point),
             ("1e999", Decimal::Point),
+            ("-1e308", Decimal::Point),
+            ("9.9E+37", Decimal::Point),
+            ("9,9e37", Decimal::Comma),
         ] {
             assert_eq!(read(text, decimal), Cell::Text, "{text}");
         }
-        for text in ["", "  ", "NaN", "n/a", "-", "---", "-nan", "#N/A"] {
+        for text in ["", "  ", "NaN", "n/a", "-", "---", "-nan", "#N/A", "9.91E+37", "9.91e37"] {
             assert_eq!(read(text, Decimal::Point), Cell::Missing, "{text}");
         }
     }

@@ -247,8 +247,10 @@ fn one_of_several_sheets_has_to_be_named() {
 fn what_is_no_workbook_or_claims_too_much_is_refused() {
     let far = "<row r=\"1\"><c r=\"A1\"><v>1</v></c></row><row r=\"1048576\"><c r=\"XFD1048576\"><v>1</v></c></row>";
     let wide: String = (1..3000).map(|row| format!("<row r=\"{row}\"><c r=\"XFD{row}\"><v>1</v></c></row>")).collect();
+    let turned = "<row r=\"3\"><c r=\"A3\"><v>1</v></c></row><row r=\"2\"><c r=\"A2\"><v>2</v></c></row>";
     for (bytes, message) in [
         (of_xml(&["a"], &[far.into()]), "sheet \"a\": "),
+        (of_xml(&["a"], &[turned.into()]), "row 2 stands after row 3: expected cells in their order"),
         (of_xml(&["a"], &[wide]), "more than 30000000 cells"),
         (b"PK\x03\x04 and nothing else".to_vec(), "this is no workbook that can be read"),
         (archive(&[("word/document.xml", "<a/>".into())]), "this is no workbook that can be read"),

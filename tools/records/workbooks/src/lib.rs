@@ -109,6 +109,10 @@ struct Text {
 
 impl Text {
     fn push(&mut self, (row, column): (u32, u32), value: &str) -> Result<(), String> {
+        // The library's count of a row beyond every sheet wraps around, to one of the first.
+        if (row, column) < (self.row, self.column) {
+            return Err(format!("row {} stands after row {}: expected cells in their order", row + 1, self.row + 1));
+        }
         let lines = row.saturating_sub(self.row);
         let tabs = if lines > 0 { column } else { column.saturating_sub(self.column) };
         self.cells += u64::from(lines) + u64::from(tabs);
