@@ -137,14 +137,15 @@ impl Surface<'_> {
 
     /// By how much the contact raises the face, m, with the upward friction `shear` on it, N.
     fn settle(&mut self, prediction: &Prediction, shear: Real, has_edge: bool) -> Real {
-        let mut rise = self.settle_on(prediction, shear, has_edge);
-        if has_edge {
-            for _ in 0..solid_edge::PASSES {
-                solid_edge::press(self, rise);
-                rise = self.settle_on(prediction, shear, has_edge);
-            }
+        let rise = self.settle_on(prediction, shear, has_edge);
+        if !has_edge {
+            return rise;
         }
-        rise
+        // What the edge adds hardly moves the face, which is so much heavier than the nodes.
+        for _ in 0..solid_edge::PASSES {
+            solid_edge::press(self, rise);
+        }
+        self.settle_on(prediction, shear, has_edge)
     }
 
     /// The same with the forces at the edge as they are.
