@@ -271,7 +271,7 @@ fn solid() -> Scenario {
     (scenario.geometry.formulation, scenario.geometry.symmetry) = (Formulation::Solid, Symmetry::Half);
     (scenario.geometry.length, scenario.mesh.element_size) = (20e-3, 7.5e-3);
     scenario.impactor.drop_energy = 1.0;
-    (scenario.impactor.offset, scenario.impactor.face_diameter) = (3e-3, 40e-3);
+    (scenario.impactor.offset, scenario.impactor.face_diameter) = (3e-3, 17e-3);
     (scenario.core.interface, scenario.core.friction_coefficient) = (Interface::Frictional, 0.2);
     scenario.time.step = 5e-6;
     scenario
