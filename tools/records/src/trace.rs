@@ -202,6 +202,11 @@ impl Record<'_> {
             before += contact.impacts.len();
             index.map(|index| (samples, contact, index))
         });
+        if count == 0 {
+            return Err(ReadError::file(
+                "no impact is found in the record: expected a force that rises from rest and falls again",
+            ));
+        }
         let Some((samples, contact, index)) = found else {
             return Err(ReadError::file(format!(
                 "--impact {wanted} is refused: expected 1 to {count}, of those in the record"

@@ -262,6 +262,9 @@ fn the_first_of_several_impacts_is_read_and_another_on_request() {
         let options = Options { impact: Some(wanted), ..Options::default() };
         assert!(refusal(&text, &options).contains(&format!("--impact {wanted} is refused: expected 1 to 2")));
     }
+    let noise: String = (2..30).map(|i| format!("{:.3},{}\n", 1e-3 * f64::from(i), i % 7)).collect();
+    let none = refusal(&("time [s],force [N]\n".to_string() + &noise), &Options::default());
+    assert!(none.contains("no impact is found in the record"), "{none}");
     // Two drops, one below the other.
     let two = ok() + &ok().replace("4000.000", "3999.000");
     assert!((peak(&read(&two, &Options { impact: Some(2), ..Options::default() }).unwrap()) - 4e3).abs() < 5.0);
