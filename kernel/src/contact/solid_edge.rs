@@ -6,9 +6,8 @@
 //! point on the face at the end of the step, or none. The point comes from the node under the face and moves along the line with the edge, so
 //! that the force changes smoothly.
 
-use crate::contact::solid_face::Surface;
 use crate::contact::solid_touch::Touch;
-use crate::model::SOLID_TOUCH_FIELDS;
+use crate::model::{Constants, SOLID_TOUCH_FIELDS};
 use crate::number::math;
 use crate::number::real::Real;
 
@@ -17,13 +16,13 @@ use crate::number::real::Real;
 pub(super) const PASSES: usize = 3;
 
 /// Sum of the forces at the edge, upwards on the face, N.
-pub(super) fn total_force(surface: &Surface) -> Real {
-    surface.touches.iter().map(|numbers| Touch::of(*numbers).edge).map(|[x, z]| x + z).sum()
+pub(super) fn total_force(touches: &[[Real; SOLID_TOUCH_FIELDS]]) -> Real {
+    touches.iter().map(|numbers| Touch::of(*numbers).edge).map(|[x, z]| x + z).sum()
 }
 
 /// Finds the forces at the edge, one line after another, under a face that has risen by `rise`, m.
-pub(super) fn press(surface: &mut Surface, rise: Real) {
-    let (grid, dt) = (&surface.constants.grid, surface.constants.dt);
+pub(super) fn press(constants: &Constants, touches: &mut [[Real; SOLID_TOUCH_FIELDS]], rise: Real) {
+    let (grid, dt) = (&constants.grid, constants.dt);
     let (columns, slices, stride) = (grid.n_u, grid.n_w, grid.stride());
     for slice in 0..=slices {
         for column in 0..=columns {
@@ -31,7 +30,7 @@ pub(super) fn press(surface: &mut Surface, rise: Real) {
             let next = [(column < columns).then_some(place + 1), (slice < slices).then_some(place + stride)];
             for (along, next) in next.into_iter().enumerate() {
                 let Some(next) = next else { continue };
-                press_line(surface.touches, [place, next], along, rise, dt);
+                press_line(touches, [place, next], along, rise, dt);
             }
         }
     }

@@ -56,10 +56,10 @@ impl FaceContact for Touching<'_, '_> {
 }
 
 /// The nodes at the surface.
-pub(super) struct Surface<'s> {
-    pub constants: &'s Constants,
+struct Surface<'s> {
+    constants: &'s Constants,
     nodes: SolidNodes<'s>,
-    pub touches: &'s mut [[Real; SOLID_TOUCH_FIELDS]],
+    touches: &'s mut [[Real; SOLID_TOUCH_FIELDS]],
 }
 
 /// How far a point `x` and `z` m beside the centre of a face is beyond the edge of its flat part, m; negative inside. Faces that are
@@ -143,14 +143,14 @@ impl Surface<'_> {
         }
         // What the edge adds hardly moves the face, which is so much heavier than the nodes.
         for _ in 0..solid_edge::PASSES {
-            solid_edge::press(self, rise);
+            solid_edge::press(self.constants, self.touches, rise);
         }
         self.settle_on(prediction, shear, has_edge)
     }
 
     /// The same with the forces at the edge as they are.
     fn settle_on(&self, prediction: &Prediction, shear: Real, has_edge: bool) -> Real {
-        let shear = if has_edge { shear + solid_edge::total_force(self) } else { shear };
+        let shear = if has_edge { shear + solid_edge::total_force(self.touches) } else { shear };
         let touching = Touching { surface: self, shear, position: prediction.position };
         prediction.settle(self.constants, &touching) - prediction.position
     }

@@ -23,7 +23,7 @@ pub const CELLS: [usize; 3] = [4, 6, 8];
 const MODES: [[bool; 3]; 4] = [[true, true, false], [true, false, true], [false, true, true], [true, true, true]];
 
 /// Alternating part of the pressure in a cube compressed between bonded plates, `n` cells through half of its thickness: root mean
-/// square of the strongest of [`MODES`] in every two by two by two cells over that of the pressure.
+/// square of the strongest of `MODES` in every two by two by two cells over that of the pressure.
 ///
 /// The half thickness next to the free sides is left out, as in [`crate::problems::checkerboard`].
 pub fn alternating_part(nu: f64, n: usize) -> f64 {

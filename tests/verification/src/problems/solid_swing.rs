@@ -63,7 +63,7 @@ fn place(model: &Model, state: &mut State, node: &Node, direction: usize, [displ
     }
 }
 
-/// Root mean square error of the displacement over the amplitude after [`PERIODS`] periods with Poisson's ratio `nu` on `n` cells per
+/// Root mean square error of the displacement over the amplitude after `PERIODS` periods with Poisson's ratio `nu` on `n` cells per
 /// side.
 pub fn error(nu: f64, n: usize) -> f64 {
     static KNOWN: Memo<(u64, usize), f64> = Memo::new();
