@@ -216,6 +216,10 @@ def _of_pad(row: dict[str, Any]) -> dict[str, Any]:
     return {**plain, "verdict": judged.get("verdict"), "level": judged.get("level")}
 
 
+# The four numbers of the test.
+NUMBERS = ["peak_force", "max_deformation", "impact_duration", "impulse"]
+
+
 @dataclass(frozen=True)
 class Reduction:
     """Drops as a section and as a solid.
@@ -234,22 +238,25 @@ class Reduction:
 
 
 def reduction(
-    scenario: Scenario, parameters: Mapping[str, Sequence[float | str]] | None = None, *, plot: PathLike | None = None,
-    overwrite: bool = False
+    scenario: Scenario, parameters: Mapping[str, float | str | Sequence[float | str]] | None = None, *,
+    plot: PathLike | None = None, overwrite: bool = False
 ) -> Reduction:
     """Simulates a drop as a section and as a solid, and finds the length with which the section bears what the solid does.
 
     Args:
         scenario: A drop; its formulation says which section.
-        parameters: Values in SI units, or labels of a choice, by the names of parameters; all combinations are simulated, among
-            them the scenario's own value. A solid of the study's size takes some seconds.
+        parameters: A value or several, in SI units, or labels of a choice, by the names of parameters; all combinations are
+            simulated, among them the scenario's own value. A solid of the study's size takes some seconds.
         plot: File to which the differences are drawn, .svg or .png.
         overwrite: Replace that file if it is there.
 
     Raises:
         FileError: A scenario or value that is refused, also as a solid, or a file that is there.
     """
-    what = [f"{name}={','.join(_text(value) for value in values)}" for name, values in (parameters or {}).items()]
+    what = []
+    for name, values in (parameters or {}).items():
+        several = [values] if isinstance(values, (str, numbers.Real)) else values
+        what.append(f"{name}={','.join(_text(value) for value in several)}")
     with _of_scenario(scenario) as (drop, _):
         options = _arguments({"plot": plot, "overwrite": overwrite})
         data = _json(_call("reduction", [*what, *drop, *options, "--json"]))
@@ -260,10 +267,6 @@ def _of_case(case: dict[str, Any]) -> dict[str, Any]:
     """What stands in a row of a table, of a scenario as a section and as a solid."""
     numbers = {f"{key} of the {body}": case[body][key] for key in NUMBERS for body in ("solid", "section")}
     return {**case["settings"], **numbers, "difference": case["section_difference_percent"], "length": case["effective_length"]}
-
-
-# The four numbers of the test.
-NUMBERS = ["peak_force", "max_deformation", "impact_duration", "impulse"]
 
 
 @dataclass(frozen=True)

@@ -52,6 +52,7 @@ def test_reduction_is_that_of_the_command_line(tmp_path):
     assert found.table["impactor.drop_energy [J]"].tolist() == [9.8, 14.7]
     assert found.table["peak_force of the solid"][1] == line["cases"][1]["solid"]["peak_force"]
     assert found._repr_html_().startswith("<table")
+    assert sa.reduction(scenario, {"impactor.drop_energy": 9.8}).data == found.data
     with pytest.raises(sa.FileError, match="overwrite"):
         sa.reduction(scenario, plot=tmp_path / "energies.svg")
 
