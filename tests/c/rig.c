@@ -104,8 +104,12 @@ static void resume(const struct rig_result *whole)
 int main(void)
 {
     const double energies[] = RIG_ENERGIES;
+#ifdef RELEASED_HEADER
+    check(softanvil_version() >= SOFTANVIL_VERSION, "the library is no older than the header");
+#else
     check(softanvil_version() == SOFTANVIL_VERSION, "header and library have the same version");
     check(strcmp(softanvil_version_text(), SOFTANVIL_VERSION_TEXT) == 0, "and the same version text");
+#endif
     for (size_t i = 0; i < sizeof energies / sizeof energies[0]; i++) {
         const struct rig_result result = drop(energies[i]);
         rig_print(&result);

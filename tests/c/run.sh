@@ -159,7 +159,7 @@ case $(basename "$libdir") in library | lib)
     check "no path to a panic" "$tests/c/panic.sh" "$libdir"
     # A program that was built against the last release runs with this library, and gives the same.
     mkdir "$work/released" && cp "$tests/c/abi/released.h" "$work/released/softanvil.h"
-    check "build C rig against the last release" "${c[@]}" -I "$work/released" -I "$tests/c" "$tests/c/rig.c" \
+    check "build C rig against the last release" "${c[@]}" -DRELEASED_HEADER -I "$work/released" -I "$tests/c" "$tests/c/rig.c" \
         -o "$work/c-released" "${shared[@]}"
     check "run it with this library" trace c-released
     check "c-static and c-released agree" cmp "$work/c-static.txt" "$work/c-released.txt" ;;
