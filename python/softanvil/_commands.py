@@ -255,7 +255,7 @@ def reduction(
     """
     what = []
     for name, values in (parameters or {}).items():
-        several = [values] if isinstance(values, (str, numbers.Real)) else values
+        several = [values] if isinstance(values, (str, float, int, np.number)) else values
         what.append(f"{name}={','.join(_text(value) for value in several)}")
     with _of_scenario(scenario) as (drop, _):
         options = _arguments({"plot": plot, "overwrite": overwrite})
