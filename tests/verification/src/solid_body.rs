@@ -1,5 +1,6 @@
 //! A meshed solid whose internal forces are asked of the kernel at any displacement, as [`crate::body::Body`] does of a section.
 
+use nalgebra::Vector3;
 use softanvil_kernel::material::Material;
 use softanvil_kernel::mesh::tetrahedra;
 use softanvil_kernel::sampling::SMALLEST_STEP;
@@ -159,17 +160,8 @@ pub fn difference(b: [f64; 3], a: [f64; 3]) -> [f64; 3] {
     core::array::from_fn(|i| b[i] - a[i])
 }
 
-/// The cross product a x b.
-pub fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-/// The scalar product.
-pub fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    (0..3).map(|i| a[i] * b[i]).sum()
-}
-
 /// Volume of a tetrahedron.
 fn volume([a, b, c, d]: [[f64; 3]; 4]) -> f64 {
-    dot(difference(b, a), cross(difference(c, a), difference(d, a))).abs() / 6.0
+    let [u, v, w] = [b, c, d].map(|corner| Vector3::from(difference(corner, a)));
+    u.dot(&v.cross(&w)).abs() / 6.0
 }

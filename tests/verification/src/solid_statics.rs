@@ -1,9 +1,9 @@
 //! Equilibrium of a [`SolidBody`] by Newton's method, as [`crate::statics`] finds that of a section: the forces are the kernel's.
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, Vector3};
 
 use crate::band::Band;
-use crate::solid_body::{SolidBody, SolidField, difference, dot};
+use crate::solid_body::{SolidBody, SolidField, difference};
 use crate::statics::stable_factor;
 
 /// What holds and loads the nodes of a solid.
@@ -176,8 +176,8 @@ fn shortest_edge(body: &SolidBody) -> f64 {
     for corners in body.cell_list().flat_map(|cell| body.tetrahedra(cell)) {
         for pair in corners.windows(2) {
             let edge = difference(position[pair[1]], position[pair[0]]);
-            shortest = shortest.min(dot(edge, edge));
+            shortest = shortest.min(Vector3::from(edge).norm());
         }
     }
-    shortest.sqrt()
+    shortest
 }

@@ -178,6 +178,11 @@ impl Series {
         Ok(self)
     }
 
+    /// The force of `run` over time since it reached the threshold of its scenario: points of ms and N.
+    pub fn of_run_since_onset(run: &Run, sensor: Sensor) -> Vec<(f64, f64)> {
+        Self::of_run(run, sensor).since_onset(run.constants.scenario.measurement.force_threshold)
+    }
+
     /// The force over time since it reached `threshold`, N: points of ms and N.
     pub fn since_onset(&self, threshold: f64) -> Vec<(f64, f64)> {
         self.since(self.onset(threshold).unwrap_or(self.start), threshold)

@@ -31,9 +31,8 @@ fn shown(trial: &Trial) -> impl Iterator<Item = (String, &Outcome)> {
 /// Transmitted forces over time.
 fn forces(trial: &Trial) -> Result<String, PlotError> {
     let curve = |(label, outcome): (String, &Outcome)| {
-        let threshold = outcome.run.constants.scenario.measurement.force_threshold;
         let cut = crate::run::suffix(&outcome.run);
-        (format!("{label}{cut}"), Series::of_run(&outcome.run, Sensor::Core).since_onset(threshold))
+        (format!("{label}{cut}"), Series::of_run_since_onset(&outcome.run, Sensor::Core))
     };
     plot::forces("Transmitted force over time", Sensor::Core.axis(), shown(trial).map(curve).collect())
 }

@@ -56,6 +56,7 @@ pub struct Common {
 /// # Errors
 /// A scenario that one of the formulations refuses, or that fails.
 pub fn compare(sweep: &Sweep, cases: &[Case], until: Until) -> Result<Reduction, Failure> {
+    // Refused before anything is simulated.
     for case in cases {
         as_solid(&case.scenario).validate().map_err(ModelError::from).map_err(RunError::from)?;
     }

@@ -45,9 +45,8 @@ fn differences(reduction: &Reduction, heading: &str, places: &[f64]) -> Result<S
 /// Forces over time, of the solid and of the section.
 fn forces(reduction: &Reduction) -> Result<String, PlotError> {
     let curve = |name: &str, comparison: &Comparison, outcome: &Outcome| {
-        let threshold = outcome.run.constants.scenario.measurement.force_threshold;
         let label = [&comparison.settings[..], &[name.into()]].concat().join(", ");
-        (label, Series::of_run(&outcome.run, Sensor::Contact).since_onset(threshold))
+        (label, Series::of_run_since_onset(&outcome.run, Sensor::Contact))
     };
     let of = |comparison: &Comparison| {
         [("solid", &comparison.solid), ("section", &comparison.section)]

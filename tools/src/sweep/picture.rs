@@ -73,8 +73,7 @@ fn line(label: &str, points: impl IntoIterator<Item = (f64, f64)>) -> Line {
 /// Forces over time of the first cases.
 fn forces(results: &Results) -> Result<String, PlotError> {
     let curve = |(case, outcome): (&Case, &Outcome)| {
-        let threshold = outcome.run.constants.scenario.measurement.force_threshold;
-        (case.settings.join(", "), Series::of_run(&outcome.run, Sensor::Contact).since_onset(threshold))
+        (case.settings.join(", "), Series::of_run_since_onset(&outcome.run, Sensor::Contact))
     };
     plot::forces("Force over time", CONTACT_FORCE, results.done().take(CURVES).map(curve).collect())
 }

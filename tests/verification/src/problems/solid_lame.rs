@@ -2,11 +2,13 @@
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
+use nalgebra::Vector3;
+
 use crate::memo::Memo;
 use crate::order::over_cells;
 use crate::row::Row;
 use crate::scenes::neo_hookean;
-use crate::solid_body::{SolidBody, SolidField, cross, difference, dot};
+use crate::solid_body::{SolidBody, SolidField, difference};
 use crate::solid_statics::{SolidSupports, linear};
 
 const INNER: f64 = 10e-3;
@@ -57,7 +59,7 @@ impl Wall {
             }
             Self::Sphere => {
                 let direction = [(FRAC_PI_4 * u).tan(), 1.0, (FRAC_PI_4 * w).tan()];
-                let part = radius / dot(direction, direction).sqrt();
+                let part = radius / Vector3::from(direction).norm();
                 direction.map(|component| part * component)
             }
         }
@@ -90,7 +92,7 @@ impl Wall {
     /// The exact displacement at `x`, m.
     fn displacement(self, nu: f64, x: [f64; 3]) -> [f64; 3] {
         let outwards = self.outwards(x);
-        let radius = dot(outwards, outwards).sqrt();
+        let radius = Vector3::from(outwards).norm();
         outwards.map(|component| self.exact(nu, radius)[0] * component / radius)
     }
 
@@ -139,7 +141,7 @@ fn computed_errors(wall: Wall, nu: f64, n: usize) -> Errors {
     let found = linear(&mut body, &supports).displacement;
     let [at_most, pressure] = wall.exact(nu, INNER);
     let distances: Vec<f64> =
-        found.iter().zip(&exact).map(|(a, b)| difference(*a, *b)).map(|d| dot(d, d).sqrt()).collect();
+        found.iter().zip(&exact).map(|(a, b)| difference(*a, *b)).map(|d| Vector3::from(d).norm()).collect();
     let misses: Vec<f64> = body.cell_pressures(&found).iter().map(|p| p - pressure).collect();
     Errors {
         displacement: root_mean_square(&distances) / at_most,
@@ -160,8 +162,9 @@ fn load_inner_surface(body: &SolidBody, wall: Wall, load: &mut SolidField) {
     for corners in body.cell_list().filter(|[_, v, _]| *v == 0).flat_map(|cell| body.tetrahedra(cell)) {
         let face: Vec<usize> = corners.into_iter().filter(|node| inner[*node]).collect();
         let [a, b, c] = face[..] else { continue };
-        let twice_area = cross(difference(x[b], x[a]), difference(x[c], x[a]));
-        let sign = dot(twice_area, wall.outwards(x[a])).signum();
+        let [along, across] = [b, c].map(|corner| Vector3::from(difference(x[corner], x[a])));
+        let twice_area = along.cross(&across);
+        let sign = twice_area.dot(&Vector3::from(wall.outwards(x[a]))).signum();
         for node in face {
             load[node] = core::array::from_fn(|i| load[node][i] + sign * PRESSURE * twice_area[i] / 6.0);
         }
