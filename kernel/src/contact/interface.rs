@@ -87,32 +87,51 @@ struct Interface<'p, S> {
 impl<S: Simd> Interface<'_, S> {
     #[inline(always)]
     fn press(&mut self, model: &Model, nodes: &mut StateNodes<&mut [Real]>, work: &mut ContactWork) {
-        let ([upper, lower], [above, below], simd) = (&self.sides, &mut self.rows, self.simd);
-        upper.gather(simd, model, nodes, above);
-        lower.gather(simd, model, nodes, below);
-        upper.find(simd, above, below);
-        lower.find(simd, below, above);
-        for pull in above.pull.iter_mut().chain(&mut below.pull) {
+        let (simd, coefficient, sides) = (self.simd, self.coefficient, &self.sides);
+        // Stage by stage, for the row above and then for the one below; loops, so that each stage is compiled once.
+        for (side, own) in sides.iter().zip(&mut self.rows) {
+            side.gather(simd, model, nodes, own);
+        }
+        for turn in 0..2 {
+            let (own, other) = turned_to(turn, &mut self.rows);
+            sides[turn].find(simd, own, other);
+        }
+        for pull in self.rows.iter_mut().flat_map(|row| &mut row.pull) {
             pull.fill(0.0);
         }
-        resist(simd, above, below);
-        resist(simd, below, above);
-        hold(simd, above, below);
-        hold(simd, below, above);
-        for _ in 0..PASSES {
-            touch(simd, above, below, self.coefficient);
-            touch(simd, below, above, self.coefficient);
+        for turn in 0..2 {
+            let (own, other) = turned_to(turn, &mut self.rows);
+            resist(simd, own, other);
         }
-        settle(simd, above, below);
-        settle(simd, below, above);
-        upper.scatter(simd, model, nodes, above);
-        lower.scatter(simd, model, nodes, below);
+        for turn in 0..2 {
+            let (own, other) = turned_to(turn, &mut self.rows);
+            hold(simd, own, other);
+        }
+        for turn in 0..2 * PASSES {
+            let (own, other) = turned_to(turn, &mut self.rows);
+            touch(simd, own, other, coefficient);
+        }
+        for turn in 0..2 {
+            let (own, other) = turned_to(turn, &mut self.rows);
+            settle(simd, own, other);
+        }
+        for (side, own) in sides.iter().zip(&mut self.rows) {
+            side.scatter(simd, model, nodes, own);
+        }
         let dt = model.constants.dt;
-        for [pressed, rubbed] in [power(simd, above, below), power(simd, below, above)] {
+        for turn in 0..2 {
+            let (own, other) = turned_to(turn, &mut self.rows);
+            let [pressed, rubbed] = power(simd, own, other);
             work.contact_dissipation -= dt * pressed;
             work.frictional_dissipation -= dt * rubbed;
         }
     }
+}
+
+/// The row whose turn it is, and the other one: first that above, then that below, and so on.
+#[inline(always)]
+fn turned_to<'r, 'p>(turn: usize, [above, below]: &'r mut [PairRow<'p>; 2]) -> (&'r mut PairRow<'p>, &'r mut PairRow<'p>) {
+    if turn % 2 == 0 { (above, below) } else { (below, above) }
 }
 
 /// Turns what [`Side::find`] has left for the resistance of each pair of `own`, 1 where the node is over a segment, into it: one
