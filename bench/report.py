@@ -113,6 +113,22 @@ def steps(f, group):
     return table([group, "us per step", "ns per triangle and step"], rows)
 
 
+def solid(f):
+    """A step of a solid on one core and on all, of each instruction set, mesh and overlay."""
+    rows, one = [], ", one core"
+    for name in f.names("solid", ""):
+        if not name.endswith(one):
+            continue
+        label = name.removesuffix(one)
+        instruction_set, mesh, overlay = label.split("; ")
+        times = [f("solid", name), f("solid", label + ", all cores")]
+        rows.append([f"{mesh}: {f('solid', mesh + ', tetrahedra'):.0f}", overlay, SETS[instruction_set],
+                     *(f"{time:.1f}" for time in times), f"{times[0] / times[1]:.2f}"])
+    head = ["tetrahedra", "overlay", "instruction set", "ns per tetrahedron and step, one core",
+            f"{f('solid', 'threads'):.0f} cores", "times faster"]
+    return table(head, rows)
+
+
 def many(f):
     start = "ns per update: "
     rows = [[name.removeprefix(start), f"{f('scaling', name):.1f}"] for name in f.names("scaling", start)]
@@ -171,7 +187,7 @@ def peers(_):
 
 TABLES = {
     "machine": machine, "ratios": ratios, "summary": summary, "many": many, "stages": stages, "roofline": roofline,
-    "memory": memory, "peers": peers,
+    "memory": memory, "peers": peers, "solid": solid,
     **{name: lambda f, name=name: steps(f, name) for name in ("size", "law", "overlay", "instruction set")},
 }
 

@@ -1,6 +1,7 @@
 //! Scenarios to measure.
 
 use softanvil_kernel::material::{ElasticLaw, Material, MooneyRivlin, Variant, VolumetricBy};
+use softanvil_kernel::scenario::{Body, DropBy, Formulation, StepBy, Symmetry};
 use softanvil_kernel::{Scenario, preset};
 
 /// Element sizes, m, from some 70 to some 100,000 triangles. All but the first fill their lanes: the last block of a row
@@ -23,6 +24,16 @@ pub fn tiny() -> Scenario {
 pub fn with_material(material: Material) -> Scenario {
     let mut scenario = preset::study();
     scenario.layers[0].material = material;
+    scenario
+}
+
+/// A part of the study's anvil in three dimensions, with a face on it that moves down; its step is given, so that no trial is made.
+pub fn solid(material: Material, symmetry: Symmetry, element_size: f64) -> Scenario {
+    let mut scenario = with_material(material);
+    (scenario.geometry.formulation, scenario.geometry.body) = (Formulation::Solid, Body::Prism);
+    (scenario.geometry.symmetry, scenario.mesh.element_size) = (symmetry, element_size);
+    (scenario.impactor.gap, scenario.impactor.drop_by) = (0.0, DropBy::Energy);
+    (scenario.time.step_by, scenario.time.step) = (StepBy::Given, 2e-6);
     scenario
 }
 

@@ -130,8 +130,11 @@ impl<S: Simd> Interface<'_, S> {
 
 /// The row whose turn it is, and the other one: first that above, then that below, and so on.
 #[inline(always)]
-fn turned_to<'r, 'p>(turn: usize, [above, below]: &'r mut [PairRow<'p>; 2]) -> (&'r mut PairRow<'p>, &'r mut PairRow<'p>) {
-    if turn % 2 == 0 { (above, below) } else { (below, above) }
+fn turned_to<'r, 'p>(
+    turn: usize,
+    [above, below]: &'r mut [PairRow<'p>; 2],
+) -> (&'r mut PairRow<'p>, &'r mut PairRow<'p>) {
+    if turn.is_multiple_of(2) { (above, below) } else { (below, above) }
 }
 
 /// Turns what [`Side::find`] has left for the resistance of each pair of `own`, 1 where the node is over a segment, into it: one

@@ -38,15 +38,13 @@ pub(super) fn press(constants: &Constants, touches: &mut [[Real; SOLID_TOUCH_FIE
 
 /// The same on the line between the nodes of two places, the second being the next one `along` x (0) or z (1).
 fn press_line(touches: &mut [[Real; SOLID_TOUCH_FIELDS]], places: [usize; 2], along: usize, rise: Real, dt: Real) {
-    let [Some(first), Some(second)] = places.map(|place| touches.get(place).map(|numbers| Touch::of(*numbers))) else {
-        return;
-    };
+    let [Some(first), Some(second)] = places.map(|place| touches.get(place)) else { return };
+    let Some(parts) = parts_of_point(Touch::beyond_of(first), Touch::beyond_of(second)) else { return };
+    let mut ends = [Touch::of(*first), Touch::of(*second)];
     // Where a layer has no cell, a node has no mass.
-    if first.mass <= 0.0 || second.mass <= 0.0 {
+    if ends.iter().any(|end| end.mass <= 0.0) {
         return;
     }
-    let Some(parts) = parts_of_point(first.beyond, second.beyond) else { return };
-    let mut ends = [first, second];
     // The second time for a node that the first has taken off the face.
     for _ in 0..2 {
         let [one, other] = ends.map(|end| end.standing(rise, dt));

@@ -171,7 +171,11 @@ impl Surface<'_> {
                     moments += touch.mass * down * (depth - down * start);
                 }
             }
-            rise = start + moments / (mass + masses);
+            let found = start + moments / (mass + masses);
+            if found == rise {
+                break;
+            }
+            rise = found;
         }
         rise
     }

@@ -44,6 +44,11 @@ impl Touch {
         Self { mass, depth, out: [ox, oy, oz], friction: [fx, fy, fz], height, beyond, edge: [ex, ez], lowered }
     }
 
+    /// [`Self::beyond`] alone.
+    pub fn beyond_of(&[_, _, _, _, _, _, _, _, _, beyond, ..]: &[Real; SOLID_TOUCH_FIELDS]) -> Real {
+        beyond
+    }
+
     pub fn numbers(&self) -> [Real; SOLID_TOUCH_FIELDS] {
         let ([ox, oy, oz], [fx, fy, fz], [ex, ez]) = (self.out, self.friction, self.edge);
         [self.mass, self.depth, ox, oy, oz, fx, fy, fz, self.height, self.beyond, ex, ez, self.lowered]

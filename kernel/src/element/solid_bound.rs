@@ -18,12 +18,12 @@ use crate::tensor::symmetric::Symmetric;
 /// Displacements of a cell: of each corner, three directions.
 const N: usize = 24;
 
-/// K over rho V / 2 of neighbouring cells, 1/s2; the lower triangle.
-pub(crate) struct SolidMatrix<V>([[V; N]; N]);
-
-/// Neighbouring cells on the way to their matrix.
-struct Assembly<V> {
+/// K over rho V / 2 of neighbouring cells, 1/s2, and what it is made of. Large, so that one is filled again and again.
+pub(crate) struct SolidMatrix<V> {
+    /// The lower triangle.
     matrix: [[V; N]; N],
+    /// Place for the elimination.
+    rows: [[V; N]; N],
     /// Derivative of the mean dilatation with respect to the displacements, 1/m.
     dilatation: [V; N],
     /// Largest bulk tangent of the tetrahedra, Pa.
@@ -31,12 +31,24 @@ struct Assembly<V> {
 }
 
 impl<V: Vector> SolidMatrix<V> {
-    /// That of the cells at the stretches that the last internal forces have left in the `history`; at rest where there is
-    /// none.
+    /// Without stiffness.
     #[inline(always)]
-    pub fn new<S: Simd<Vector = V>>(simd: S, chunk: usize, block: &SolidBlock, history: &[Pack]) -> Self {
+    pub fn none<S: Simd<Vector = V>>(simd: S) -> Self {
         let zero = simd.splat(0.0);
-        let mut assembly = Assembly { matrix: [[zero; N]; N], dilatation: [zero; N], bulk: zero };
+        Self { matrix: [[zero; N]; N], rows: [[zero; N]; N], dilatation: [zero; N], bulk: zero }
+    }
+
+    /// Fills it with that of the cells at the stretches that the last internal forces have left in the `history`; at rest where there
+    /// is none.
+    #[inline(always)]
+    pub fn fill<S: Simd<Vector = V>>(&mut self, simd: S, chunk: usize, block: &SolidBlock, history: &[Pack]) {
+        let zero = simd.splat(0.0);
+        (self.dilatation, self.bulk) = ([zero; N], zero);
+        for i in 0..N {
+            for j in 0..i + 1 {
+                self.matrix[i][j] = zero;
+            }
+        }
         let share = (history.len() / TETRAHEDRA).max(1);
         let inverse_volume = simd.load(&block.constants[INVERSE_VOLUME], chunk);
         let tetrahedra = block.constants.as_chunks::<TETRAHEDRON_PACKS>().0;
@@ -47,19 +59,19 @@ impl<V: Vector> SolidMatrix<V> {
             }
             let fraction = simd.load(&packs[VOLUME], chunk) * inverse_volume;
             let gradients = node_gradients(simd, chunk, packs, &stretch);
-            assembly.add(simd, block, path, &stretch, &gradients, fraction);
+            self.add(simd, block, path, &stretch, &gradients, fraction);
         }
-        assembly.complete(simd, block)
+        self.complete(simd, block);
     }
 
     /// 1 where the step of this square is too large, 0 elsewhere and where the state is not a number.
     #[inline(always)]
-    fn unstable<S: Simd<Vector = V>>(&self, simd: S, step_squared: V) -> V {
+    fn unstable<S: Simd<Vector = V>>(&mut self, simd: S, step_squared: V) -> V {
         let (zero, one) = (simd.splat(0.0), simd.splat(1.0));
-        let mut rows = [[zero; N]; N];
+        let Self { matrix, rows, .. } = self;
         for i in 0..N {
             for j in 0..i + 1 {
-                rows[i][j] = zero - step_squared * self.0[i][j];
+                rows[i][j] = zero - step_squared * matrix[i][j];
             }
             rows[i][i] = rows[i][i].add_scalar(1.0);
         }
@@ -80,11 +92,11 @@ impl<V: Vector> SolidMatrix<V> {
 
     /// Square of the largest stable step of each cell, s2, to one part in 10^8 from below; at most `bound`.
     #[inline(always)]
-    pub fn limit_squared<S: Simd<Vector = V>>(&self, simd: S, bound: V) -> V {
+    pub fn limit_squared<S: Simd<Vector = V>>(&mut self, simd: S, bound: V) -> V {
         let zero = simd.splat(0.0);
         let mut trace = zero;
         for i in 0..N {
-            trace = trace + self.0[i][i];
+            trace = trace + self.matrix[i][i];
         }
         // The largest eigenvalue lies between the mean of all and their sum.
         let mut stable = simd.splat(1.0) / trace.max(simd.splat(Real::MIN_POSITIVE));
@@ -104,9 +116,7 @@ impl<V: Vector> SolidMatrix<V> {
         }
         stable
     }
-}
 
-impl<V: Vector> Assembly<V> {
     /// Adds a tetrahedron of each cell along a `path`, whose corners have these gradients, with the part `fraction` of its volume.
     #[inline(always)]
     fn add<S: Simd<Vector = V>>(
@@ -157,7 +167,7 @@ impl<V: Vector> Assembly<V> {
 
     /// Adds the pressure of the mean dilatation and divides by the mass.
     #[inline(always)]
-    fn complete<S: Simd<Vector = V>>(mut self, simd: S, block: &SolidBlock) -> SolidMatrix<V> {
+    fn complete<S: Simd<Vector = V>>(&mut self, simd: S, block: &SolidBlock) {
         let scale = simd.splat(2.0 / block.laws.density);
         for i in 0..N {
             let own = self.bulk * self.dilatation[i];
@@ -165,7 +175,6 @@ impl<V: Vector> Assembly<V> {
                 self.matrix[i][j] = scale * (self.matrix[i][j] + own * self.dilatation[j]);
             }
         }
-        SolidMatrix(self.matrix)
     }
 }
 

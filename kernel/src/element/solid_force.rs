@@ -15,7 +15,7 @@ use crate::mesh::{PATHS, TETRAHEDRA};
 use crate::number::pack::Pack;
 use crate::number::real::Real;
 use crate::number::vector::{Scalar, Simd, Vector};
-use crate::tensor::solid_kinematics::{Gradient, SolidKinematics, determinant};
+use crate::tensor::solid_kinematics::{Gradient, Roots, SolidKinematics, determinant};
 use crate::tensor::symmetric::Symmetric;
 
 /// Deformation gradients of the tetrahedra of each cell; or what pulls at the ends of their edges, a row for each, N.
@@ -34,20 +34,20 @@ pub(crate) fn solid_force<S: Simd>(
     history: &mut [Pack],
     energy: &mut ElementEnergy,
 ) {
-    let (mut gradients, mut jacobian) = (unit_gradients(simd), [simd.splat(1.0); TETRAHEDRA]);
+    let (mut gradients, mut roots) = (unit_gradients(simd), [Roots::none(simd); TETRAHEDRA]);
     fill_gradients(simd, chunk, block, corners, &mut gradients);
     for t in 0..TETRAHEDRA {
-        jacobian[t] = determinant(&gradients[t]);
+        roots[t] = Roots::new(&gradients[t]);
     }
-    mark_inverted(simd, chunk, &jacobian, energy);
-    let pressure = pressure(simd, chunk, block, &jacobian, energy);
+    mark_inverted(simd, chunk, &roots, energy);
+    let pressure = pressure(simd, chunk, block, &roots, energy);
     let share = (history.len() / TETRAHEDRA).max(1);
     let tetrahedra = block.constants.as_chunks::<TETRAHEDRON_PACKS>().0;
-    let each = tetrahedra.iter().zip(history.chunks_exact_mut(share)).zip(&mut gradients).zip(&jacobian);
-    for (((packs, history), gradient), jacobian) in each {
+    let each = tetrahedra.iter().zip(history.chunks_exact_mut(share)).zip(&mut gradients).zip(&roots);
+    for (((packs, history), gradient), roots) in each {
         let (packs, history) = (black_box(packs), black_box(history));
         let Some(mut history) = SolidHistory::of(block.laws, history) else { continue };
-        let kinematics = SolidKinematics::new(simd, gradient, *jacobian);
+        let kinematics = SolidKinematics::new(simd, roots);
         let volume = simd.load(&packs[VOLUME], chunk);
         let response = respond(simd, chunk, block.laws, &kinematics, &mut history);
         response.density.add_to(simd, chunk, volume, block.laws, energy);
@@ -138,12 +138,12 @@ pub(crate) fn edge_gradient<S: Simd>(
 
 /// Marks the lanes with an inverted tetrahedron.
 #[inline(always)]
-fn mark_inverted<S: Simd>(simd: S, chunk: usize, jacobian: &[S::Vector; TETRAHEDRA], energy: &mut ElementEnergy) {
+fn mark_inverted<S: Simd>(simd: S, chunk: usize, roots: &[Roots<S::Vector>; TETRAHEDRA], energy: &mut ElementEnergy) {
     // What is next to nothing counts as inverted: roots want a normal number.
     let (least, one) = (simd.splat(Real::MIN_POSITIVE), simd.splat(1.0));
     let mut inverted = simd.load(&energy.inverted, chunk);
-    for jacobian in jacobian {
-        inverted = jacobian.select_greater(least, inverted, one);
+    for roots in roots {
+        inverted = roots.jacobian.select_greater(least, inverted, one);
     }
     simd.store(inverted, &mut energy.inverted, chunk);
 }
@@ -154,7 +154,7 @@ fn pressure<S: Simd>(
     simd: S,
     chunk: usize,
     block: &SolidBlock,
-    jacobian: &[S::Vector; TETRAHEDRA],
+    roots: &[Roots<S::Vector>; TETRAHEDRA],
     energy: &mut ElementEnergy,
 ) -> S::Vector {
     if block.laws.elastic.is_compressible() {
@@ -162,9 +162,9 @@ fn pressure<S: Simd>(
     }
     let one = simd.splat(1.0);
     let (mut growth, mut volume) = (simd.splat(0.0), simd.splat(0.0));
-    for (packs, jacobian) in block.constants.as_chunks::<TETRAHEDRON_PACKS>().0.iter().zip(jacobian) {
+    for (packs, roots) in block.constants.as_chunks::<TETRAHEDRON_PACKS>().0.iter().zip(roots) {
         let own = simd.load(&packs[VOLUME], chunk);
-        growth = growth + own * (*jacobian - one);
+        growth = growth + own * (roots.jacobian - one);
         volume = volume + own;
     }
     let mean = (growth * simd.load(&block.constants[INVERSE_VOLUME], chunk)).add_scalar(1.0);

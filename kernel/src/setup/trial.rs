@@ -17,7 +17,7 @@ use crate::scenario::{DropBy, Impactor, Motion, Scenario};
 use crate::setup::assembly::assemble;
 use crate::setup::numbers::Positions;
 use crate::state::{State, StateMemory};
-use crate::step::{Cells, Critical, SolidCells, advance_once};
+use crate::step::{Cells, Critical, SolidCells, advance_once, among_threads};
 
 /// What a trial has found.
 #[derive(Clone, Copy, Debug)]
@@ -87,13 +87,13 @@ pub(crate) fn run(
     let mut trial = Trial { smallest: at_rest, stretch: 1.0, constants };
     trial.constants.set_step(FOLLOWED * at_rest, 1);
     State::new(&trial.model(&arrays), state.lend())?;
-    trial.march_through(motion, SMALLEST_STEP, &arrays, state)?;
+    among_threads(&grid, || trial.march_through(motion, SMALLEST_STEP, &arrays, state))?;
     if trial.constants.softens() {
         // The next impact presses what has softened deeper.
         let model = trial.model(&arrays);
         if State::view(&model, state.lend())?.next_impact(&model, 0.0).is_ok() {
             let enough = math::max(SMALLEST_STEP, NEXT_IMPACT * trial.smallest);
-            trial.march_through(motion, enough, &arrays, state)?;
+            among_threads(&grid, || trial.march_through(motion, enough, &arrays, state))?;
         }
     }
     Ok(Forecast { ratio: trial.smallest / at_rest, stretch: trial.stretch })

@@ -27,7 +27,5 @@ pub(crate) use pair::{
 pub use sampler::{Forces, Sample, Sampler};
 pub use scalars::Scalars;
 pub use snapshot::{restore, save, snapshot_size, state_digest, write_words};
-#[cfg(feature = "threads")]
-pub(crate) use solid::subtract_from_row;
-pub(crate) use solid::{SolidState, SolidView, solid_corners, subtract_solid_force};
+pub(crate) use solid::{SolidState, SolidView, solid_corners, subtract_from_row};
 pub use view::{StateContent, StateView};

@@ -5,7 +5,7 @@ use crate::mesh::Grid;
 use crate::model::{SolidArrays, split_row};
 use crate::number::pack::{LANES, Pack};
 use crate::number::real::Real;
-use crate::number::vector::{Scalar, Simd, Vector};
+use crate::number::vector::{Simd, Vector};
 use crate::state::nodes::{Span, span, subtract_ends};
 
 /// What a solid has besides what a section has, laid out alike along z: to be changed.
@@ -97,50 +97,25 @@ pub(crate) fn solid_corners<S: Simd>(
     corners
 }
 
-/// Takes the forces of the cells of a block from their corners, whose first nodes are `rows`, along x, y and z.
-pub(crate) fn subtract_solid_force(
-    rows: &SolidRows,
-    [x, y, z]: [&mut [Real]; 3],
-    of_block: &SolidCorners<Pack>,
-    mirrored: Option<&Pack>,
-) {
-    for (place, first) in rows.iter().enumerate() {
-        for (i, row) in [&mut *x, &mut *y, &mut *z].into_iter().enumerate() {
-            subtract_row(row, *first, of_block, [place, i], mirrored);
-        }
-    }
-}
-
-/// The same for one of the four rows of nodes, of which only itself is there, for a `block` of the row of cells; not bonded layers
-/// have no such row.
-#[cfg(feature = "threads")]
-pub(crate) fn subtract_from_row(
-    block: usize,
-    rows: [&mut [Real]; 3],
-    of_block: &SolidCorners<Pack>,
-    place: usize,
-    mirrored: Option<&Pack>,
-) {
-    for (i, row) in rows.into_iter().enumerate() {
-        subtract_row(row, block * LANES, of_block, [place, i], mirrored);
-    }
-}
-
-/// Subtracts component `i` of the forces of a block at one of its rows of nodes.
-fn subtract_row(
+/// Subtracts the forces of the cells of a block at their ends on the left and on the right from those of a row of nodes, of which
+/// theirs begin at `first`.
+#[inline(always)]
+pub(crate) fn subtract_from_row<S: Simd>(
+    simd: S,
     row: &mut [Real],
     first: usize,
-    of_block: &SolidCorners<Pack>,
-    [place, i]: [usize; 2],
+    [left, right]: [&Pack; 2],
     mirrored: Option<&Pack>,
 ) {
-    let (mut left, mut right) = (of_block[(2 * place) % 8][i % 3], of_block[(2 * place + 1) % 8][i % 3]);
-    if let Some(mask) = mirrored {
-        for l in 0..LANES {
-            if mask[l] > 0.0 {
-                core::mem::swap(&mut left[l], &mut right[l]);
-            }
-        }
+    let Some(mask) = mirrored else {
+        return subtract_ends(simd, row, first, left, right);
+    };
+    let ([mut left, mut right], zero) = ([*left, *right], simd.splat(0.0));
+    for chunk in 0..LANES / S::WIDTH {
+        let mask = simd.load(mask, chunk);
+        let (of_left, of_right) = (simd.load(&left, chunk), simd.load(&right, chunk));
+        simd.store(mask.select_greater(zero, of_right, of_left), &mut left, chunk);
+        simd.store(mask.select_greater(zero, of_left, of_right), &mut right, chunk);
     }
-    subtract_ends(Scalar, row, first, &left, &right);
+    subtract_ends(simd, row, first, &left, &right);
 }

@@ -12,6 +12,7 @@ use crate::number::pack::{LANES, Pack, ZERO, sum};
 use crate::number::real::Real;
 use crate::number::vector::{Scalar, Simd, Work};
 use crate::state::{Rows, State, StepWork, corners};
+use crate::step::among_threads;
 use crate::step::monitor;
 use crate::step::motion::{measure, move_nodes};
 use crate::step::solid_advance;
@@ -20,7 +21,7 @@ use crate::tensor::deviator::Deviator;
 /// Advances `state` by one step of `model.constants.dt`: central difference, from the positions at n and the velocities
 /// at n - 1/2 to the positions at n + 1 and the velocities at n + 1/2.
 ///
-/// The work is the same in every step: no iteration depends on the data.
+/// The work of a section is the same in every step: no iteration depends on the data. That of a solid has an upper bound.
 ///
 /// # Errors
 /// An inverted triangle, or a step above the current stability limit; the same error comes back until the state is reset
@@ -59,7 +60,7 @@ pub fn step_along(model: &Model, state: &mut State, path: &DrivenPath, number: u
 pub fn steps(model: &Model, state: &mut State, count: u64, input: &StepInput) -> Result<(), StepError> {
     input.check(model.constants, state.time(model))?;
     let path = DrivenPath::new(model.constants, &state.scalars.impactor, input, count as Real);
-    (1..=count).try_for_each(|number| step_along(model, state, &path, number))
+    among_threads(&model.constants.grid, || (1..=count).try_for_each(|number| step_along(model, state, &path, number)))
 }
 
 /// One step, whose failure every further one gives.
@@ -84,7 +85,7 @@ pub(crate) fn advance_once(
     input: &StepInput,
 ) -> Result<(), StepError> {
     if model.constants.grid.is_solid() {
-        return solid_advance::advance(set, model, state, input);
+        return among_threads(&model.constants.grid, || solid_advance::advance(set, model, state, input));
     }
     set.run(Advance { model, state, input })
 }

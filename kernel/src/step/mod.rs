@@ -7,6 +7,7 @@ mod motion;
 mod solid_advance;
 mod solid_cells;
 mod solid_forces;
+mod solid_rows;
 mod solid_stable_step;
 #[cfg(feature = "threads")]
 mod solid_threads;
@@ -17,6 +18,14 @@ pub(crate) use advance::advance_once;
 pub use advance::{step, step_along, step_with, steps};
 pub(crate) use critical::Critical;
 pub(crate) use solid_stable_step::SolidCells;
+#[cfg(feature = "threads")]
+pub(crate) use solid_threads::among_threads;
 pub(crate) use stable_step::Cells;
 pub use stable_step::{critical_time_step, critical_time_step_with};
 pub use window::MONITOR_PERIOD;
+
+/// Does `work`, in which steps are made, where there are no threads to share in them.
+#[cfg(not(feature = "threads"))]
+pub(crate) fn among_threads<R>(_: &crate::mesh::Grid, work: impl FnOnce() -> R) -> R {
+    work()
+}

@@ -22,7 +22,7 @@ pub(super) fn advance(
 ) -> Result<(), StepError> {
     let mut energy = ElementEnergy::ZERO;
     internal_forces(set, model, state, &mut energy)?;
-    if solid_stable_step::is_exceeded(model, state) {
+    if solid_stable_step::is_exceeded(set, model, state) {
         return Err(monitor::failure(model, state));
     }
     let core = solid_core::react(model, state);

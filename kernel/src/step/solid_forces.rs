@@ -1,7 +1,8 @@
 //! Internal forces of a solid.
 //!
-//! The cells of a block give forces on their corners first; then each row of nodes takes those of the blocks about it, in index
-//! order. So the bits are the same whichever rows are computed at the same time (feature `threads`).
+//! The rows of cells come by four kinds, one after another; those of a kind have no node in common ([`crate::step::solid_rows`]).
+//! So each node takes the forces of its cells in one order, and the bits are the same whichever rows of a kind are computed at the
+//! same time (feature `threads`).
 
 use crate::element::{ElementEnergy, SolidBlock, tetrahedron_gradient};
 use crate::error::StepError;
@@ -11,8 +12,9 @@ use crate::number::instruction_set::InstructionSet;
 use crate::number::pack::{LANES, sum};
 use crate::number::real::Real;
 use crate::number::vector::Scalar;
-use crate::state::{SolidState, SolidView, State, solid_corners, subtract_solid_force};
+use crate::state::{SolidState, SolidView, State, solid_corners};
 use crate::step::solid_cells::Cells;
+use crate::step::solid_rows::{CellRow, KINDS, rows_of_kind};
 
 /// Fills the nodal forces with minus the internal forces and adds up the energies.
 pub(super) fn internal_forces(
@@ -29,21 +31,21 @@ pub(super) fn internal_forces(
         force.fill(0.0);
     }
     let cells = Cells { set, constants, blocks: model.solid().blocks, displacement: [ux, uy, uz] };
-    #[cfg(feature = "threads")]
-    if super::solid_threads::pays(constants) {
-        super::solid_threads::forces(&cells, [fx, fy, fz], history, energy);
-        return ended(model, state, energy);
-    }
-    for (number, history) in history.chunks_exact_mut(cells.history_of_row()).enumerate() {
-        let place = cells.place(number);
-        let mut of_row = ElementEnergy::ZERO;
-        cells.row(number, history, &mut of_row, |block, force| {
-            let rows = constants.grid.solid_rows(place, block);
-            subtract_solid_force(&rows, [&mut *fx, &mut *fy, &mut *fz], force, constants.grid.mirrored(block).as_ref());
-        });
-        energy.add(&of_row);
+    for kind in KINDS {
+        let force = [&mut **fx, &mut **fy, &mut *fz];
+        let rows = rows_of_kind(&constants.grid, kind, force, history, cells.history_of_row());
+        take_forces(&cells, rows, energy);
     }
     ended(model, state, energy)
+}
+
+/// Takes the forces of `rows` of cells that have no node in common, and adds up their energies.
+fn take_forces<'s>(cells: &Cells, rows: impl Iterator<Item = CellRow<'s>>, energy: &mut ElementEnergy) {
+    #[cfg(feature = "threads")]
+    if super::solid_threads::pays(&cells.constants.grid) {
+        return super::solid_threads::take_forces(cells, rows, energy);
+    }
+    rows.for_each(|row| energy.add(&cells.take_forces(row)));
 }
 
 /// The error of an inverted tetrahedron, if there is one.

@@ -14,6 +14,10 @@ use crate::step::critical::Critical;
 use crate::step::window::MonitorWindow;
 use crate::tensor::symmetric::Symmetric;
 
+/// Groups of cells that a core looks at before it asks for more.
+#[cfg(feature = "threads")]
+const GROUPS_AT_ONCE: usize = 8;
+
 /// The cells of a solid.
 pub(crate) struct SolidCells<'m> {
     pub constants: &'m Constants,
@@ -42,7 +46,21 @@ impl<'m> SolidCells<'m> {
 
     /// The cell with the smallest limit whose square is below `bound`, s2; none if there is none.
     pub fn critical(&self, set: InstructionSet, bound: Real) -> Option<Critical> {
-        self.critical_of(set, MonitorWindow::whole(self.blocks.len() * LANES), bound)
+        let whole = MonitorWindow::whole(self.blocks.len() * LANES);
+        #[cfg(feature = "threads")]
+        if super::solid_threads::pays(&self.constants.grid) {
+            // All cores find the parts that have such a cell; those alone have a say in which it is, one after another as below.
+            let parts = whole.count.div_ceil(GROUPS_AT_ONCE);
+            let below = |part| self.critical_of(set, whole.part(part, parts), bound).is_some();
+            return super::solid_threads::which(parts, below).into_iter().fold(
+                None,
+                |least: Option<Critical>, part| {
+                    let bound = least.as_ref().map_or(bound, |least| least.limit_squared);
+                    self.critical_of(set, whole.part(part, parts), bound).or(least)
+                },
+            );
+        }
+        self.critical_of(set, whole, bound)
     }
 
     /// The same among the cells of a `window`.
@@ -78,7 +96,7 @@ impl Work for Search<'_, '_> {
     #[inline(always)]
     fn run<S: Simd>(self, simd: S) -> Option<Critical> {
         let Self { cells, window, mut bound } = self;
-        let (constants, mut critical) = (cells.constants, None);
+        let (constants, mut critical, mut matrix) = (cells.constants, None, SolidMatrix::none(simd));
         for turn in 0..window.count {
             let (index, start) = (window.cell(turn) / LANES, window.cell(turn) % LANES);
             let ([row, _], _) = constants.grid.solid_place(index);
@@ -87,7 +105,7 @@ impl Work for Search<'_, '_> {
             // One bound for the group: one for each chunk would differ with the width of the vectors.
             let squared = simd.splat(bound);
             for chunk in start / S::WIDTH..(start + window.group).div_ceil(S::WIDTH) {
-                let matrix = SolidMatrix::new(simd, chunk, &block, cells.history_of(index));
+                matrix.fill(simd, chunk, &block, cells.history_of(index));
                 let mut limits = ZERO;
                 simd.store(matrix.limit_squared(simd, squared), &mut limits, chunk);
                 for l in (chunk * S::WIDTH).max(start)..((chunk + 1) * S::WIDTH).min(start + window.group) {
@@ -117,8 +135,15 @@ fn smallest_stretch(cells: &SolidCells, block: usize, l: usize) -> Real {
 }
 
 /// Whether the step is above the current limit of one of this step's share of the cells.
-pub(super) fn is_exceeded(model: &Model, state: &State) -> bool {
+pub(super) fn is_exceeded(set: InstructionSet, model: &Model, state: &State) -> bool {
     let cells = SolidCells::of(model, state);
     let window = MonitorWindow::new(cells.blocks.len() * LANES, state.scalars.step_index);
-    cells.critical_of(InstructionSet::best(), window, model.constants.dt * model.constants.dt).is_some()
+    let squared = model.constants.dt * model.constants.dt;
+    #[cfg(feature = "threads")]
+    if super::solid_threads::pays(&model.constants.grid) {
+        return super::solid_threads::any(window.count, |part, parts| {
+            cells.critical_of(set, window.part(part, parts), squared).is_some()
+        });
+    }
+    cells.critical_of(set, window, squared).is_some()
 }

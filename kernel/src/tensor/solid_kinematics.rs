@@ -61,15 +61,44 @@ fn cauchy_green<V: Vector>(f: &Gradient<V>) -> Symmetric<V> {
     }
 }
 
-impl<V: Vector> SolidKinematics<V> {
-    /// Of a gradient and its determinant.
+/// What iterations find of a deformation gradient, one step waiting for the other: those of several tetrahedra are best found in
+/// a loop of their own, in which a processor works at more than one at a time.
+#[derive(Clone, Copy)]
+pub(crate) struct Roots<V> {
+    /// C = F^T F.
+    cauchy_green: Symmetric<V>,
+    /// J = det F.
+    pub jacobian: V,
+    /// tr U.
+    trace: V,
+    /// J^(-1/3).
+    inverse_cbrt_j: V,
+}
+
+impl<V: Vector> Roots<V> {
+    /// No deformation.
     #[inline(always)]
-    pub(crate) fn new<S: Simd<Vector = V>>(simd: S, gradient: &Gradient<V>, jacobian: V) -> Self {
-        let c = cauchy_green(gradient);
+    pub fn none<S: Simd<Vector = V>>(simd: S) -> Self {
+        let (zero, one) = (simd.splat(0.0), simd.splat(1.0));
+        Self { cauchy_green: Symmetric::unit(one, zero), jacobian: one, trace: simd.splat(3.0), inverse_cbrt_j: one }
+    }
+
+    /// Of a gradient.
+    #[inline(always)]
+    pub fn new(gradient: &Gradient<V>) -> Self {
+        let (c, jacobian) = (cauchy_green(gradient), determinant(gradient));
         let minors = [c.xx * c.yy - c.xy * c.xy, c.yy * c.zz - c.yz * c.yz, c.zz * c.xx - c.zx * c.zx];
-        let first = c.trace();
-        let trace = trace_of_stretch(first, minors[0] + minors[1] + minors[2], jacobian);
-        let square = trace * trace;
+        let trace = trace_of_stretch(c.trace(), minors[0] + minors[1] + minors[2], jacobian);
+        Self { cauchy_green: c, jacobian, trace, inverse_cbrt_j: inverse_cbrt(jacobian) }
+    }
+}
+
+impl<V: Vector> SolidKinematics<V> {
+    /// Of what iterations have found of a gradient.
+    #[inline(always)]
+    pub(crate) fn new<S: Simd<Vector = V>>(simd: S, roots: &Roots<V>) -> Self {
+        let Roots { cauchy_green: c, jacobian, trace, inverse_cbrt_j } = *roots;
+        let (first, square) = (c.trace(), trace * trace);
         let second = (square - first).mul_scalar(0.5);
         let one = simd.splat(1.0);
         let (scale, inverse_j) = (one / (trace * second - jacobian), one / jacobian);
@@ -77,7 +106,7 @@ impl<V: Vector> SolidKinematics<V> {
         let zero = simd.splat(0.0);
         let stretch = Symmetric::unit(of_unit, zero).plus(&c.scaled(of_c)).minus(&c.square().scaled(scale));
         let inverse_stretch = Symmetric::unit(second, zero).plus(&c).minus(&stretch.scaled(trace)).scaled(inverse_j);
-        Self { cauchy_green: c, stretch, inverse_stretch, jacobian, inverse_cbrt_j: inverse_cbrt(jacobian) }
+        Self { cauchy_green: c, stretch, inverse_stretch, jacobian, inverse_cbrt_j }
     }
 
     /// The deformation that has this stretch, and no rotation.
