@@ -36,6 +36,21 @@ pub(super) fn press(constants: &Constants, touches: &mut [[Real; SOLID_TOUCH_FIE
     }
 }
 
+/// Lifts the nodes again whose lines bear nothing any more: rounding has left something of forces that came and went.
+pub(super) fn lift_free_nodes(stride: usize, touches: &mut [[Real; SOLID_TOUCH_FIELDS]]) {
+    for place in 0..touches.len() {
+        let edge = |place: Option<usize>| {
+            place.and_then(|place| touches.get(place)).map_or([0.0; 2], |of| Touch::of(*of).edge)
+        };
+        let ([own_x, own_z], [before_x, _], [_, before_z]) =
+            (edge(Some(place)), edge(place.checked_sub(1)), edge(place.checked_sub(stride)));
+        let Some(numbers) = touches.get_mut(place).filter(|_| [own_x, own_z, before_x, before_z] == [0.0; 4]) else {
+            continue;
+        };
+        *numbers = Touch { lowered: 0.0, ..Touch::of(*numbers) }.numbers();
+    }
+}
+
 /// The same on the line between the nodes of two places, the second being the next one `along` x (0) or z (1).
 fn press_line(touches: &mut [[Real; SOLID_TOUCH_FIELDS]], places: [usize; 2], along: usize, rise: Real, dt: Real) {
     let [Some(first), Some(second)] = places.map(|place| touches.get(place)) else { return };
@@ -81,5 +96,30 @@ fn parts_of_point(first: Real, second: Real) -> Option<[Real; 2]> {
             Some([part, 1.0 - part])
         }
         _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_node_whose_line_bears_nothing_any_more_is_where_it_was() {
+        let dt: Real = 1e-6;
+        let mut left_over = 0;
+        for i in 1..50 {
+            let (part, mass) = (i as Real / 50.0, 1e-5 * math::sqrt(i as Real));
+            let inside = Touch::new(mass, 0.0, [0.0, -1.0, 0.0], [1e-5, -1e-3 * part]);
+            let outside = Touch::new(0.7 * mass, 0.0, [0.0, -1.0, 0.0], [2e-5, 1e-3 * (1.0 - part)]);
+            let mut touches = [inside.numbers(), outside.numbers()];
+            for rise in [-1e-5, -7e-6, 3e-6, 1.0] {
+                press_line(&mut touches, [0, 1], 0, rise, dt);
+            }
+            assert_eq!(Touch::of(touches[0]).edge, [0.0; 2]);
+            left_over += touches.iter().filter(|numbers| Touch::of(**numbers).lowered != 0.0).count();
+            lift_free_nodes(2, &mut touches);
+            assert!(touches.iter().all(|numbers| Touch::of(*numbers).lowered == 0.0));
+        }
+        assert!(left_over > 0, "nothing was left to lift");
     }
 }

@@ -145,6 +145,7 @@ impl Surface<'_> {
         for _ in 0..solid_edge::PASSES {
             solid_edge::press(self.constants, self.touches, rise);
         }
+        solid_edge::lift_free_nodes(self.constants.grid.stride(), self.touches);
         self.settle_on(prediction, shear, has_edge)
     }
 
