@@ -13,7 +13,7 @@ use softanvil_kernel::InstructionSet;
 use softanvil_kernel::scenario::Symmetry;
 
 /// Turns.
-const TURNS: usize = 12;
+const TURNS: usize = 30;
 
 /// Steps that are timed at once, and how often in a turn.
 const STEPS: u64 = 8;
