@@ -16,6 +16,17 @@ pub fn bar(steps: u64) -> ProgressBar {
     bar
 }
 
+/// Does `work`, which makes a model ready and chooses its step, and says meanwhile what takes the time; hidden if standard error is
+/// no terminal.
+pub fn set_up<R>(work: impl FnOnce() -> R) -> R {
+    let style = ProgressStyle::with_template("{spinner} choosing the time step, {elapsed}");
+    let spinner = ProgressBar::new_spinner()
+        .with_style(style.unwrap_or_else(|_| ProgressStyle::default_spinner()))
+        .with_finish(ProgressFinish::AndClear);
+    spinner.enable_steady_tick(Duration::from_millis(100));
+    work()
+}
+
 /// A bar over the evaluations of a search; hidden if standard error is no terminal.
 pub fn evaluations(count: u64) -> ProgressBar {
     let style = ProgressStyle::with_template("[{bar:30}] {pos} of {len} evaluations, {eta} left; {msg}")

@@ -96,7 +96,7 @@ pub fn carry_out(options: &Options) -> Result<String, Failure> {
 impl Options {
     /// Runs the impacts, with progress: those before the last, and the last.
     fn simulate(&self, subject: &Subject, series: &mut Option<Series>) -> Result<(Vec<Run>, Run), Failure> {
-        let drop = Drop::until(&subject.scenario, subject.until)?;
+        let drop = progress::set_up(|| Drop::until(&subject.scenario, subject.until))?;
         let bar = progress::bar(u64::from(self.impacts) * drop.steps());
         bar.set_message("drop");
         let (earlier, run, _) = drop.run_impacts(self.impacts, self.rest, |steps, simulation| {
@@ -150,7 +150,7 @@ pub(super) fn simulate_watched(
     subject: &Subject,
     mut watch: impl FnMut(&mut Simulation) -> Result<(), Failure>,
 ) -> Result<Run, Failure> {
-    let drop = Drop::until(&subject.scenario, subject.until)?;
+    let drop = progress::set_up(|| Drop::until(&subject.scenario, subject.until))?;
     let bar = progress::bar(drop.steps());
     bar.set_message("drop");
     drop.run_watched(|steps, simulation| {

@@ -93,7 +93,8 @@ impl Validation {
     ) -> Result<Self, Failure> {
         let mut scenario = (preset.scenario)();
         scenario.geometry.formulation = formulation;
-        let drops = TABLE_1.iter().map(|case| prepare(&scenario, case)).collect::<Result<Vec<_>, _>>()?;
+        let ready = || TABLE_1.iter().map(|case| prepare(&scenario, case)).collect::<Result<Vec<_>, _>>();
+        let drops = progress::set_up(ready)?;
         let bar = progress::bar(drops.iter().map(Drop::steps).sum());
         let mut cases = Vec::new();
         for (number, (paper, drop)) in TABLE_1.iter().zip(drops).enumerate() {

@@ -12,7 +12,7 @@ use super::verdict::Verdict;
 use super::watch::Watch;
 use crate::failure::Failure;
 use crate::output::subject::Subject;
-use crate::run::{Drop, Run, Until};
+use crate::run::{Drop, Run, RunError};
 use crate::scenario_file::{self, names};
 use crate::section::Animation;
 use crate::{progress, run};
@@ -117,17 +117,19 @@ impl Trial {
         let preset = (subject.preset.scenario)();
         let bare = padding::bare(&subject.scenario).map(|scenario| Case { name: "bare".into(), scenario });
         let all: Vec<&Case> = bare.iter().chain(&cases).collect();
-        let bar = progress::bar(all.iter().map(|case| planned(&case.scenario)).sum());
+        let ready: Vec<Result<Drop, RunError>> =
+            progress::set_up(|| all.par_iter().map(|case| Drop::until(&case.scenario, subject.until)).collect());
+        let bar = progress::bar(ready.iter().flatten().map(Drop::steps).sum());
         bar.set_message(format!("{} drops", all.len()));
-        let simulate = |case: &&Case| {
-            let outcome = simulate(case, subject.until, sections, |steps| bar.inc(steps));
+        let simulate = |(case, drop): (&&Case, Result<Drop, RunError>)| {
+            let outcome = simulate(drop?, sections, |steps| bar.inc(steps));
             let judged = |outcome: Outcome| {
                 let verdict = Verdict::new(&outcome.numbers, standard, &case.scenario, &preset);
                 Outcome { verdict, ..outcome }
             };
             outcome.map(judged)
         };
-        let mut outcomes: Vec<Result<Outcome, Failure>> = all.par_iter().map(simulate).collect();
+        let mut outcomes: Vec<Result<Outcome, Failure>> = all.par_iter().zip(ready).map(simulate).collect();
         bar.finish_and_clear();
         let bare_anvil = usize::from(bare.is_some());
         let pads = outcomes.split_off(bare_anvil);
@@ -170,13 +172,7 @@ impl Trial {
     }
 }
 
-/// Steps of the run of `scenario`, about; 0 of one that is refused.
-fn planned(scenario: &Scenario) -> u64 {
-    Drop::new(scenario).map_or(0, |drop| drop.steps())
-}
-
-fn simulate(case: &Case, until: Until, sections: bool, progress: impl Fn(u64)) -> Result<Outcome, Failure> {
-    let drop = Drop::until(&case.scenario, until)?;
+fn simulate(drop: Drop, sections: bool, progress: impl Fn(u64)) -> Result<Outcome, Failure> {
     let (mut watch, mut animation) = (Watch::default(), sections.then(Animation::default));
     let run = drop.run_watched(|steps, simulation| {
         progress(steps);

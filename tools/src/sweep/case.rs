@@ -15,7 +15,7 @@ pub struct Case {
     pub settings: Vec<String>,
     /// The scenario.
     pub scenario: Scenario,
-    /// Updates of elements that it will take.
+    /// Updates of elements that it will take, about.
     pub work: u64,
     /// Number of the case from which its changes are given.
     pub reference: usize,

@@ -1,13 +1,13 @@
 //! From a sweep to its cases.
 
 use itertools::Itertools;
-use softanvil_kernel::{ModelError, Scenario};
+use softanvil_kernel::Scenario;
 
 use super::axis::{Axis, Level, Refused, combined};
 use super::case::Case;
 use super::{Sweep, convergence};
 use crate::failure::Failure;
-use crate::run::{Drop, RunError};
+use crate::run::work;
 
 /// The cases of `sweep` for `scenario`: every combination of the levels, but for those in which one has no effect.
 ///
@@ -38,13 +38,8 @@ pub fn plan(sweep: &Sweep, scenario: &Scenario) -> Result<Vec<Case>, Failure> {
     }
     let references = references(sweep, &planned);
     let case = |((settings, scenario), reference): ((Vec<String>, Scenario), usize)| {
-        let work = match Drop::new(&scenario) {
-            Ok(drop) => drop.steps() * drop.elements() as u64,
-            // One that is pressed flat is a case that fails, beside others that do not.
-            Err(RunError::Model(ModelError::StepTooSmall { .. })) => 0,
-            Err(error) => return Err(error.into()),
-        };
-        Ok(Case { settings, scenario, work, reference })
+        // One that will be pressed flat is a case that fails, beside others that do not.
+        Ok(Case { settings, work: work(&scenario)?, scenario, reference })
     };
     planned.into_iter().zip(references).map(case).collect()
 }

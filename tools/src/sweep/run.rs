@@ -87,9 +87,9 @@ impl Shared<'_> {
             return Ok(None);
         }
         let run = Drop::until(&case.scenario, self.until).and_then(|drop| {
-            let elements = drop.elements() as u64;
+            let planned = drop.steps().max(1);
             drop.run_while(|steps| {
-                self.bar.inc(steps * elements);
+                self.bar.inc(case.work * steps / planned);
                 go_on()
             })
         });
