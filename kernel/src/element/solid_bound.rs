@@ -20,7 +20,7 @@ const N: usize = 24;
 
 /// K over rho V / 2 of neighbouring cells, 1/s2, and what it is made of. Large, so that one is filled again and again.
 pub(crate) struct SolidMatrix<V> {
-    /// The lower triangle.
+    /// The lower triangle; nothing above the diagonal is read.
     matrix: [[V; N]; N],
     /// Place for the elimination.
     rows: [[V; N]; N],

@@ -26,6 +26,7 @@ pub(super) fn rows_of_kind<'s>(
     history: &'s mut [Pack],
     share: usize,
 ) -> impl Iterator<Item = CellRow<'s>> {
+    // A row of cells lies between the rows of nodes of its own number and the next: the layers of a solid are bonded.
     let plane = grid.plane().max(1);
     let cells = every_second(history, share * grid.n_w, first_row);
     let [x, y, z] = force.map(|force| force.get_mut(first_row * plane..).unwrap_or_default());
@@ -71,4 +72,53 @@ fn slices<'s>(
             [x, y, z].map(|pair| pair.split_at_mut_checked(stride).unwrap_or_default());
         [[x, y, z], [next_x, next_y, next_z]]
     })
+}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+
+    use std::vec::Vec;
+
+    use super::*;
+    use crate::scenario::preset::study;
+    use crate::scenario::{Formulation, Symmetry};
+
+    #[test]
+    fn every_row_of_cells_comes_once_with_its_nodes_and_its_history() {
+        for symmetry in [Symmetry::Quarter, Symmetry::Half, Symmetry::Full] {
+            for size in [3e-3, 4e-3, 5e-3, 8e-3, 15e-3, 50e-3] {
+                let mut scenario = study();
+                scenario.geometry.formulation = Formulation::Solid;
+                scenario.geometry.symmetry = symmetry;
+                scenario.mesh.element_size = size;
+                assert_rows(&Grid::new(&scenario).unwrap());
+            }
+        }
+    }
+
+    /// Numbers that tell where they stand are handed out as they lie in memory.
+    fn assert_rows(grid: &Grid) {
+        const SHARE: usize = 3;
+        let mut force: [Vec<Real>; 3] =
+            core::array::from_fn(|i| (0..grid.n_node()).map(|node| (3 * node + i) as Real).collect());
+        let mut history: Vec<Pack> = (0..SHARE * grid.n_v * grid.n_w).map(|pack| [pack as Real; 8]).collect();
+        let mut seen = Vec::new();
+        for kind in KINDS {
+            let [x, y, z] = &mut force;
+            for row in rows_of_kind(grid, kind, [x, y, z], &mut history, SHARE) {
+                let [v, w] = row.place;
+                for (nodes, first) in row.force.iter().zip(grid.solid_rows([v, w], 0)) {
+                    for (i, along) in nodes.iter().enumerate() {
+                        assert_eq!((along.len(), along[0]), (grid.stride(), (3 * first + i) as Real), "{v} {w}");
+                    }
+                }
+                assert_eq!((row.history.len(), row.history[0][0]), (SHARE, (SHARE * (v * grid.n_w + w)) as Real));
+                seen.push([v, w]);
+            }
+        }
+        seen.sort_unstable();
+        let all: Vec<[usize; 2]> = (0..grid.n_v).flat_map(|v| (0..grid.n_w).map(move |w| [v, w])).collect();
+        assert_eq!(seen, all);
+    }
 }

@@ -14,9 +14,17 @@ use crate::step::critical::Critical;
 use crate::step::window::MonitorWindow;
 use crate::tensor::symmetric::Symmetric;
 
-/// Groups of cells that a core looks at before it asks for more.
-#[cfg(feature = "threads")]
-const GROUPS_AT_ONCE: usize = 8;
+/// Groups of cells that are looked at one after another, with the smallest limit so far as the bound.
+const GROUPS_OF_A_PART: usize = 32;
+
+/// The one with the smaller limit; the first of equal ones.
+fn smaller(least: Option<Critical>, other: Option<Critical>) -> Option<Critical> {
+    match (&least, &other) {
+        (Some(one), Some(two)) if two.limit_squared >= one.limit_squared => least,
+        (_, None) => least,
+        _ => other,
+    }
+}
 
 /// The cells of a solid.
 pub(crate) struct SolidCells<'m> {
@@ -47,20 +55,14 @@ impl<'m> SolidCells<'m> {
     /// The cell with the smallest limit whose square is below `bound`, s2; none if there is none.
     pub fn critical(&self, set: InstructionSet, bound: Real) -> Option<Critical> {
         let whole = MonitorWindow::whole(self.blocks.len() * LANES);
+        // Each part from the same bound, so that no bit depends on who has looked at another one before.
+        let of_part = |part| self.critical_of(set, whole.part(part, GROUPS_OF_A_PART), bound);
+        let parts = whole.count.div_ceil(GROUPS_OF_A_PART);
         #[cfg(feature = "threads")]
         if super::solid_threads::pays(&self.constants.grid) {
-            // All cores find the parts that have such a cell; those alone have a say in which it is, one after another as below.
-            let parts = whole.count.div_ceil(GROUPS_AT_ONCE);
-            let below = |part| self.critical_of(set, whole.part(part, parts), bound).is_some();
-            return super::solid_threads::which(parts, below).into_iter().fold(
-                None,
-                |least: Option<Critical>, part| {
-                    let bound = least.as_ref().map_or(bound, |least| least.limit_squared);
-                    self.critical_of(set, whole.part(part, parts), bound).or(least)
-                },
-            );
+            return super::solid_threads::each(parts, of_part).into_iter().fold(None, smaller);
         }
-        self.critical_of(set, whole, bound)
+        (0..parts).map(of_part).fold(None, smaller)
     }
 
     /// The same among the cells of a `window`.
@@ -141,8 +143,8 @@ pub(super) fn is_exceeded(set: InstructionSet, model: &Model, state: &State) -> 
     let squared = model.constants.dt * model.constants.dt;
     #[cfg(feature = "threads")]
     if super::solid_threads::pays(&model.constants.grid) {
-        return super::solid_threads::any(window.count, |part, parts| {
-            cells.critical_of(set, window.part(part, parts), squared).is_some()
+        return super::solid_threads::any(window.count, |part, size| {
+            cells.critical_of(set, window.part(part, size), squared).is_some()
         });
     }
     cells.critical_of(set, window, squared).is_some()

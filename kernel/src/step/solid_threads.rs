@@ -1,4 +1,4 @@
-//! Forces and monitor of a solid on several cores (feature `threads`). No number depends on how many there are.
+//! Forces, monitor and limit of a solid on several cores (feature `threads`). No number depends on how many there are.
 
 use alloc::vec::Vec;
 
@@ -30,13 +30,13 @@ pub(super) fn take_forces<'s>(cells: &Cells, rows: impl Iterator<Item = CellRow<
     of_rows.iter().for_each(|of_row| energy.add(of_row));
 }
 
-/// Whether `found(part, parts)` is true of one of the parts of a work of so many pieces, one for each core.
+/// Whether `found(part, size)` is true of a part of a work of so many pieces; there is a part for each core, of this size.
 pub(super) fn any(pieces: usize, found: impl Fn(usize, usize) -> bool + Send + Sync) -> bool {
-    let parts = rayon::current_num_threads().min(pieces);
-    (0..parts).into_par_iter().any(|part| found(part, parts))
+    let size = pieces.div_ceil(rayon::current_num_threads()).max(1);
+    (0..pieces.div_ceil(size)).into_par_iter().any(|part| found(part, size))
 }
 
-/// Of which of the first `count` numbers `found` is true, in their order.
-pub(super) fn which(count: usize, found: impl Fn(usize) -> bool + Send + Sync) -> Vec<usize> {
-    (0..count).into_par_iter().filter(|number| found(*number)).collect()
+/// What each of the first `count` numbers gives, in their order.
+pub(super) fn each<R: Send>(count: usize, of: impl Fn(usize) -> R + Send + Sync) -> Vec<R> {
+    (0..count).into_par_iter().map(of).collect()
 }

@@ -39,11 +39,10 @@ impl MonitorWindow {
         Self { group: LANES, first: 0, count: cells / LANES, of: cells / LANES }
     }
 
-    /// Of these the groups of one of `parts` of about the same size.
-    #[cfg(feature = "threads")]
-    pub fn part(&self, number: usize, parts: usize) -> Self {
-        let [start, end] = [number, number + 1].map(|number| self.count * number / parts.max(1));
-        Self { first: self.first + start, count: end - start, ..*self }
+    /// Of these the `number`-th part, of `size` groups but for the last one.
+    pub fn part(&self, number: usize, size: usize) -> Self {
+        let start = (number * size).min(self.count);
+        Self { first: self.first + start, count: size.min(self.count - start), ..*self }
     }
 
     /// The first cell of the group `turn`.

@@ -15,7 +15,7 @@ use crate::files::folder::Folder;
 use crate::output::json;
 use crate::output::subject::Subject;
 use crate::plot::picture_format::PictureFormat;
-use crate::run::{Until, work};
+use crate::run::{Until, element_updates};
 use crate::scenario_file::names;
 use crate::sweep::case::Case;
 use crate::sweep::convergence::REFINEMENTS;
@@ -75,8 +75,8 @@ pub const RENAMED: &str = "study is `sweep` now: expected `softanvil sweep PARAM
 /// A scenario or value that is refused, or a file that cannot be written.
 pub fn carry_out(options: &Options, stop: &AtomicBool) -> Result<String, Failure> {
     let mut subject = options.drop.subject()?;
-    // Refused here, before anything is written.
-    work(&subject.scenario)?;
+    // Refused here, before anything is written; but a step that a trial will find too small, which is for each case to say.
+    element_updates(&subject.scenario)?;
     let sweeps = options.sweeps(&subject.scenario)?;
     let mut levels = sweeps.iter().flat_map(|sweep| &sweep.axes).flat_map(|axis| &axis.levels);
     if levels.any(|level| level.settings.keys().eq([DURATION])) {

@@ -117,6 +117,7 @@ impl Trial {
         let preset = (subject.preset.scenario)();
         let bare = padding::bare(&subject.scenario).map(|scenario| Case { name: "bare".into(), scenario });
         let all: Vec<&Case> = bare.iter().chain(&cases).collect();
+        // All at once, for the number of their steps: a section takes some hundred kilobytes.
         let ready: Vec<Result<Drop, RunError>> =
             progress::set_up(|| all.par_iter().map(|case| Drop::until(&case.scenario, subject.until)).collect());
         let bar = progress::bar(ready.iter().flatten().map(Drop::steps).sum());

@@ -8,4 +8,4 @@ mod work;
 pub use drop::{Drop, LONGEST_EXTENSION, Run, RunError, Until};
 pub use ending::{Ending, MARK};
 pub use remark::{remark, suffix};
-pub use work::work;
+pub use work::element_updates;

@@ -7,7 +7,7 @@ use super::axis::{Axis, Level, Refused, combined};
 use super::case::Case;
 use super::{Sweep, convergence};
 use crate::failure::Failure;
-use crate::run::work;
+use crate::run::element_updates;
 
 /// The cases of `sweep` for `scenario`: every combination of the levels, but for those in which one has no effect.
 ///
@@ -39,7 +39,7 @@ pub fn plan(sweep: &Sweep, scenario: &Scenario) -> Result<Vec<Case>, Failure> {
     let references = references(sweep, &planned);
     let case = |((settings, scenario), reference): ((Vec<String>, Scenario), usize)| {
         // One that will be pressed flat is a case that fails, beside others that do not.
-        Ok(Case { settings, work: work(&scenario)?, scenario, reference })
+        Ok(Case { settings, work: element_updates(&scenario)?, scenario, reference })
     };
     planned.into_iter().zip(references).map(case).collect()
 }

@@ -87,9 +87,9 @@ impl Shared<'_> {
             return Ok(None);
         }
         let run = Drop::until(&case.scenario, self.until).and_then(|drop| {
-            let planned = drop.steps().max(1);
+            let share = case.work as f64 / drop.steps().max(1) as f64;
             drop.run_while(|steps| {
-                self.bar.inc(case.work * steps / planned);
+                self.bar.inc((share * steps as f64) as u64);
                 go_on()
             })
         });
