@@ -30,7 +30,8 @@ pub(super) fn rows_of_kind<'s>(
     let plane = grid.plane().max(1);
     let cells = every_second(history, share * grid.n_w, first_row);
     let [x, y, z] = force.map(|force| force.get_mut(first_row * plane..).unwrap_or_default());
-    let nodes = x.chunks_exact_mut(2 * plane).zip(y.chunks_exact_mut(2 * plane)).zip(z.chunks_exact_mut(2 * plane));
+    let pair = pair_of(plane);
+    let nodes = x.chunks_exact_mut(pair).zip(y.chunks_exact_mut(pair)).zip(z.chunks_exact_mut(pair));
     nodes.zip(cells).enumerate().flat_map(move |(number, (((x, y), z), history))| {
         let row = first_row + 2 * number;
         let [[x_low, x_up], [y_low, y_up], [z_low, z_up]] =
@@ -52,11 +53,16 @@ pub(super) fn rows_of_kind<'s>(
     })
 }
 
+/// Two of these, and never nothing, which would be no size of a chunk.
+fn pair_of(numbers: usize) -> usize {
+    (2 * numbers).max(1)
+}
+
 /// The first of every two parts of `share` packs each, beginning with the `first`-th part.
 fn every_second(history: &mut [Pack], share: usize, first: usize) -> impl Iterator<Item = &mut [Pack]> {
     let share = share.max(1);
     let rest = history.get_mut(first * share..).unwrap_or_default();
-    rest.chunks_mut(2 * share).filter_map(move |pair| pair.get_mut(..share))
+    rest.chunks_mut(pair_of(share)).filter_map(move |pair| pair.get_mut(..share))
 }
 
 /// The rows of nodes on both sides of every second slice of cells, from the `first`-th on, of a plane of nodes.
@@ -66,7 +72,8 @@ fn slices<'s>(
     plane: [&'s mut [Real]; 3],
 ) -> impl Iterator<Item = [[&'s mut [Real]; 3]; 2]> + use<'s> {
     let stride = grid.stride().max(1);
-    let [x, y, z] = plane.map(|row| row.get_mut(first * stride..).unwrap_or_default().chunks_exact_mut(2 * stride));
+    let [x, y, z] =
+        plane.map(|row| row.get_mut(first * stride..).unwrap_or_default().chunks_exact_mut(pair_of(stride)));
     x.zip(y).zip(z).map(move |((x, y), z)| {
         let [(x, next_x), (y, next_y), (z, next_z)] =
             [x, y, z].map(|pair| pair.split_at_mut_checked(stride).unwrap_or_default());
