@@ -17,13 +17,9 @@ use crate::tensor::symmetric::Symmetric;
 /// Groups of cells that are looked at one after another, with the smallest limit so far as the bound.
 const GROUPS_OF_A_PART: usize = 32;
 
-/// The one with the smaller limit; the first of equal ones.
-fn smaller(least: Option<Critical>, other: Option<Critical>) -> Option<Critical> {
-    match (&least, &other) {
-        (Some(one), Some(two)) if two.limit_squared >= one.limit_squared => least,
-        (_, None) => least,
-        _ => other,
-    }
+/// The one with the smallest limit; the first of equal ones.
+fn smallest(found: impl Iterator<Item = Option<Critical>>) -> Option<Critical> {
+    found.flatten().min_by(|one, other| one.limit_squared.total_cmp(&other.limit_squared))
 }
 
 /// The cells of a solid.
@@ -60,9 +56,9 @@ impl<'m> SolidCells<'m> {
         let parts = whole.count.div_ceil(GROUPS_OF_A_PART);
         #[cfg(feature = "threads")]
         if super::solid_threads::pays(&self.constants.grid) {
-            return super::solid_threads::each(parts, of_part).into_iter().fold(None, smaller);
+            return smallest(super::solid_threads::each(parts, of_part).into_iter());
         }
-        (0..parts).map(of_part).fold(None, smaller)
+        smallest((0..parts).map(of_part))
     }
 
     /// The same among the cells of a `window`.
