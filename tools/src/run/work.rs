@@ -7,8 +7,8 @@ use softanvil_kernel::{ModelError, Scenario, Simulation};
 
 use super::RunError;
 
-/// Updates of elements that the drop of `scenario` takes, about: by the step that is stable at rest. The trial that chooses the step
-/// takes a good part of a drop's time, and is not made.
+/// Updates of elements that the drop of `scenario` takes at least, by the step that is stable at rest: a compressed layer takes a smaller
+/// one, a soft foam's less than half. The trial that chooses the step takes a good part of a drop's time, and is not made.
 ///
 /// ```
 /// use softanvil_kernel::preset;
@@ -17,7 +17,7 @@ use super::RunError;
 /// let drop = Drop::new(&preset::study())?;
 /// let updates = (drop.steps() * drop.elements() as u64) as f64;
 /// let expected = element_updates(&preset::study())? as f64;
-/// assert!((0.5..1.0).contains(&(expected / updates)));
+/// assert!((0.4..1.0).contains(&(expected / updates)), "{expected} of {updates}");
 /// # Ok::<(), softanvil_tools::run::RunError>(())
 /// ```
 ///
