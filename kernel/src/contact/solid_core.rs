@@ -7,13 +7,13 @@ use crate::model::{Constants, Model};
 use crate::number::math;
 use crate::number::real::Real;
 use crate::scenario::{Body, Interface};
-use crate::state::{ContactWork, SolidState, State, StateNodes};
+use crate::state::{ContactWork, SolidState, StateNodes};
 
 /// What the core does in one step: its upward force on the solid, N, and the energy it takes.
-pub(crate) fn react(model: &Model, state: &mut State) -> ContactWork {
+pub(crate) fn react(model: &Model, nodes: &mut StateNodes<&mut [Real]>) -> ContactWork {
     let constants = model.constants;
     let mut work = ContactWork::default();
-    let StateNodes { displacement: [ux, uy], velocity: [vx, vy], force: [fx, fy], solid, .. } = &mut state.nodes;
+    let StateNodes { displacement: [ux, uy], velocity: [vx, vy], force: [fx, fy], solid, .. } = nodes;
     if constants.scenario.core.interface == Interface::Bonded {
         // The core balances the forces on nodes that are fixed.
         let forces = fy.get(..constants.grid.plane()).unwrap_or_default();

@@ -10,22 +10,27 @@ use crate::contact::rounded_face::depth;
 use crate::contact::solid_edge;
 use crate::contact::solid_node::{SolidNodes, across, dot};
 use crate::contact::solid_touch::Touch;
-use crate::impactor::{FaceContact, Prediction};
+use crate::impactor::{FaceContact, ImpactorState, Prediction};
 use crate::model::{Constants, Model, SOLID_TOUCH_FIELDS};
 use crate::number::math;
 use crate::number::real::Real;
 use crate::scenario::{FaceShape, Outline};
-use crate::state::{ContactWork, SolidState, State, StateNodes};
+use crate::state::{ContactWork, SolidState, StateNodes};
 
 /// As many as in [`crate::contact::face`].
 const PASSES: usize = 4;
 
 /// Adds the contact forces to the forces of the surface nodes and returns what they did.
 #[inline(never)]
-pub(crate) fn contact(model: &Model, state: &mut State, prediction: &Prediction) -> ContactWork {
-    let (constants, impactor) = (model.constants, &mut state.scalars.impactor);
+pub(crate) fn contact(
+    model: &Model,
+    nodes: &mut StateNodes<&mut [Real]>,
+    impactor: &mut ImpactorState,
+    prediction: &Prediction,
+) -> ContactWork {
+    let constants = model.constants;
     let StateNodes { displacement: [ux, uy], velocity: [vx, vy], force: [fx, fy], contact, rounding, solid, .. } =
-        &mut state.nodes;
+        nodes;
     let solid = SolidState::of(&constants.grid, constants.solid_history_packs, solid);
     let nodes = SolidNodes::new(model, [ux, uy, solid.displacement], [vx, vy, solid.velocity], [fx, fy, solid.force]);
     let mut surface = Surface { constants, nodes, touches: rounding.as_chunks_mut().0 };

@@ -89,9 +89,14 @@ impl SolidArrays {
         Self { nodes: grid.n_node(), fields: 3, surface: grid.plane(), tetrahedra }
     }
 
+    /// Numbers of those for nodes.
+    pub fn at_nodes(&self) -> usize {
+        self.fields * self.nodes + self.surface
+    }
+
     /// Numbers of all.
     fn total(&self) -> usize {
-        self.fields * self.nodes + self.surface + self.tetrahedra
+        self.at_nodes() + self.tetrahedra
     }
 }
 

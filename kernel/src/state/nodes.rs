@@ -1,7 +1,7 @@
 //! The arrays of the nodes.
 
 use crate::element::Corners;
-use crate::model::NodeArrays;
+use crate::model::{Constants, NodeArrays, SolidArrays};
 use crate::number::pack::{LANES, Pack};
 use crate::number::real::Real;
 use crate::number::vector::{Simd, Vector};
@@ -65,6 +65,22 @@ impl StateNodes<&mut [Real]> {
             pairs: &*self.pairs,
             solid: &*self.solid,
         }
+    }
+
+    /// The same without the histories of a solid, and these.
+    pub(crate) fn without_history(&mut self, constants: &Constants) -> (StateNodes<&mut [Real]>, &[Pack]) {
+        let of_nodes = SolidArrays::of_state(&constants.grid, constants.solid_history_packs).at_nodes();
+        let (solid, history) = self.solid.split_at_mut_checked(of_nodes).unwrap_or_default();
+        let nodes = StateNodes {
+            displacement: self.displacement.each_mut().map(|row| &mut **row),
+            velocity: self.velocity.each_mut().map(|row| &mut **row),
+            force: self.force.each_mut().map(|row| &mut **row),
+            contact: self.contact.each_mut().map(|row| &mut **row),
+            rounding: &mut *self.rounding,
+            pairs: &mut *self.pairs,
+            solid,
+        };
+        (nodes, history.as_chunks().0)
     }
 
     /// Displacements of the rows of nodes below and above the block whose first nodes are `first`.

@@ -20,6 +20,8 @@ pub(crate) use critical::Critical;
 pub(crate) use solid_stable_step::SolidCells;
 #[cfg(feature = "threads")]
 pub(crate) use solid_threads::among_threads;
+#[cfg(feature = "threads")]
+use solid_threads::both;
 pub(crate) use stable_step::Cells;
 pub use stable_step::{critical_time_step, critical_time_step_with};
 pub use window::MONITOR_PERIOD;
@@ -28,4 +30,10 @@ pub use window::MONITOR_PERIOD;
 #[cfg(not(feature = "threads"))]
 pub(crate) fn among_threads<R>(_: &crate::mesh::Grid, work: impl FnOnce() -> R) -> R {
     work()
+}
+
+/// Does one of these and then the other, where there are no threads.
+#[cfg(not(feature = "threads"))]
+fn both<A, B>(_: &crate::mesh::Grid, one: impl FnOnce() -> A, other: impl FnOnce() -> B) -> (A, B) {
+    (one(), other())
 }

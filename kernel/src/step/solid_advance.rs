@@ -3,15 +3,18 @@
 use crate::contact::{solid_core, solid_face, surface};
 use crate::element::ElementEnergy;
 use crate::error::StepError;
-use crate::impactor::StepInput;
+use crate::impactor::{ImpactorState, Prediction, StepInput};
 use crate::model::Model;
 use crate::number::instruction_set::InstructionSet;
+use crate::number::pack::LANES;
 use crate::number::real::Real;
 use crate::number::vector::{Simd, Work};
-use crate::state::{ContactWork, SolidState, State, StepWork};
-use crate::step::motion::{measure, move_along, move_nodes};
+use crate::state::{ContactWork, SolidState, State, StateNodes, StepWork};
+use crate::step::motion::{Moving, measure};
 use crate::step::solid_forces::internal_forces;
-use crate::step::{monitor, solid_stable_step};
+#[cfg(feature = "threads")]
+use crate::step::solid_threads;
+use crate::step::{both, monitor, solid_stable_step};
 
 /// One step of a solid.
 pub(super) fn advance(
@@ -20,18 +23,25 @@ pub(super) fn advance(
     state: &mut State,
     input: &StepInput,
 ) -> Result<(), StepError> {
-    let mut energy = ElementEnergy::ZERO;
+    let (constants, mut energy) = (model.constants, ElementEnergy::ZERO);
     internal_forces(set, model, state, &mut energy)?;
-    if solid_stable_step::is_exceeded(set, model, state) {
+    let (step_index, impactor) = (state.scalars.step_index, state.scalars.impactor);
+    let prediction = impactor.predict(model, input, step_index);
+    let before = impactor.velocity_half;
+    let (mut nodes, history) = state.nodes.without_history(constants);
+    // The monitor looks at the histories, which contact leaves as they are.
+    let ([core, face], exceeded) = both(
+        &constants.grid,
+        || contact(model, &mut nodes, &mut state.scalars.impactor, &prediction),
+        || solid_stable_step::is_exceeded(set, model, history, step_index),
+    );
+    if exceeded {
+        state.scalars.impactor = impactor;
         return Err(monitor::failure(model, state));
     }
-    let core = solid_core::react(model, state);
-    let prediction = state.scalars.impactor.predict(model, input, state.scalars.step_index);
-    let before = state.scalars.impactor.velocity_half;
-    let face = solid_face::contact(model, state, &prediction);
     state.scalars.contact_half_width = surface::contact_half_width(model, &state.as_view());
-    let layer_kinetic = set.run(Motion { model, state });
-    monitor::guard(model, state, model.constants.symmetry_factor * layer_kinetic[0])?;
+    let layer_kinetic = move_nodes(set, model, state);
+    monitor::guard(model, state, constants.symmetry_factor * layer_kinetic[0])?;
     let work = StepWork {
         element: &energy,
         face: &face,
@@ -49,29 +59,53 @@ pub(super) fn advance(
     Ok(())
 }
 
-/// The motion of the nodes in all three directions, as work for an instruction set; gives what [`move_nodes`] gives.
-struct Motion<'s, 'm, 'a> {
-    model: &'s Model<'m>,
-    state: &'s mut State<'a>,
+/// The forces of core and face on the nodes.
+fn contact(
+    model: &Model,
+    nodes: &mut StateNodes<&mut [Real]>,
+    impactor: &mut ImpactorState,
+    prediction: &Prediction,
+) -> [ContactWork; 2] {
+    let core = solid_core::react(model, nodes);
+    [core, solid_face::contact(model, nodes, impactor, prediction)]
 }
 
-impl Work for Motion<'_, '_, '_> {
+/// Nodes that are moved at a time along one direction: enough for a core to be asked, and few enough for many cores. The kinetic
+/// energies are added up by these parts, however many cores there are.
+const NODES_OF_A_PART: usize = 128 * LANES;
+
+/// Moves the nodes in all three directions; as [`crate::step::motion::move_nodes`].
+fn move_nodes(set: InstructionSet, model: &Model, state: &mut State) -> [Real; 2] {
+    let (constants, fixed) = (model.constants, &model.nodes);
+    let grid = &constants.grid;
+    let StateNodes { displacement: [ux, uy], velocity: [vx, vy], force: [fx, fy], solid, .. } = &mut state.nodes;
+    let along_z = SolidState::of(grid, constants.solid_history_packs, solid);
+    let parts = |inverse_mass, force, velocity, displacement| {
+        Moving { mass: fixed.nodal_mass, inverse_mass, force, velocity, displacement }.parts(NODES_OF_A_PART)
+    };
+    let parts = parts(fixed.inverse_mass_x, &**fx, &mut **vx, &mut **ux)
+        .chain(parts(fixed.inverse_mass_y, fy, vy, uy))
+        .chain(parts(model.solid().inverse_mass_z, along_z.force, along_z.velocity, along_z.displacement));
+    let advance = |nodes| set.run(Motion { nodes, dt: constants.dt });
+    let total = |sum: [Real; 2], part: [Real; 2]| [sum[0] + part[0], sum[1] + part[1]];
+    #[cfg(feature = "threads")]
+    if solid_threads::pays(grid) {
+        return solid_threads::each(parts, advance).into_iter().fold([0.0; 2], total);
+    }
+    parts.map(advance).fold([0.0; 2], total)
+}
+
+/// The motion of nodes as work for an instruction set.
+struct Motion<'s> {
+    nodes: Moving<'s>,
+    dt: Real,
+}
+
+impl Work for Motion<'_> {
     type Output = [Real; 2];
 
     #[inline(always)]
     fn run<S: Simd>(self, simd: S) -> [Real; 2] {
-        move_solid(simd, self.model, self.state)
+        self.nodes.advance(simd, self.dt)
     }
-}
-
-/// Moves the nodes in all three directions; as [`move_nodes`].
-#[inline(always)]
-fn move_solid<S: Simd>(simd: S, model: &Model, state: &mut State) -> [Real; 2] {
-    let section = move_nodes(simd, model, state);
-    let constants = model.constants;
-    let SolidState { displacement, velocity, force, .. } =
-        SolidState::of(&constants.grid, constants.solid_history_packs, state.nodes.solid);
-    let fixed = [model.nodes.nodal_mass, model.solid().inverse_mass_z];
-    let along_z = move_along(simd, constants.dt, fixed, force, velocity, displacement);
-    [section[0] + along_z[0], section[1] + along_z[1]]
 }

@@ -43,7 +43,8 @@ pub(super) fn internal_forces(
 fn take_forces<'s>(cells: &Cells, rows: impl Iterator<Item = CellRow<'s>>, energy: &mut ElementEnergy) {
     #[cfg(feature = "threads")]
     if super::solid_threads::pays(&cells.constants.grid) {
-        return super::solid_threads::take_forces(cells, rows, energy);
+        let of_rows = super::solid_threads::each(rows, |row| cells.take_forces(row));
+        return of_rows.iter().for_each(|of_row| energy.add(of_row));
     }
     rows.for_each(|row| energy.add(&cells.take_forces(row)));
 }

@@ -56,7 +56,7 @@ impl<'m> SolidCells<'m> {
         let parts = whole.count.div_ceil(GROUPS_OF_A_PART);
         #[cfg(feature = "threads")]
         if super::solid_threads::pays(&self.constants.grid) {
-            return smallest(super::solid_threads::each(parts, of_part).into_iter());
+            return smallest(super::solid_threads::each(0..parts, of_part).into_iter());
         }
         smallest((0..parts).map(of_part))
     }
@@ -132,10 +132,10 @@ fn smallest_stretch(cells: &SolidCells, block: usize, l: usize) -> Real {
     values.fold(1.0, |least, value| if value < least { value } else { least })
 }
 
-/// Whether the step is above the current limit of one of this step's share of the cells.
-pub(super) fn is_exceeded(set: InstructionSet, model: &Model, state: &State) -> bool {
-    let cells = SolidCells::of(model, state);
-    let window = MonitorWindow::new(cells.blocks.len() * LANES, state.scalars.step_index);
+/// Whether the step `step_index` is above the current limit of one of its share of the cells, which have this `history`.
+pub(super) fn is_exceeded(set: InstructionSet, model: &Model, history: &[Pack], step_index: u64) -> bool {
+    let cells = SolidCells { constants: model.constants, blocks: model.solid().blocks, history };
+    let window = MonitorWindow::new(cells.blocks.len() * LANES, step_index);
     let squared = model.constants.dt * model.constants.dt;
     #[cfg(feature = "threads")]
     if super::solid_threads::pays(&model.constants.grid) {
