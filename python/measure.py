@@ -73,10 +73,11 @@ def instructions(statement):
     def count(times):
         command = ["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", sys.executable, "-P", "-c",
                    COUNTED.format(statement=statement), str(times)]
-        said = subprocess.run(command, check=True, capture_output=True, text=True).stderr
+        # The order of what is hashed changes what the start takes.
+        said = subprocess.run(command, check=True, capture_output=True, text=True, env=os.environ | {"PYTHONHASHSEED": "0"}).stderr
         return int(re.search(r"Collected : (\d+)", said)[1])
 
-    return (count(6) - count(2)) / 4
+    return (count(12) - count(2)) / 10
 
 
 def counted():
