@@ -129,7 +129,7 @@ package_tests() {
 }
 c_tests() {
     run "C and C++ rigs, library with checks" tests/c/run.sh target/checked
-    run "instructions of a step" bench/instructions.sh target/install/cargo/library
+    run "instructions of a step" bench/instructions.sh target/release
 }
 
 # A Cortex-M7 without an operating system, in QEMU; the footprint takes its RAM and stack from there. They need nothing that
@@ -162,9 +162,7 @@ else
     done
 fi
 run "documentation" env RUSTDOCFLAGS=-Dwarnings cargo doc -q --release --workspace --no-deps
-run "build, release" cargo build -q --release -p softanvil -p softanvil-ffi
-# Where install.sh builds the library, which then finds the kernel compiled.
-run "build, benchmarks" cargo build -q --profile library -p softanvil-bench --target-dir target/install/cargo
+run "build, release" cargo build -q --release -p softanvil -p softanvil-ffi -p softanvil-bench
 # Everything that the Rust tests take, at once: parts of the workspace built alone may have other features, and libraries of
 # the same name would take each other's place.
 run "build, checked" cargo build -q --profile checked --workspace --lib --bins --examples --tests
