@@ -90,6 +90,8 @@ measured=$out/measured.txt
         echo "ram-study $((triangle_bytes + node_bytes))"
         echo "snapshot $snapshot"
     }
+    sed -n 's/^a padded drop takes \([0-9]*\) bytes$/ram-pads \1/p; s/^the golden solid takes \([0-9]*\) bytes$/ram-solid \1/p' \
+        $firmware/rust.txt
     sed -n 's/^instructions per step \([0-9]*\), from [0-9]* to \([0-9]*\)$/instructions-mean \1\ninstructions-most \2/p' $firmware/rust.txt
     echo "stack $(sed -n 's/^stack \([0-9]*\) bytes.*/\1/p' $firmware/rust.txt $firmware/c.txt | sort -n | tail -1)"
 } >"$measured"
@@ -114,6 +116,8 @@ describe() {
         static-ram) echo "variables of the kernel" ;;
         ram-per-triangle) echo "RAM per triangle, model and state" ;;
         ram-per-node) echo "RAM per node, model and state" ;;
+        ram-pads) echo "RAM of the preset \`rugby-soft-anvil\`, model and state" ;;
+        ram-solid) echo "RAM of the golden solid, model and state" ;;
         ram-study) echo "RAM of the study's mesh, model and state" ;;
         snapshot) echo "snapshot of the study's state" ;;
         instructions-mean) echo "instructions of a step of the study's drop, Cortex-M7, mean" ;;
@@ -127,7 +131,7 @@ cat >"$table" <<'END'
 # Footprint
 
 Code is what the linker keeps of the kernel for a whole life of a simulation (`tests/footprint/src/lib.rs`), or of the C
-ABI: instructions and constants. The kernel is that without its features `pads` and `solid` unless a row says otherwise; the C ABI has `pads`. RAM is that of the study's mesh, as the firmware for the Cortex-M7 prints it
+ABI: instructions and constants. The kernel is that without its features `pads` and `solid` unless a row says otherwise; the C ABI has `pads`. RAM is that of the study's mesh, or of what a row names, as the firmware for the Cortex-M7 prints it
 (`tests/firmware`); its nodes and triangles include the padding of rows to whole vectors. There is no heap: linked for a
 board, nothing allocates and no symbol is missing. `tests/footprint/run.sh write` writes this page; without `write` it
 compares with it and with the limits, whose reasons stand in `tests/footprint/limits.txt`.

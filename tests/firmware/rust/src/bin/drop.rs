@@ -13,7 +13,7 @@ use softanvil_kernel::element::{CellConstants, CellHistory, HoopConstants};
 use softanvil_kernel::number::real::Real;
 use softanvil_kernel::state::{snapshot_size, state_digest};
 use softanvil_kernel::tensor::deviator::Deviator;
-use softanvil_kernel::{Size, StepInput, step};
+use softanvil_kernel::{Scenario, Size, StepInput, preset, step};
 
 #[entry]
 fn main() -> ! {
@@ -74,7 +74,17 @@ fn run() -> bool {
     );
     println!("stack {} bytes at most", stack_high_water());
     work.print(steps);
+    // What the features `pads` and `solid` are for.
+    print_memory("a padded drop", preset::rugby_soft_anvil);
+    print_memory("the golden solid", Scene::find("solid").unwrap().scenario);
     same
+}
+
+/// Apart, so that its scenario takes no stack beside the drop.
+#[inline(never)]
+fn print_memory(name: &str, scenario: fn() -> Scenario) {
+    let size = Size::of(&scenario()).unwrap();
+    println!("{name} takes {} bytes", model_bytes(&size) + state_bytes(&size));
 }
 
 fn node_bytes(size: &Size) -> usize {
