@@ -34,6 +34,14 @@ pub enum Error {
         /// The file.
         path: PathBuf,
     },
+    /// A library has no function of the standard.
+    #[error("{} is refused: expected a library of Softanvil, and it has no {function}", path.display())]
+    NoFmi {
+        /// The library.
+        path: PathBuf,
+        /// What an importer would call first.
+        function: &'static str,
+    },
     /// Two libraries are for the same folder.
     #[error("{} is refused: expected one library per platform, and there is one for {platform} already", path.display())]
     Twice {

@@ -19,6 +19,8 @@ use std::fs;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
+use memchr::memmem;
+
 pub use build::build;
 pub use error::Error;
 pub use softanvil::variables::Version;
@@ -36,10 +38,11 @@ pub const MODEL_IDENTIFIER: &str = "softanvil";
 ///
 /// let folder = tempfile::tempdir()?;
 /// let library = folder.path().join("libsoftanvil.so");
-/// # // The head of one, which is all that the packager looks at.
+/// # // The head of one and the name of a function, which is all that the packager looks at.
 /// # let mut head = b"\x7fELF\x02\x01\x01".to_vec();
 /// # head.resize(64, 0);
 /// # head[18] = 62;
+/// # head.extend_from_slice(b"fmi3InstantiateCoSimulation");
 /// # std::fs::write(&library, head)?;
 /// let options = Options { version: Version::Fmi3, libraries: vec![library], out: folder.path().join("made") };
 /// let fmu = package(&options)?;
@@ -128,11 +131,23 @@ const LICENSES: [(&str, &[u8]); 4] = [
     ("libm.txt", include_bytes!("../assets/licenses/libm.txt")),
 ];
 
+/// What an importer calls first.
+fn first_function(version: Version) -> &'static str {
+    match version {
+        Version::Fmi2 => "fmi2Instantiate",
+        Version::Fmi3 => "fmi3InstantiateCoSimulation",
+    }
+}
+
 fn add_libraries(archive: &mut Archive, options: &Options) -> Result<(), Error> {
     let mut packed: Vec<&str> = Vec::new();
     for path in &options.libraries {
         let library = fs::read(path).map_err(|source| Error::Read { path: path.clone(), source })?;
         let platform = Platform::of(&library).ok_or_else(|| Error::NotALibrary { path: path.clone() })?;
+        let function = first_function(options.version);
+        if memmem::find(&library, function.as_bytes()).is_none() {
+            return Err(Error::NoFmi { path: path.clone(), function });
+        }
         let (folder, extension) = (platform.folder(options.version), platform.extension());
         if packed.contains(&folder) {
             return Err(Error::Twice { path: path.clone(), platform: folder });

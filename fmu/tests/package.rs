@@ -1,4 +1,4 @@
-//! Packaging, with the head of a library in place of one: the packager looks at no more.
+//! Packaging, with the head of a library and names of functions in place of one: the packager looks at no more.
 
 use std::fs;
 use std::io::Read;
@@ -11,6 +11,7 @@ fn library(folder: &Path, name: &str) -> PathBuf {
     let mut head = b"\x7fELF\x02\x01\x01".to_vec();
     head.resize(4096, 7);
     head[18..20].copy_from_slice(&62u16.to_le_bytes());
+    head.extend_from_slice(b"fmi2Instantiate fmi3InstantiateCoSimulation");
     let path = folder.join(name);
     fs::write(&path, head).unwrap();
     path
@@ -122,4 +123,19 @@ fn reference_results_are_a_row_per_step_with_all_digits() {
     let steps = simulation.constants().steps_in(0.015);
     simulation.step(steps, &softanvil_kernel::StepInput::default()).unwrap();
     assert_eq!(peak.to_bits(), simulation.scalars().metrics.peak_force.to_bits());
+}
+
+#[test]
+fn a_library_without_fmi_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let options = options(folder.path());
+    let mut head = fs::read(&options.libraries[0]).unwrap();
+    head.truncate(4096);
+    fs::write(&options.libraries[0], head).unwrap();
+    let refused = package(&options).unwrap_err().to_string();
+    assert!(
+        refused.ends_with("a.so is refused: expected a library of Softanvil, and it has no fmi2Instantiate"),
+        "{refused}"
+    );
+    assert!(!options.path().exists());
 }
