@@ -173,21 +173,22 @@ def memory(f):
                  [[name, f"{f(f.drop(), name):.0f}"] for name in f.names(f.drop(), "bytes a ")])
 
 
-def peers(_):
-    """The results of tests/peers, and how many times Softanvil's each code takes."""
+def peers(problem):
+    """The results of tests/peers for a problem, and how many times Softanvil's each code takes."""
     if not PEERS.is_file():
         return "Not run."
     with PEERS.open() as lines:
-        rows = list(csv.DictReader(lines))
+        rows = [row for row in csv.DictReader(lines) if row["problem"] == problem]
     time, ours = "ns per element and step", float(rows[0]["ns per element and step"])
-    head = [name for name in rows[0] if name not in ("what runs", "processor")] + ["times ours", "what runs"]
+    head = [name for name in rows[0] if name not in ("problem", "what runs", "processor")] + ["times ours", "what runs"]
     cells = [{**row, "times ours": f"{float(row[time]) / ours:.0f}"} for row in rows]
-    return table(head, [[row[name] for name in head] for row in cells])
+    return f"Measured on: {rows[0]['processor']}.\n\n" + table(head, [[row[name] for name in head] for row in cells])
 
 
 TABLES = {
     "machine": machine, "ratios": ratios, "summary": summary, "many": many, "stages": stages, "roofline": roofline,
-    "memory": memory, "peers": peers, "solid": solid,
+    "memory": memory, "solid": solid,
+    **{f"peers {problem}": lambda _, problem=problem: peers(problem) for problem in ("section", "solid")},
     **{name: lambda f, name=name: steps(f, name) for name in ("size", "law", "overlay", "instruction set")},
 }
 

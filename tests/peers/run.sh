@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The same impact in Softanvil and in codes that others wrote, one after another on one core: run.sh. Writes peers.csv
+# The same impacts in Softanvil and in codes that others wrote, one after another on one core: run.sh. Writes peers.csv
 # beside this file and the tables of docs/performance.md; takes some minutes. Python packages go to a virtual environment in
 # $SOFTANVIL_PEERS_VENV (default: target/peers-venv); CalculiX is Debian's, installed if it is missing and we may.
 set -euo pipefail
@@ -20,10 +20,12 @@ results=$(mktemp -d)
 trap 'rm -rf "$results"' EXIT
 # MuJoCo writes its log where it runs.
 cd "$results"
-python3 "$here/softanvil_peer.py" "$results/peers.csv" "$target/library/libsoftanvil.so"
-for peer in akantu mujoco kratos calculix; do
-    "$venv/bin/python" "$here/${peer}_peer.py" "$results/peers.csv" >log 2>&1 || { cat log >&2; exit 1; }
-    tail -n 1 log
+for problem in section solid; do
+    python3 "$here/softanvil_peer.py" "$results/peers.csv" "$problem" "$target/library/libsoftanvil.so"
+    for peer in akantu mujoco kratos calculix; do
+        "$venv/bin/python" "$here/${peer}_peer.py" "$results/peers.csv" "$problem" >log 2>&1 || { cat log >&2; exit 1; }
+        tail -n 1 log
+    done
 done
 mv "$results/peers.csv" "$here/peers.csv"
-python3 "$root/bench/report.py" "$target" peers
+python3 "$root/bench/report.py" "$target" "peers section" "peers solid"
