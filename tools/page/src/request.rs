@@ -51,7 +51,7 @@ const SAMPLES_IN_A_FRAME: usize = 6;
 /// Samples of a run whose end is not awaited, between two looks of the page for what it is asked meanwhile.
 const SAMPLES_IN_A_PIECE: usize = 5;
 /// Most numbers of the section in all frames together: finer meshes have fewer frames.
-const MOST_NUMBERS: usize = 4_000_000;
+const MOST_NUMBERS: u64 = 4_000_000;
 
 /// Answers requests one after another.
 #[derive(Default)]
@@ -150,7 +150,8 @@ impl Underway {
     fn new(subject: Subject, label: String) -> Result<Self, Refusal> {
         let drop = Drop::until(&subject.scenario, subject.until).map_err(refused)?;
         let samples = drop.steps() / u64::from(drop.steps_per_sample());
-        let every = SAMPLES_IN_A_FRAME.max(samples as usize * 8 * drop.elements() / MOST_NUMBERS);
+        // A page counts in 32 bits.
+        let every = SAMPLES_IN_A_FRAME.max((samples * 8 * drop.elements() as u64 / MOST_NUMBERS) as usize);
         let mut underway = Self { subject, label, drop, animation: Animation::default(), every, shown: 0 };
         underway.take_frame()?;
         Ok(underway)
