@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Instructions of a step of the study's drop, counted by callgrind, against their limits in instructions.csv:
-# instructions.sh BUILD_FOLDER, where cargo put the program `softanvil-bench`. Every step of the drop is counted: the mean
+# instructions.sh BUILD_FOLDER, where cargo put the program `softanvil-bench`, in the tests that of a release. Every step of the drop is counted: the mean
 # by the number of triangles, and the dearest step over the cheapest. SOFTANVIL_BLESS=1 writes new limits, a margin above
 # what is counted, which other versions of the compiler need.
 set -euo pipefail

@@ -126,7 +126,7 @@ def solid(f):
                      *(f"{time:.1f}" for time in times), f"{times[0] / times[1]:.2f}"])
     head = ["tetrahedra", "overlay", "instruction set", "ns per tetrahedron and step, one core",
             f"{f('solid', 'threads'):.0f} cores", "times faster"]
-    return table(head, rows)
+    return f"Measured on: {processor()}.\n\n" + table(head, rows)
 
 
 def many(f):
@@ -188,7 +188,7 @@ def peers(problem):
 TABLES = {
     "machine": machine, "ratios": ratios, "summary": summary, "many": many, "stages": stages, "roofline": roofline,
     "memory": memory, "solid": solid,
-    **{f"peers {problem}": lambda _, problem=problem: peers(problem) for problem in ("section", "solid")},
+    "peers section": lambda _: peers("section"), "peers solid": lambda _: peers("solid"),
     **{name: lambda f, name=name: steps(f, name) for name in ("size", "law", "overlay", "instruction set")},
 }
 

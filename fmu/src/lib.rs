@@ -42,7 +42,7 @@ pub const MODEL_IDENTIFIER: &str = "softanvil";
 /// # let mut head = b"\x7fELF\x02\x01\x01".to_vec();
 /// # head.resize(64, 0);
 /// # head[18] = 62;
-/// # head.extend_from_slice(b"fmi3InstantiateCoSimulation");
+/// # head.extend_from_slice(b"fmi3InstantiateCoSimulation\0");
 /// # std::fs::write(&library, head)?;
 /// let options = Options { version: Version::Fmi3, libraries: vec![library], out: folder.path().join("made") };
 /// let fmu = package(&options)?;
@@ -145,7 +145,8 @@ fn add_libraries(archive: &mut Archive, options: &Options) -> Result<(), Error> 
         let library = fs::read(path).map_err(|source| Error::Read { path: path.clone(), source })?;
         let platform = Platform::of(&library).ok_or_else(|| Error::NotALibrary { path: path.clone() })?;
         let function = first_function(options.version);
-        if memmem::find(&library, function.as_bytes()).is_none() {
+        // As in a table of symbols: programs may have the bare words.
+        if memmem::find(&library, format!("{function}\0").as_bytes()).is_none() {
             return Err(Error::NoFmi { path: path.clone(), function });
         }
         let (folder, extension) = (platform.folder(options.version), platform.extension());

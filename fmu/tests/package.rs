@@ -11,7 +11,7 @@ fn library(folder: &Path, name: &str) -> PathBuf {
     let mut head = b"\x7fELF\x02\x01\x01".to_vec();
     head.resize(4096, 7);
     head[18..20].copy_from_slice(&62u16.to_le_bytes());
-    head.extend_from_slice(b"fmi2Instantiate fmi3InstantiateCoSimulation");
+    head.extend_from_slice(b"fmi2Instantiate\0fmi3InstantiateCoSimulation\0");
     let path = folder.join(name);
     fs::write(&path, head).unwrap();
     path
@@ -131,6 +131,7 @@ fn a_library_without_fmi_is_refused() {
     let options = options(folder.path());
     let mut head = fs::read(&options.libraries[0]).unwrap();
     head.truncate(4096);
+    head.extend_from_slice(b"fmi2InstantiatefmtfmI3, words of a program");
     fs::write(&options.libraries[0], head).unwrap();
     let refused = package(&options).unwrap_err().to_string();
     assert!(

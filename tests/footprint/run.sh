@@ -16,7 +16,7 @@ failed=0
 fail() { failed=1; printf 'FAILED: %s\n' "$1" >&2; }
 
 firmware=target/firmware
-[ -s $firmware/rust.txt ] && [ -s $firmware/c.txt ] || tests/firmware/run.sh >/dev/null
+grep -q '^the golden solid takes' $firmware/rust.txt 2>/dev/null && [ -s $firmware/c.txt ] || tests/firmware/run.sh >/dev/null
 
 rustup target add "${targets[@]}" >/dev/null 2>&1
 export CARGO_TARGET_THUMBV7EM_NONE_EABIHF_RUSTFLAGS='-C target-cpu=cortex-m7'

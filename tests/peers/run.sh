@@ -6,8 +6,8 @@ set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)
 . "$root/tests/need.sh"
-target=${CARGO_TARGET_DIR:-$root/target}
-venv=${SOFTANVIL_PEERS_VENV:-$target/peers-venv}
+target=$(realpath -m "${CARGO_TARGET_DIR:-$root/target}")
+venv=$(realpath -m "${SOFTANVIL_PEERS_VENV:-$target/peers-venv}")
 
 need ccx calculix-ccx || { echo "ccx is missing and cannot be installed" >&2; exit 1; }
 [ -x "$venv/bin/python" ] || python3 -m venv "$venv"

@@ -47,13 +47,13 @@ beside() {
 # The runner, and the folder of its firmware; at the end those in single precision take their place.
 runner=softanvil-golden firmware=tests/firmware/rust
 
-# compiled KEPT BUILT CARGO_ARGUMENT...: builds in the folder of all rows, so that what several take is compiled once, and keeps
-# of it the program KEPT, a copy of BUILT there, which the next row replaces. So there is one build at a time.
+# compiled KEPT BUILT CARGO_ARGUMENT...: builds in a folder of many rows, so that what several take is compiled once, and keeps
+# of it the program KEPT, a copy of BUILT there, which the next row replaces. So there is one build at a time in a folder.
 built_in=$out/cargo
 compiled() {
     local kept=$1 built=$2; shift 2
-    mkdir -p "${kept%/*}"
-    (flock 9 && cargo build -q --target-dir "$built_in" "$@" && cp "$built_in/$built" "$kept") 9>"$out/lock"
+    mkdir -p "${kept%/*}" "$built_in"
+    (flock 9 && cargo build -q --target-dir "$built_in" "$@" && cp "$built_in/$built" "$kept") 9>"$built_in/lock"
 }
 
 # build NAME PROFILE TARGET EXTENSION CARGO_ARGUMENT...: the runner. The target is named even if it is this machine's, because
@@ -137,8 +137,8 @@ make_foreign() {
     row "$name" "$check" "$@" "$out/$folder/$runner$extension" "${chosen[@]}"
 }
 
-# board NAME TARGET FLAGS CHECK: a row of a Cortex-M7 without an operating system; built where tests/firmware builds with the same
-# flags, and has compiled the kernel.
+# board NAME TARGET FLAGS CHECK: a row of a Cortex-M7 without an operating system; built where tests/firmware builds, which has
+# compiled the kernel of a board with an FPU.
 on_board() {
     local elf=$1 configuration=enable=on,target=native,arg=runner word; shift
     for word in "$@"; do configuration+=,arg=$word; done

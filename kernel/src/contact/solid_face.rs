@@ -20,30 +20,42 @@ use crate::state::{ContactWork, SolidState, StateNodes};
 /// As many as in [`crate::contact::face`].
 const PASSES: usize = 4;
 
-/// Adds the contact forces to the forces of the surface nodes and returns what they did.
+/// What the forces on the nodes do to the face in a step.
+pub(crate) struct Push {
+    /// How far they raise it, m.
+    rise: Real,
+    /// Their upward sum on it, N.
+    force: Real,
+}
+
+/// Adds the contact forces to the forces of the surface nodes. The impactor and what is shown of the contact stay as they are.
 #[inline(never)]
-pub(crate) fn contact(
+pub(crate) fn press(model: &Model, nodes: &mut StateNodes<&mut [Real]>, prediction: &Prediction) -> Push {
+    let dt = model.constants.dt;
+    let (mut surface, _) = Surface::of(model, nodes);
+    let has_edge = surface.find_depths(prediction.position);
+    let smooth = surface.settle(prediction, 0.0, has_edge);
+    let shear = surface.rub(smooth, prediction.velocity_half + smooth / dt);
+    let rise = surface.settle(prediction, shear, has_edge);
+    Push { rise, force: surface.press(rise) + shear }
+}
+
+/// Moves the impactor by the push of the nodes, and returns what their forces did.
+#[inline(never)]
+pub(crate) fn complete(
     model: &Model,
     nodes: &mut StateNodes<&mut [Real]>,
     impactor: &mut ImpactorState,
     prediction: &Prediction,
+    push: &Push,
 ) -> ContactWork {
-    let constants = model.constants;
-    let StateNodes { displacement: [ux, uy], velocity: [vx, vy], force: [fx, fy], contact, rounding, solid, .. } =
-        nodes;
-    let solid = SolidState::of(&constants.grid, constants.solid_history_packs, solid);
-    let nodes = SolidNodes::new(model, [ux, uy, solid.displacement], [vx, vy, solid.velocity], [fx, fy, solid.force]);
-    let mut surface = Surface { constants, nodes, touches: rounding.as_chunks_mut().0 };
-    let has_edge = surface.find_depths(prediction.position);
-    let smooth = surface.settle(prediction, 0.0, has_edge);
-    let shear = surface.rub(smooth, prediction.velocity_half + smooth / constants.dt);
-    let rise = surface.settle(prediction, shear, has_edge);
-    let normal_force = surface.press(rise) + shear;
+    let Push { rise, force: normal_force } = *push;
+    let (surface, shown) = Surface::of(model, nodes);
     let before = impactor.velocity_half;
     let rail_force = impactor.advance(model, prediction, prediction.position + rise, normal_force);
     let face = 0.5 * (before + impactor.velocity_half);
     let [contact_dissipation, frictional_dissipation] = surface.work(face);
-    surface.show(contact, solid.friction);
+    surface.show(shown);
     ContactWork { normal_force, contact_dissipation, frictional_dissipation, rail_force }
 }
 
@@ -115,7 +127,20 @@ fn past(place: Real, half: Real) -> Real {
     if place < 0.0 { -beyond } else { beyond }
 }
 
-impl Surface<'_> {
+impl<'s> Surface<'s> {
+    /// The nodes of a state, and where the forces on them are left: downwards, along x and along z, N.
+    fn of(model: &'s Model, nodes: &'s mut StateNodes<&mut [Real]>) -> (Self, [&'s mut [Real]; 3]) {
+        let constants = model.constants;
+        let StateNodes {
+            displacement: [ux, uy], velocity: [vx, vy], force: [fx, fy], contact, rounding, solid, ..
+        } = nodes;
+        let solid = SolidState::of(&constants.grid, constants.solid_history_packs, solid);
+        let nodes =
+            SolidNodes::new(model, [ux, uy, solid.displacement], [vx, vy, solid.velocity], [fx, fy, solid.force]);
+        let [down, along_x] = contact;
+        (Self { constants, nodes, touches: rounding.as_chunks_mut().0 }, [down, along_x, solid.friction])
+    }
+
     /// Index of the first surface node.
     fn first(&self) -> usize {
         let grid = &self.constants.grid;
@@ -250,7 +275,7 @@ impl Surface<'_> {
     }
 
     /// Leaves the forces on the nodes downwards, along x and along z, N.
-    fn show(&self, [down, along_x]: &mut [&mut [Real]; 2], along_z: &mut [Real]) {
+    fn show(&self, [down, along_x, along_z]: [&mut [Real]; 3]) {
         let places = down.iter_mut().zip(along_x.iter_mut()).zip(along_z);
         for (touch, ((down, x), z)) in self.touches.iter().map(|numbers| Touch::of(*numbers)).zip(places) {
             let normal = touch.normal_force(self.constants.dt);

@@ -1,9 +1,10 @@
-//! One explicit step of a solid: as that of a section ([`crate::step::step`]), with a third direction.
+//! One explicit step of a solid: as that of a section ([`crate::step::step`]), with a third direction, and the monitor beside the
+//! contact.
 
 use crate::contact::{solid_core, solid_face, surface};
 use crate::element::ElementEnergy;
 use crate::error::StepError;
-use crate::impactor::{ImpactorState, Prediction, StepInput};
+use crate::impactor::StepInput;
 use crate::model::Model;
 use crate::number::instruction_set::InstructionSet;
 use crate::number::pack::LANES;
@@ -25,22 +26,22 @@ pub(super) fn advance(
 ) -> Result<(), StepError> {
     let (constants, mut energy) = (model.constants, ElementEnergy::ZERO);
     internal_forces(set, model, state, &mut energy)?;
-    let (step_index, impactor) = (state.scalars.step_index, state.scalars.impactor);
-    let prediction = impactor.predict(model, input, step_index);
-    let before = impactor.velocity_half;
+    let step_index = state.scalars.step_index;
+    let prediction = state.scalars.impactor.predict(model, input, step_index);
+    let before = state.scalars.impactor.velocity_half;
     let (mut nodes, history) = state.nodes.without_history(constants);
-    // The monitor looks at the histories, which contact leaves as they are.
-    let ([core, face], exceeded) = both(
+    // The monitor looks at the histories, which contact leaves as they are. Where it ends the step, no more than forces have changed.
+    let ((core, push), exceeded) = both(
         &constants.grid,
-        || contact(model, &mut nodes, &mut state.scalars.impactor, &prediction),
+        || (solid_core::react(model, &mut nodes), solid_face::press(model, &mut nodes, &prediction)),
         || solid_stable_step::is_exceeded(set, model, history, step_index),
     );
     if exceeded {
-        state.scalars.impactor = impactor;
         return Err(monitor::failure(model, state));
     }
+    let face = solid_face::complete(model, &mut nodes, &mut state.scalars.impactor, &prediction, &push);
     state.scalars.contact_half_width = surface::contact_half_width(model, &state.as_view());
-    let layer_kinetic = move_nodes(set, model, state);
+    let layer_kinetic = move_solid(set, model, state);
     monitor::guard(model, state, constants.symmetry_factor * layer_kinetic[0])?;
     let work = StepWork {
         element: &energy,
@@ -59,33 +60,22 @@ pub(super) fn advance(
     Ok(())
 }
 
-/// The forces of core and face on the nodes.
-fn contact(
-    model: &Model,
-    nodes: &mut StateNodes<&mut [Real]>,
-    impactor: &mut ImpactorState,
-    prediction: &Prediction,
-) -> [ContactWork; 2] {
-    let core = solid_core::react(model, nodes);
-    [core, solid_face::contact(model, nodes, impactor, prediction)]
-}
-
 /// Nodes that are moved at a time along one direction: enough for a core to be asked, and few enough for many cores. The kinetic
 /// energies are added up by these parts, however many cores there are.
 const NODES_OF_A_PART: usize = 128 * LANES;
 
 /// Moves the nodes in all three directions; as [`crate::step::motion::move_nodes`].
-fn move_nodes(set: InstructionSet, model: &Model, state: &mut State) -> [Real; 2] {
+fn move_solid(set: InstructionSet, model: &Model, state: &mut State) -> [Real; 2] {
     let (constants, fixed) = (model.constants, &model.nodes);
     let grid = &constants.grid;
     let StateNodes { displacement: [ux, uy], velocity: [vx, vy], force: [fx, fy], solid, .. } = &mut state.nodes;
     let along_z = SolidState::of(grid, constants.solid_history_packs, solid);
-    let parts = |inverse_mass, force, velocity, displacement| {
+    let along = |inverse_mass, force, velocity, displacement| {
         Moving { mass: fixed.nodal_mass, inverse_mass, force, velocity, displacement }.parts(NODES_OF_A_PART)
     };
-    let parts = parts(fixed.inverse_mass_x, &**fx, &mut **vx, &mut **ux)
-        .chain(parts(fixed.inverse_mass_y, fy, vy, uy))
-        .chain(parts(model.solid().inverse_mass_z, along_z.force, along_z.velocity, along_z.displacement));
+    let parts = along(fixed.inverse_mass_x, &**fx, &mut **vx, &mut **ux)
+        .chain(along(fixed.inverse_mass_y, fy, vy, uy))
+        .chain(along(model.solid().inverse_mass_z, along_z.force, along_z.velocity, along_z.displacement));
     let advance = |nodes| set.run(Motion { nodes, dt: constants.dt });
     let total = |sum: [Real; 2], part: [Real; 2]| [sum[0] + part[0], sum[1] + part[1]];
     #[cfg(feature = "threads")]

@@ -1,8 +1,8 @@
-//! States of a solid: snapshots, instruction sets, a new start, the next impact, energies.
+//! States of a solid: snapshots, instruction sets, threads, a new start, the next impact, energies.
 
 use softanvil_kernel::material::Material;
-use softanvil_kernel::scenario::{Body, Formulation, Interface, Symmetry};
-use softanvil_kernel::step::critical_time_step_with;
+use softanvil_kernel::scenario::{Body, Formulation, Interface, StepBy, Symmetry};
+use softanvil_kernel::step::{critical_time_step, critical_time_step_with};
 use softanvil_kernel::{InstructionSet, Scenario, Simulation, StepError, StepInput, preset, step_with};
 use softanvil_verification::tolerance::ENERGY_RESIDUAL;
 
@@ -66,6 +66,61 @@ fn every_instruction_set_gives_the_same_bits() {
     for set in InstructionSet::ALL.into_iter().filter(|set| set.available()) {
         assert_eq!(after(set), after(InstructionSet::Baseline), "{set:?}");
     }
+}
+
+/// A mesh that several cores share, whose nodes move in several parts, with this part of the step that is stable at rest.
+fn large(part: f64) -> Scenario {
+    let mut scenario = with_everything();
+    (scenario.geometry.length, scenario.mesh.element_size) = (60e-3, 3e-3);
+    (scenario.time.step_by, scenario.time.step) = (StepBy::Given, 1e-7);
+    let at_rest = new(&scenario).with(|model, state| critical_time_step(model, state).0).unwrap();
+    scenario.time.step = part * at_rest;
+    scenario
+}
+
+/// What `of` gives on so many threads.
+fn on_threads<R: Send>(threads: usize, of: impl FnOnce() -> R + Send) -> R {
+    rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap().install(of)
+}
+
+#[test]
+fn any_number_of_threads_gives_the_same_bits() {
+    let start = new(&large(0.5));
+    let run = || {
+        let mut anvil = start.clone();
+        anvil.run(0.5e-3, &StepInput::default()).unwrap();
+        let limit = anvil.with(|model, state| critical_time_step(model, state)).unwrap();
+        (limit, anvil.save().unwrap())
+    };
+    let alone = on_threads(1, run);
+    for threads in [2, 3] {
+        assert!(on_threads(threads, run) == alone, "{threads} threads");
+    }
+}
+
+/// The step that the monitor ends moves nothing, on one thread or two.
+#[test]
+fn a_step_above_the_limit_leaves_impactor_and_contact() {
+    let start = new(&large(0.99));
+    let fail = || {
+        let mut anvil = start.clone();
+        let seen = |anvil: &mut Simulation| {
+            let scalars = anvil.scalars();
+            let told = (scalars.impactor, scalars.force, scalars.energy, scalars.step_index);
+            (told, anvil.with(|_, state| state.as_view().contact_force().map(<[_]>::to_vec)))
+        };
+        loop {
+            let before = seen(&mut anvil);
+            if let Err(error) = anvil.step(1, &StepInput::default()) {
+                assert!(matches!(error, StepError::Unstable { .. }), "{error}");
+                assert_eq!(seen(&mut anvil), before);
+                return (error.to_string(), anvil.scalars().step_index);
+            }
+        }
+    };
+    let alone = on_threads(1, fail);
+    assert!(alone.1 > 0);
+    assert_eq!(on_threads(2, fail), alone);
 }
 
 /// A core that separates does not rub, whatever coefficient stands in the scenario.
