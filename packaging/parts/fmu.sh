@@ -17,6 +17,6 @@ rustup -q target add x86_64-unknown-linux-gnu aarch64-unknown-linux-gnu x86_64-p
 cargo run -q --release --locked -p softanvil -- fmu --fmi 2 "${targets[@]}" --out "$out/fmu"
 cargo run -q --release --locked -p softanvil -- fmu --fmi 3 "${targets[@]}" "${only_fmi3[@]}" --out "$out/fmu"
 for fmu in "$out"/fmu/*.fmu; do
-    python3 -c 'import sys, zipfile; print(zipfile.ZipFile(sys.argv[1]).read("modelDescription.xml").decode())' "$fmu" |
-        grep -q "<Kernel digest=\"$digest\"/>"
+    python3 -c 'import sys, zipfile
+sys.exit(sys.argv[2] not in zipfile.ZipFile(sys.argv[1]).read("modelDescription.xml").decode())' "$fmu" "<Kernel digest=\"$digest\"/>"
 done
