@@ -9,6 +9,7 @@ if venv=$(python_with packaging-conan 'conan>=2.4,<3'); then
         "$venv/bin/conan" create packaging/conan -vquiet -o "softanvil/*:shared=$shared"
     done
     "$venv/bin/conan" cache save "softanvil/$version:*" -vquiet --file "$out/conan/softanvil-$version-conan.tgz" >/dev/null
+    python3 packaging/conan/repack.py "$out/conan/softanvil-$version-conan.tgz"
 else
     skip conan "Conan cannot be installed"
 fi
