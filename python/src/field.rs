@@ -5,7 +5,7 @@ use std::sync::Arc;
 use numpy::ndarray::{ArrayView, Dim, ShapeBuilder};
 use numpy::{IntoPyArray, PyArray, PyArray1, PyArray2, PyArrayDyn, PyArrayMethods};
 use pyo3::prelude::*;
-use softanvil_kernel::mesh::{solid_position, tetrahedra};
+use softanvil_kernel::mesh::{TETRAHEDRA, solid_position, tetrahedra};
 use softanvil_kernel::result::{Location, Source};
 use softanvil_kernel::{FIELDS, Field, Output};
 use softanvil_tools::section::Mesh;
@@ -122,13 +122,19 @@ impl StateView {
         let position = |place| solid_position(&constants.scenario, grid, place);
         let points: Vec<f64> = places(grid.node_rows(), grid.node_slices(), columns).flat_map(position).collect();
         let number = |[u, v, w]: [usize; 3]| (v * grid.node_slices() + w) * columns + u;
-        let cells = places(grid.n_v, grid.n_w, grid.n_u).flat_map(|place| tetrahedra(grid, place));
+        let cells: Vec<_> = places(grid.n_v, grid.n_w, grid.n_u)
+            .enumerate()
+            .filter(|(_, [u, v, w])| grid.has_cell(*u, *v, *w))
+            .collect();
+        let of_cells = cells.iter().flat_map(|(cell, _)| (0..TETRAHEDRA).map(move |t| TETRAHEDRA * cell + t));
+        let elements: Vec<usize> = of_cells.collect();
+        let tetrahedra = cells.iter().flat_map(|(_, place)| tetrahedra(grid, *place));
         let position = |node: usize| [0, 1, 2].map(|axis| points[3 * node + axis]);
-        let corners: Vec<usize> = cells.flat_map(|cell| right_handed(cell.map(number), position)).collect();
+        let corners: Vec<usize> = tetrahedra.flat_map(|cell| right_handed(cell.map(number), position)).collect();
         Ok((
             points.into_pyarray(py).reshape([grid.node_rows() * grid.node_slices() * columns, 3])?,
-            corners.into_pyarray(py).reshape([grid.n_elem(), 4])?,
-            (0..grid.n_elem()).collect::<Vec<_>>().into_pyarray(py),
+            corners.into_pyarray(py).reshape([elements.len(), 4])?,
+            elements.into_pyarray(py),
         ))
     }
 }

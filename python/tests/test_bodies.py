@@ -1,7 +1,6 @@
 """Bodies other than the study's section: pads, stacks and solids run, and their results and fields are there."""
 
 import math
-import re
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -93,9 +92,25 @@ def test_a_solid_refuses_what_it_has_not():
         with pytest.raises(sa.ScenarioError, match="a solid has no section to draw"):
             draw()
     assert plt.get_fignums() == []
-    padded = solid()
-    padded.layers.add("pad", thickness="5 mm")
-    for name, value in (("layers[1].width", "60 mm"), ("layers[1].interface", "separating"), ("impactor.offset", "4 mm")):
-        with pytest.raises(sa.ScenarioError, match=f"{re.escape(name)} is refused: expected .* with geometry.formulation = solid"):
-            sa.run(padded.copy().update({name: value}))
-    assert sa.run(padded).elements > result.elements
+    with pytest.raises(sa.ScenarioError, match=r"impactor\.offset is refused: expected .* with geometry.formulation = solid"):
+        sa.run(solid().update({"impactor.offset": "4 mm"}))
+
+
+@pytest.mark.parametrize("body", ["prism", "revolved"])
+def test_a_narrow_pad_on_a_solid_has_the_cells_that_are_there(body):
+    bare, padded = solid(body), solid(body)
+    padded.layers.add("pad", thickness="5 mm", width="60 mm", interface="separating")
+    volumes = []
+    for s in (bare, padded):
+        state = sa.run(s).state
+        rest, tetrahedra, places = state.mesh()
+        assert state["node.displacement"].reshape(-1, 2)[tetrahedra].any()
+        assert state.to_pyvista().n_cells == len(tetrahedra) == len(places)
+        volumes.append((np.linalg.det(rest[tetrahedra[:, 1:]] - rest[tetrahedra[:, :1]]) / 6).sum())
+    assert len(tetrahedra) < state["element.von_mises_stress"].size and len(set(places)) == len(places)
+    # A quarter of the pad, whose lower side is 60 mm wide.
+    below = padded.geometry.core_radius + padded.silicone.thickness
+    angle, shells = 0.5 * 0.06 / below, [(below + 5e-3) ** n - below**n for n in (2, 3)]
+    pad = {"prism": angle * shells[0] / 2 * padded.geometry.length / 2,
+           "revolved": math.pi / 2 * (1 - math.cos(angle)) * shells[1] / 3}
+    assert volumes[1] - volumes[0] == pytest.approx(pad[body], rel=0.03)

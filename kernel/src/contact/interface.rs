@@ -17,7 +17,7 @@ use crate::model::Model;
 use crate::number::pack::{LANES, Pack, ZERO, sum};
 use crate::number::real::Real;
 use crate::number::vector::{Simd, Vector, Work};
-use crate::scenario::{LayerInterface, MAX_LAYERS};
+use crate::scenario::MAX_LAYERS;
 use crate::state::{
     ContactWork, FORCE, MOBILITY, NORMAL, OPENING, PairPack, PairRow, RESISTANCE, State, StateNodes, columns,
     columns_mut,
@@ -26,7 +26,7 @@ use crate::state::{
 /// Passes over the pairs. Each leaves a part of a change of the forces, most where light nodes lie between heavy ones, and the
 /// next step goes on from there. With too few, thin layers shake between heavier ones, and nodes get into them
 /// (`tests/verification/src/plausible.rs`).
-const PASSES: usize = 4;
+pub(super) const PASSES: usize = 4;
 
 /// Adds the forces between layers to those of the nodes, and says what they take over their impulse.
 #[inline(always)]
@@ -62,10 +62,7 @@ fn press_all<S: Simd>(simd: S, model: &Model, nodes: &mut StateNodes<&mut [Real]
         let (Some(sides), Some(upper)) = (Side::both(constants, layer), constants.scenario.layers.get(layer)) else {
             continue;
         };
-        let coefficient = match upper.interface {
-            LayerInterface::Frictional => upper.friction_coefficient,
-            LayerInterface::Separating | LayerInterface::Bonded => 0.0,
-        };
+        let coefficient = upper.sliding_coefficient();
         let mut row = || PairRow::of(rows.next()?, stride, constants.grid.n_u + 1);
         if let (Some(above), Some(below)) = (row(), row()) {
             Interface { simd, sides, rows: [above, below], coefficient }.press(model, nodes, &mut work);

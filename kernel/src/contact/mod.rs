@@ -12,6 +12,8 @@ mod segments;
 pub(crate) mod solid_core;
 mod solid_edge;
 pub(crate) mod solid_face;
+pub(crate) mod solid_interface;
 mod solid_node;
+mod solid_pairing;
 mod solid_touch;
 pub mod surface;

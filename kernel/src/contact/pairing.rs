@@ -16,13 +16,13 @@ use crate::state::{
 
 /// A node this part of a segment within its end, or beside it, is held by that end alone: so that of a row that sticks all
 /// stay over segments next to each other, and so that the last one holds what stands at its edge.
-const BESIDE: Real = 0.01;
+pub(super) const BESIDE: Real = 0.01;
 
 /// A node deeper inside than this part of the segment has come around the end of the row and is not pushed out.
-const DEEPEST: Real = 0.5;
+pub(super) const DEEPEST: Real = 0.5;
 
 /// A node that has come around the end of a row is pushed out by at most this part of a segment in a step.
-const PUSHED_OUT: Real = 1e-3;
+pub(super) const PUSHED_OUT: Real = 1e-3;
 
 /// One row of nodes at an interface and the row of segments that it may touch.
 #[derive(Clone, Debug)]

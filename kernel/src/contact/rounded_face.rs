@@ -96,7 +96,7 @@ impl Surface<'_, '_, '_> {
     }
 
     fn index(&self, column: usize) -> usize {
-        self.model.constants.grid.surface_node(column)
+        self.model.constants.grid.surface_node(column, 0)
     }
 
     fn touch(&self, column: usize) -> Option<Touch> {

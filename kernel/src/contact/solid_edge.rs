@@ -24,13 +24,16 @@ pub(super) fn total_force(touches: &[[Real; SOLID_TOUCH_FIELDS]]) -> Real {
 pub(super) fn press(constants: &Constants, touches: &mut [[Real; SOLID_TOUCH_FIELDS]], rise: Real) {
     let (grid, dt) = (&constants.grid, constants.dt);
     let (columns, slices, stride) = (grid.n_u, grid.n_w, grid.stride());
+    let even = grid.has_even_surface();
     for slice in 0..=slices {
         for column in 0..=columns {
             let place = slice * stride + column;
-            let next = [(column < columns).then_some(place + 1), (slice < slices).then_some(place + stride)];
-            for (along, next) in next.into_iter().enumerate() {
-                let Some(next) = next else { continue };
-                press_line(touches, [place, next], along, rise, dt);
+            let next = [(column < columns, [column + 1, slice]), (slice < slices, [column, slice + 1])];
+            for (along, (there, [u, w])) in next.into_iter().enumerate() {
+                // No line of the surface goes from one layer to another.
+                if there && (even || grid.surface_row(column, slice) == grid.surface_row(u, w)) {
+                    press_line(touches, [place, w * stride + u], along, rise, dt);
+                }
             }
         }
     }

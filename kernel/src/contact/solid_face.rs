@@ -141,19 +141,21 @@ impl<'s> Surface<'s> {
         (Self { constants, nodes, touches: rounding.as_chunks_mut().0 }, [down, along_x, solid.friction])
     }
 
-    /// Index of the first surface node.
-    fn first(&self) -> usize {
-        let grid = &self.constants.grid;
-        (grid.node_rows() - 1) * grid.plane()
+    /// Index of the surface node of every place, slice by slice.
+    fn indices(&self) -> impl Fn(usize) -> usize + use<> {
+        let grid = self.constants.grid;
+        let (even, stride) = (grid.has_even_surface(), grid.stride().max(1));
+        let first = (grid.node_rows() - 1) * grid.plane();
+        move |place| if even { first + place } else { grid.surface_node(place % stride, place / stride) }
     }
 
     /// How deep every node is at the end of a step without contact, in a face at `height`, m; whether the edge of the face lies
     /// among the nodes.
     fn find_depths(&mut self, height: Real) -> bool {
-        let (constants, first) = (self.constants, self.first());
+        let (constants, index) = (self.constants, self.indices());
         let mut sides = [false; 2];
         for (place, numbers) in self.touches.iter_mut().enumerate() {
-            let Some(node) = self.nodes.node(first + place) else { continue };
+            let Some(node) = self.nodes.node(index(place)) else { continue };
             let velocity = node.next_velocity(constants.dt);
             let [x, y, z] = core::array::from_fn(|i| node.position[i] + constants.dt * velocity[i]);
             let beside = [x - constants.scenario.impactor.offset, y - (constants.top_height + height), z];
@@ -214,7 +216,7 @@ impl<'s> Surface<'s> {
     /// Finds the friction on the nodes under a face that has risen by `rise`, m, and moves at `velocity`, m/s; returns its
     /// upward part on the face, N.
     fn rub(&mut self, rise: Real, velocity: Real) -> Real {
-        let (dt, first) = (self.constants.dt, self.first());
+        let (dt, index) = (self.constants.dt, self.indices());
         let coefficient = self.constants.scenario.face.friction_coefficient;
         let mut total = 0.0;
         for (place, numbers) in self.touches.iter_mut().enumerate() {
@@ -224,7 +226,7 @@ impl<'s> Surface<'s> {
             if limit <= 0.0 {
                 continue;
             }
-            let Some(node) = self.nodes.node(first + place) else { continue };
+            let Some(node) = self.nodes.node(index(place)) else { continue };
             let [x, y, z] = node.next_velocity(dt);
             let stick = across(&[x, y - velocity, z], &out).map(|sliding| -touch.mass * sliding / dt);
             touch.friction = limited_vector(stick, limit);
@@ -237,7 +239,7 @@ impl<'s> Surface<'s> {
     /// Adds the forces on the nodes under a face that has risen by `rise`, m, and keeps the normal one in the place of the depth;
     /// returns the upward part of the normal ones on the face, N.
     fn press(&mut self, rise: Real) -> Real {
-        let (dt, first) = (self.constants.dt, self.first());
+        let (dt, index) = (self.constants.dt, self.indices());
         let mut total = 0.0;
         for (place, numbers) in self.touches.iter_mut().enumerate() {
             let mut touch = Touch::of(*numbers);
@@ -246,7 +248,7 @@ impl<'s> Surface<'s> {
             // A node that the friction of the others has let go keeps its own, of which the face has the reaction.
             if normal != [0.0; 3] || touch.friction != [0.0; 3] {
                 let force = core::array::from_fn(|i| normal[i] + touch.friction[i]);
-                self.nodes.add_force(first + place, force);
+                self.nodes.add_force(index(place), force);
                 total -= normal[1];
             }
             *numbers = touch.numbers();
@@ -257,14 +259,14 @@ impl<'s> Surface<'s> {
     /// The energy that the normal forces take over their impulse, J, then that of friction, from a face whose mean velocity is
     /// `face`, m/s.
     fn work(&self, face: Real) -> [Real; 2] {
-        let (dt, first) = (self.constants.dt, self.first());
+        let (dt, index) = (self.constants.dt, self.indices());
         let mut total = [0.0; 2];
         for (place, touch) in self.touches.iter().map(|numbers| Touch::of(*numbers)).enumerate() {
             let normal = touch.normal_force(dt);
             if normal == [0.0; 3] && touch.friction == [0.0; 3] {
                 continue;
             }
-            let Some(node) = self.nodes.node(first + place) else { continue };
+            let Some(node) = self.nodes.node(index(place)) else { continue };
             let after = node.next_velocity(dt);
             let mut mean: [Real; 3] = core::array::from_fn(|i| 0.5 * (node.velocity[i] + after[i]));
             mean[1] -= face;

@@ -40,7 +40,7 @@ pub fn contact_half_width(model: &Model, state: &StateView) -> Real {
 /// The surface node of `column`, of a solid that in the plane z = 0.
 fn centre_node(model: &Model, column: usize) -> usize {
     let grid = &model.constants.grid;
-    if grid.is_solid() { grid.node(column, grid.node_rows() - 1, grid.centre_w) } else { grid.surface_node(column) }
+    grid.surface_node(column, grid.centre_w)
 }
 
 /// Normal forces of the face on the surface nodes, N, by column, of a solid in the plane z = 0.
@@ -76,17 +76,19 @@ pub fn contact_pressure(model: &Model, state: &StateView, column: usize) -> Opti
 /// about it as they are now, in the plane of the face.
 pub(crate) fn solid_contact_pressure(model: &Model, state: &StateView, slice: usize, column: usize) -> Option<Real> {
     let grid = &model.constants.grid;
-    let first = grid.node(0, grid.node_rows() - 1, 0);
     let [x, _] = model.reference_position();
     let ([ux, _], [uz, ..], z) = (state.displacement(), state.along_z(model), model.reference_z());
+    let row = grid.surface_row(column, slice);
     let place = |u: usize, w: usize| {
-        let node = first + w * grid.stride() + u;
+        let node = grid.node(u, row, w);
         Some([x.get(node)? + ux.get(node)?, z.get(node)? + uz.get(node)?])
     };
     let mut area = 0.0;
     for (u, w) in [(0, 0), (1, 0), (0, 1), (1, 1)] {
         let (Some(u), Some(w)) = ((column + u).checked_sub(1), (slice + w).checked_sub(1)) else { continue };
-        if u < grid.n_u && w < grid.n_w {
+        // The cell below the row that has the node.
+        let corners = [(u, w), (u + 1, w), (u + 1, w + 1), (u, w + 1)];
+        if u < grid.n_u && w < grid.n_w && corners.iter().all(|(u, w)| grid.surface_row(*u, *w) == row) {
             let [a, b, c, d] = [place(u, w)?, place(u + 1, w)?, place(u + 1, w + 1)?, place(u, w + 1)?];
             // Half the product of the diagonals.
             area += 0.125 * ((c[0] - a[0]) * (d[1] - b[1]) - (c[1] - a[1]) * (d[0] - b[0]));

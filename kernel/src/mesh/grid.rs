@@ -13,10 +13,9 @@ use crate::features::{PADS, SOLID};
 use crate::mesh::columns::{MAX_PIECES, Piece, cells_along, layer_across, pieces};
 use crate::mesh::paths::TETRAHEDRA;
 use crate::mesh::slices::{Slices, meshed};
-use crate::number::math;
 use crate::number::pack::{LANES, Pack};
 use crate::number::real::{Real, SAME};
-use crate::scenario::{Formulation, Layer, MAX_LAYERS, Scenario, Section, Symmetry};
+use crate::scenario::{Body, Formulation, Layer, MAX_LAYERS, Scenario, Section, Symmetry};
 
 /// Largest number of cells of a mesh.
 pub const MAX_CELLS: usize = 1 << 20;
@@ -43,6 +42,8 @@ pub struct Grid {
     pub pieces: [Piece; MAX_PIECES],
     /// Whether the section turns about its centre line.
     pub axisymmetric: bool,
+    /// Whether the slices of a solid are spread about its axis as the columns are about the centre line.
+    pub revolved: bool,
     /// Slices of cells of a solid along z, from one end, or the plane z = 0, to the other end; 0 in a section.
     pub n_w: usize,
     /// Slice of the nodes on the plane z = 0.
@@ -83,6 +84,7 @@ impl Grid {
             layer_end[place.min(MAX_LAYERS - 1)] + opened
         });
         let axisymmetric = geometry.formulation == Formulation::Axisymmetric;
+        let revolved = geometry.formulation.is_solid() && geometry.body == Body::Revolved;
         let [n_u, centre] = if full { [2 * half, half] } else { [half, 0] };
         Ok(Self {
             n_u,
@@ -94,6 +96,7 @@ impl Grid {
             layer_top,
             pieces,
             axisymmetric,
+            revolved,
             n_w,
             centre_w,
             slices,
@@ -176,12 +179,22 @@ impl Grid {
         self.layer_end.iter().take(MAX_LAYERS - 1).filter(|end| per_row * **end <= block).count()
     }
 
-    /// The node of column `u` that is at the surface.
-    pub fn surface_node(&self, u: usize) -> usize {
-        let from_centre = u.abs_diff(self.centre);
+    /// The node of column `u`, and slice `w` of a solid, that is at the surface.
+    pub fn surface_node(&self, u: usize, w: usize) -> usize {
+        self.node(u, self.surface_row(u, w), w)
+    }
+
+    /// Row of nodes of that node.
+    pub fn surface_row(&self, u: usize, w: usize) -> usize {
+        let ring = self.ring(u, w);
         let layers = self.layer_columns.iter().zip(self.layer_top);
-        let row = layers.fold(self.n_v, |row, (columns, top)| if from_centre <= *columns { top } else { row });
-        row * self.stride() + u
+        layers.fold(self.n_v, |row, (columns, top)| if ring <= *columns { top } else { row })
+    }
+
+    /// Columns of cells between a node and the centre line, or rings about the axis.
+    fn ring(&self, u: usize, w: usize) -> usize {
+        let (across, along) = (u.abs_diff(self.centre), w.abs_diff(self.centre_w));
+        if self.revolved && along > across { along } else { across }
     }
 
     /// Columns of cells that a layer has.
@@ -190,9 +203,19 @@ impl Grid {
         self.centre.saturating_sub(columns)..(self.centre + columns).min(self.n_u)
     }
 
-    /// Whether a cell is there, or a layer is narrower than others.
-    pub fn has_cell(&self, u: usize, row: usize) -> bool {
-        self.columns_of(self.layer_of_row(row)).contains(&u)
+    /// Slices of cells that a layer of a solid has.
+    pub fn slices_of(&self, layer: usize) -> Range<usize> {
+        if !self.revolved {
+            return 0..self.n_w;
+        }
+        let rings = self.layer_columns.get(layer).copied().unwrap_or_default();
+        self.centre_w.saturating_sub(rings)..(self.centre_w + rings).min(self.n_w)
+    }
+
+    /// Whether a cell is there, or a layer is narrower than others; of a section in slice 0.
+    pub fn has_cell(&self, u: usize, row: usize, w: usize) -> bool {
+        let layer = self.layer_of_row(row);
+        self.columns_of(layer).contains(&u) && (!self.revolved || self.slices_of(layer).contains(&w))
     }
 
     /// Whether all nodes of the surface lie in one row.
@@ -209,23 +232,33 @@ impl Grid {
 
     /// Where the column `u` of nodes stands: 0 on the centre line, 1 at the right side, -1 at the left one.
     pub fn across(&self, u: usize) -> Real {
-        let column = u as Real - self.centre as Real;
-        let from_centre = u.abs_diff(self.centre);
+        let part = self.part_to_side(u.abs_diff(self.centre));
+        if u < self.centre { -part } else { part }
+    }
+
+    /// The same of the slice `w` of a body of revolution.
+    pub(crate) fn along(&self, w: usize) -> Real {
+        let part = self.part_to_side(w.abs_diff(self.centre_w));
+        if w < self.centre_w { -part } else { part }
+    }
+
+    /// Part of the way to the side at which so many columns have passed.
+    fn part_to_side(&self, columns_passed: usize) -> Real {
+        let passed = columns_passed as Real;
         if !PADS {
-            return column / (self.n_u - self.centre) as Real;
+            return passed / (self.n_u - self.centre) as Real;
         }
         let mut start = Piece { end: 0, across: 0.0 };
         for piece in self.pieces {
-            if from_centre <= piece.end {
+            if columns_passed <= piece.end {
                 let (columns, width) = ((piece.end - start.end) as Real, piece.across - start.across);
-                let within = math::abs(column) - start.end as Real;
+                let within = passed - start.end as Real;
                 // Of one piece a part of its columns and no more, which rounds once.
-                let across = if start.end == 0 && piece.across == 1.0 {
+                return if start.end == 0 && piece.across == 1.0 {
                     within / columns
                 } else {
                     start.across + width * (within / columns)
                 };
-                return if column < 0.0 { -across } else { across };
             }
             start = piece;
         }

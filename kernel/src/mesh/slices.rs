@@ -10,7 +10,7 @@ use crate::scenario::{Body, FaceShape, Outline, Scenario, Symmetry};
 pub struct Slices {
     /// All of them.
     pub half: usize,
-    /// Those that lie under the face, to whose last nodes is the distance `face_z`.
+    /// Those of a prism that lie under the face, to whose last nodes is the distance `face_z`.
     pub face: usize,
     /// Distance of these nodes from z = 0, m.
     pub face_z: Real,
@@ -25,7 +25,7 @@ impl Slices {
     /// Those of a legal solid whose half section has so many `columns`.
     pub(super) fn of(scenario: &Scenario, columns: usize) -> Self {
         if scenario.geometry.body == Body::Revolved {
-            return Self { half: columns, face: columns, face_z: 1.0, end_z: 1.0 };
+            return Self { half: columns, ..Self::NONE };
         }
         let (size, end_z) = (scenario.mesh.element_size, 0.5 * scenario.geometry.length);
         let outline = Outline::of(scenario);
@@ -45,7 +45,7 @@ impl Slices {
         Self { half: (face + rest) as usize, face: face as usize, face_z, end_z }
     }
 
-    /// Distance of the `number`-th nodes from z = 0, m; of a body of revolution, the part of the way to the side.
+    /// Distance of the `number`-th nodes of a prism from z = 0, m.
     pub fn z(&self, number: usize) -> Real {
         if number <= self.face {
             return self.face_z * (number as Real / self.face.max(1) as Real);

@@ -11,15 +11,14 @@ use crate::scenario::{Body, Scenario, Shape};
 
 /// Position of the node in column `u`, row `v` and slice `w` at rest, m: x outwards, y upwards, z along the axis of a prism.
 pub fn solid_position(scenario: &Scenario, grid: &Grid, [u, v, w]: [usize; 3]) -> [Real; 3] {
-    let number = w.abs_diff(grid.centre_w);
-    let along = if w < grid.centre_w { -grid.slices.z(number) } else { grid.slices.z(number) };
     match scenario.geometry.body {
         Body::Prism => {
             let [x, y] = reference_position(scenario, grid, u, v);
-            [x, y, along]
+            let z = grid.slices.z(w.abs_diff(grid.centre_w));
+            [x, y, if w < grid.centre_w { -z } else { z }]
         }
         Body::Revolved => {
-            let [cos, sin, part] = on_disc(grid.across(u), along);
+            let [cos, sin, part] = on_disc(grid.across(u), grid.along(w));
             let depth = height_over_core(scenario, grid, v);
             let [radius, y] = match scenario.geometry.shape {
                 Shape::Round => {

@@ -22,6 +22,10 @@ pub(crate) const SOLID_TOUCH_FIELDS: usize = 13;
 pub(crate) const PAIR_PACKS: usize = 14;
 /// Numbers for each of these nodes as an end of segments, and of one pack more.
 pub(crate) const END_FIELDS: usize = 4;
+/// The same of a solid for each node: see [`crate::state::SolidPair`].
+pub(crate) const SOLID_PAIR_FIELDS: usize = 13;
+/// The same of a solid, for each node as a corner of cells.
+pub(crate) const SOLID_END_FIELDS: usize = 6;
 
 /// Lengths of the arrays of the nodes of a state.
 #[derive(Clone, Copy, Debug)]
@@ -47,14 +51,13 @@ impl NodeArrays {
         // Under a solid every face counts as one with edges.
         let rounding = if grid.is_solid() { SOLID_TOUCH_FIELDS * grid.plane() } else { rounding };
         let sides = 2 * grid.layer_open.iter().filter(|open| **open).count();
+        let of_side = if grid.is_solid() {
+            (SOLID_PAIR_FIELDS + SOLID_END_FIELDS) * grid.plane()
+        } else {
+            PAIR_PACKS * stride + END_FIELDS * (stride + LANES)
+        };
         let solid = if grid.is_solid() { SolidArrays::of_state(grid, history_packs).total() } else { 0 };
-        Self {
-            nodes: grid.n_node(),
-            surface: grid.plane(),
-            rounding,
-            pairs: sides * (PAIR_PACKS * stride + END_FIELDS * (stride + LANES)),
-            solid,
-        }
+        Self { nodes: grid.n_node(), surface: grid.plane(), rounding, pairs: sides * of_side, solid }
     }
 
     /// Numbers of all.

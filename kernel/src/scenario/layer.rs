@@ -39,6 +39,14 @@ impl Layer {
         let (name, interface) = (String::try_from(name).unwrap_or_default(), LayerInterface::Bonded);
         Self { name, thickness, rows: 0, width: 0.0, interface, friction_coefficient: 0.3, gap: 0.0, material }
     }
+
+    /// Coulomb coefficient of sliding on the layer below; 0 without friction.
+    pub(crate) fn sliding_coefficient(&self) -> Real {
+        match self.interface {
+            LayerInterface::Frictional => self.friction_coefficient,
+            LayerInterface::Separating | LayerInterface::Bonded => 0.0,
+        }
+    }
 }
 
 /// How a layer sits on the one below.

@@ -71,17 +71,9 @@ impl Scenario {
 
     fn validate_solid(&self) -> Result<(), ScenarioError> {
         let impactor = &self.impactor;
-        let refused = |name: Name, expected| Err(ScenarioError::NotInSolid { name, expected });
-        for (layer, of) in self.layers.iter().enumerate() {
-            if of.width > 0.0 {
-                return refused(Name::of_layer(layer, "width"), "0 (as wide as what is below it)");
-            }
-            if self.is_open(layer) {
-                return refused(Name::of_layer(layer, "interface"), "bonded");
-            }
-        }
         if self.geometry.symmetry == Symmetry::Quarter && impactor.offset != 0.0 {
-            return refused("impactor.offset".into(), "0 m with geometry.symmetry = quarter");
+            let (name, expected) = ("impactor.offset".into(), "0 m with geometry.symmetry = quarter");
+            return Err(ScenarioError::NotInSolid { name, expected });
         }
         self.validate_face()
     }

@@ -106,7 +106,7 @@ fn build_cells(
     for (block, cell) in cells.iter_mut().enumerate() {
         for l in 0..LANES {
             let (u, v) = ((block % blocks) * LANES + l, block / blocks);
-            if !grid.has_cell(u, v) {
+            if !grid.has_cell(u, v, 0) {
                 continue;
             }
             let corners = CORNERS.map(|(du, dv)| {

@@ -61,7 +61,7 @@ fn build_tetrahedra(
         let density = scenario.layers.get(grid.layer_of_row(v)).map_or(0.0, |layer| layer.material.density);
         for l in 0..LANES {
             let u = place * LANES + l;
-            if u >= grid.n_u {
+            if !grid.has_cell(u, v, w) {
                 continue;
             }
             let nodes = cell_nodes(grid, [u, v, w]);

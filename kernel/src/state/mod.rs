@@ -11,6 +11,7 @@ mod sampler;
 mod scalars;
 mod snapshot;
 mod solid;
+mod solid_pair;
 mod view;
 
 pub use arrays::State;
@@ -28,4 +29,5 @@ pub use sampler::{Forces, Sample, Sampler};
 pub use scalars::Scalars;
 pub use snapshot::{restore, save, snapshot_size, state_digest, write_words};
 pub(crate) use solid::{SolidState, SolidView, solid_corners, subtract_from_row};
+pub(crate) use solid_pair::{SolidPair, SolidPairRow};
 pub use view::{StateContent, StateView};

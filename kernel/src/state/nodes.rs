@@ -22,7 +22,7 @@ pub(crate) struct StateNodes<R> {
     /// m, the direction out of the face, to the right and downwards, and its mass, kg.
     pub rounding: R,
     /// Of every interface that is not bonded, from the core, the nodes above it, then those below it: a [`super::PairRow`]
-    /// each.
+    /// each, of a solid a [`super::SolidPairRow`].
     pub pairs: R,
     /// What only a solid has: [`super::SolidState`].
     pub solid: R,

@@ -1,7 +1,7 @@
 //! One explicit step of a solid: as that of a section ([`crate::step::step`]), with a third direction, and the monitor beside the
 //! contact.
 
-use crate::contact::{solid_core, solid_face, surface};
+use crate::contact::{solid_core, solid_face, solid_interface, surface};
 use crate::element::ElementEnergy;
 use crate::error::StepError;
 use crate::impactor::StepInput;
@@ -10,7 +10,7 @@ use crate::number::instruction_set::InstructionSet;
 use crate::number::pack::LANES;
 use crate::number::real::Real;
 use crate::number::vector::{Simd, Work};
-use crate::state::{ContactWork, SolidState, State, StateNodes, StepWork};
+use crate::state::{SolidState, State, StateNodes, StepWork};
 use crate::step::motion::{Moving, measure};
 use crate::step::solid_forces::internal_forces;
 #[cfg(feature = "threads")]
@@ -39,6 +39,7 @@ pub(super) fn advance(
     if exceeded {
         return Err(monitor::failure(model, state));
     }
+    let interfaces = solid_interface::press(model, &mut nodes);
     let face = solid_face::complete(model, &mut nodes, &mut state.scalars.impactor, &prediction, &push);
     state.scalars.contact_half_width = surface::contact_half_width(model, &state.as_view());
     let layer_kinetic = move_solid(set, model, state);
@@ -47,7 +48,7 @@ pub(super) fn advance(
         element: &energy,
         face: &face,
         core: &core,
-        interfaces: &ContactWork::default(),
+        interfaces: &interfaces,
         layer_kinetic,
         impactor_velocity: [before, state.scalars.impactor.velocity_half],
         impactor: &state.scalars.impactor,

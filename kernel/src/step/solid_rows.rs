@@ -26,16 +26,13 @@ pub(super) fn rows_of_kind<'s>(
     history: &'s mut [Pack],
     share: usize,
 ) -> impl Iterator<Item = CellRow<'s>> {
-    // A row of cells lies between the rows of nodes of its own number and the next: the layers of a solid are bonded.
     let plane = grid.plane().max(1);
     let cells = every_second(history, share * grid.n_w, first_row);
-    let [x, y, z] = force.map(|force| force.get_mut(first_row * plane..).unwrap_or_default());
-    let pair = pair_of(plane);
-    let nodes = x.chunks_exact_mut(pair).zip(y.chunks_exact_mut(pair)).zip(z.chunks_exact_mut(pair));
-    nodes.zip(cells).enumerate().flat_map(move |(number, (((x, y), z), history))| {
-        let row = first_row + 2 * number;
+    let rows = (first_row..grid.n_v).step_by(2);
+    let nodes = planes_about(grid, rows.clone(), force);
+    rows.zip(nodes).zip(cells).flat_map(move |((row, planes), history)| {
         let [[x_low, x_up], [y_low, y_up], [z_low, z_up]] =
-            [x, y, z].map(|planes| planes.split_at_mut_checked(plane).unwrap_or_default().into());
+            planes.map(|planes| planes.split_at_mut_checked(plane).unwrap_or_default().into());
         let lower = slices(grid, first_slice, [x_low, y_low, z_low]);
         let upper = slices(grid, first_slice, [x_up, y_up, z_up]);
         let cells = every_second(history, share, first_slice);
@@ -50,6 +47,28 @@ pub(super) fn rows_of_kind<'s>(
             };
             CellRow { place: [row, slice], force, history }
         })
+    })
+}
+
+/// The two planes of nodes about each of these `rows` of cells, every second one, of each of three numbers of the nodes.
+fn planes_about<'s>(
+    grid: &Grid,
+    rows: impl Iterator<Item = usize>,
+    mut numbers: [&'s mut [Real]; 3],
+) -> impl Iterator<Item = [&'s mut [Real]; 3]> {
+    let plane = grid.plane().max(1);
+    let mut passed = 0;
+    rows.map(move |row| {
+        // Layers that are not bonded have a row of nodes more between the cells.
+        let first = grid.node_row(row) * plane;
+        let planes = numbers.each_mut().map(|rest| {
+            let (_, from) = core::mem::take(rest).split_at_mut_checked(first - passed).unwrap_or_default();
+            let (planes, next) = from.split_at_mut_checked(2 * plane).unwrap_or_default();
+            *rest = next;
+            planes
+        });
+        passed = first + 2 * plane;
+        planes
     })
 }
 
@@ -88,8 +107,8 @@ mod tests {
     use std::vec::Vec;
 
     use super::*;
-    use crate::scenario::preset::study;
-    use crate::scenario::{Formulation, Symmetry};
+    use crate::scenario::preset::{self, study};
+    use crate::scenario::{Formulation, Layer, LayerInterface, Symmetry};
 
     #[test]
     fn every_row_of_cells_comes_once_with_its_nodes_and_its_history() {
@@ -99,6 +118,12 @@ mod tests {
                 scenario.geometry.formulation = Formulation::Solid;
                 scenario.geometry.symmetry = symmetry;
                 scenario.mesh.element_size = size;
+                assert_rows(&Grid::new(&scenario).unwrap());
+                // Of layers of odd and even rows of cells.
+                for thickness in [3e-3, 8e-3] {
+                    let layer = Layer { interface: LayerInterface::Separating, thickness, ..preset::spare_layer() };
+                    scenario.add_layer(layer).unwrap();
+                }
                 assert_rows(&Grid::new(&scenario).unwrap());
             }
         }

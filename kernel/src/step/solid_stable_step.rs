@@ -73,11 +73,11 @@ impl<'m> SolidCells<'m> {
         self.history.get(block * share..(block + 1) * share).unwrap_or_default()
     }
 
-    /// Whether a cell is there, or padding.
+    /// Whether a cell is there, or padding, or a layer is narrower than others.
     #[inline(always)]
     fn has_cell(&self, block: usize, l: usize) -> bool {
-        let (_, place) = self.constants.grid.solid_place(block);
-        place * LANES + l < self.constants.grid.n_u
+        let ([row, slice], place) = self.constants.grid.solid_place(block);
+        self.constants.grid.has_cell(place * LANES + l, row, slice)
     }
 }
 

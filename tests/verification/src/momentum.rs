@@ -10,7 +10,7 @@ pub fn masses(model: &Model) -> Vec<f64> {
     let [x, y] = model.reference_position();
     let mut masses = vec![0.0; x.len()];
     for (u, v) in (0..grid.n_v).flat_map(|v| (0..grid.n_u).map(move |u| (u, v))) {
-        if !grid.has_cell(u, v) {
+        if !grid.has_cell(u, v, 0) {
             continue;
         }
         let nodes = CORNERS.map(|(du, dv)| (grid.node_row(v) + dv) * grid.stride() + u + du);

@@ -183,9 +183,9 @@ pub fn stack(samples: &mut Samples) -> Scenario {
     scenario
 }
 
-/// A plausible drop on a solid, prism or body of revolution, of which a quarter, a half or all is there.
+/// A plausible drop on a solid, one layer or a stack, prism or body of revolution, of which a quarter, a half or all is there.
 pub fn solid(samples: &mut Samples) -> Scenario {
-    let mut scenario = scenario(samples);
+    let mut scenario = if samples.number() < 0.0 { scenario(samples) } else { stack(samples) };
     let mut unit = || 0.5 * (1.0 + samples.number());
     let geometry = &mut scenario.geometry;
     geometry.formulation = Formulation::Solid;

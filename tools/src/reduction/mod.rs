@@ -7,7 +7,7 @@ pub mod picture;
 pub mod table;
 
 use indicatif::ProgressBar;
-use softanvil_kernel::scenario::{Body, Formulation};
+use softanvil_kernel::scenario::{Body, Formulation, Section, Symmetry};
 use softanvil_kernel::{ModelError, Scenario};
 
 use crate::failure::Failure;
@@ -101,6 +101,9 @@ fn as_solid(scenario: &Scenario) -> Scenario {
         Formulation::Axisymmetric => solid.geometry.body = Body::Revolved,
         Formulation::Solid => {}
     }
+    if !scenario.geometry.formulation.is_solid() && scenario.geometry.section == Section::Full {
+        solid.geometry.symmetry = Symmetry::Half;
+    }
     solid.geometry.formulation = Formulation::Solid;
     solid
 }
@@ -113,6 +116,9 @@ fn as_section(scenario: &Scenario) -> Scenario {
             Body::Prism => Formulation::PlaneStrain,
             Body::Revolved => Formulation::Axisymmetric,
         };
+        if scenario.impactor.offset != 0.0 {
+            section.geometry.section = Section::Full;
+        }
     }
     section
 }

@@ -35,9 +35,10 @@ impl Mesh {
         let node_at = |row, column| grid.node(column, row, grid.centre_w);
         let nodes: Vec<usize> =
             (0..shape[0]).flat_map(|row| (0..shape[1]).map(move |column| node_at(row, column))).collect();
-        let (mut triangles, mut places) = (Vec::new(), Vec::new());
+        // Of a solid the cells in front of the plane z = 0.
+        let (mut triangles, mut places, slice) = (Vec::new(), Vec::new(), grid.centre_w);
         for (v, u) in
-            (0..grid.n_v).flat_map(|v| (0..grid.n_u).map(move |u| (v, u))).filter(|(v, u)| grid.has_cell(*u, *v))
+            (0..grid.n_v).flat_map(|v| (0..grid.n_u).map(move |u| (v, u))).filter(|(v, u)| grid.has_cell(*u, *v, slice))
         {
             let node = |[column, row]: [usize; 2]| (grid.node_row(v) + row) * shape[1] + u + column;
             triangles.extend(kernel_triangles(grid, u, v).map(|corners| corners.map(|corner| node(CORNERS[corner]))));
@@ -58,10 +59,7 @@ impl Mesh {
     /// Node of the surface in `column`.
     pub fn surface(&self, column: usize) -> usize {
         let grid = &self.constants.grid;
-        if grid.is_solid() {
-            return (grid.node_rows() - 1) * self.shape[1] + column;
-        }
-        grid.surface_node(column) / grid.stride() * self.shape[1] + column
+        grid.surface_row(column, grid.centre_w) * self.shape[1] + column
     }
 
     /// The values of a field of triangles, so many `components` each, of those that are there.

@@ -1,6 +1,6 @@
 //! A solid as a grid of VTK: its tetrahedra, with all fields of the kernel as vectors and tensors in space.
 
-use softanvil_kernel::mesh::tetrahedra;
+use softanvil_kernel::mesh::{TETRAHEDRA, tetrahedra};
 use softanvil_kernel::{Field, result::Location};
 
 use super::vtk_fields::{all_fields, in_space, short};
@@ -12,10 +12,14 @@ pub(super) fn solid_grid(mesh: &Mesh, frame: &Frame) -> Grid {
     let grid = &mesh.constants.grid;
     let (columns, slices) = (grid.n_u + 1, grid.node_slices());
     let number = |[u, v, w]: [usize; 3]| (v * slices + w) * columns + u;
-    let mut cells = Vec::with_capacity(grid.n_elem());
+    let (mut cells, mut there) = (Vec::with_capacity(grid.n_elem()), Vec::with_capacity(grid.n_elem()));
     for (v, w) in (0..grid.n_v).flat_map(|v| (0..grid.n_w).map(move |w| (v, w))) {
         for u in 0..grid.n_u {
-            cells.extend(tetrahedra(grid, [u, v, w]).map(|corners| corners.map(number).to_vec()));
+            let has_cell = grid.has_cell(u, v, w);
+            there.extend([has_cell; TETRAHEDRA]);
+            if has_cell {
+                cells.extend(tetrahedra(grid, [u, v, w]).map(|corners| corners.map(number).to_vec()));
+            }
         }
     }
     let nodes = grid.node_rows() * slices * columns;
@@ -26,9 +30,16 @@ pub(super) fn solid_grid(mesh: &Mesh, frame: &Frame) -> Grid {
         if field.location == Location::Surface {
             // Inside the layers there is no contact.
             let mut all = vec![0.0; nodes * components];
-            let first = all.len().saturating_sub(values.len());
-            all[first..].copy_from_slice(&values);
+            for (place, of_node) in values.chunks_exact(components).enumerate() {
+                let (w, u) = (place / columns, place % columns);
+                let first = components * number([u, grid.surface_row(u, w), w]);
+                all[first..first + components].copy_from_slice(of_node);
+            }
             values = all;
+        }
+        if field.location == Location::Element {
+            let of_cells = values.chunks_exact(components).zip(&there).filter(|(_, there)| **there);
+            values = of_cells.flat_map(|(values, _)| values).copied().collect();
         }
         let data = if field.location == Location::Element { &mut cell_data } else { &mut point_data };
         data.push(Array { name: short(field), components, values });

@@ -48,6 +48,20 @@ fn pictures_are_drawn_over_a_parameter_or_over_time() {
     assert!(there.contains("--overwrite"), "{there}");
 }
 
+/// A loose pad beside the middle, under a bar: the solid has half of it, as the section has both sides.
+#[test]
+fn a_full_section_with_a_loose_pad_is_half_a_solid() {
+    let folder = tempdir().unwrap();
+    let pad = "[geometry]\nsection = 'full'\n[impactor]\nshape = 'bar'\nface_diameter = 0.1\noffset = 0.005\n[mesh]\n\
+               element_size = 0.0075\n[[layers]]\n[[layers]]\nname = 'pad'\nthickness = 0.008\nwidth = 0.1\n\
+               interface = 'frictional'\n";
+    std::fs::write(folder.path().join("pad.toml"), pad).unwrap();
+    let of_section = succeed(folder.path(), &["reduction", "--scenario", "pad.toml"]);
+    let solid = ["--set", "geometry.formulation=solid", "--set", "geometry.symmetry=half"];
+    let of_solid = succeed(folder.path(), &[&["reduction", "--scenario", "pad.toml"][..], &solid].concat());
+    assert!(of_section.contains("peak force") && of_section == of_solid, "{of_section}\n{of_solid}");
+}
+
 /// A dome has no length; a coarse mesh is quick.
 #[test]
 fn several_cases_have_one_length_in_common_and_a_dome_has_none() {
@@ -64,7 +78,8 @@ fn several_cases_have_one_length_in_common_and_a_dome_has_none() {
 #[test]
 fn what_a_solid_does_not_have_is_refused_before_anything_is_simulated() {
     let folder = tempdir().unwrap();
-    let refused = fail(folder.path(), &["reduction", "--preset", "rugby-soft-anvil"], 2);
-    assert!(refused.contains("expected bonded with geometry.formulation = solid"), "{refused}");
+    let beside = ["reduction", "--set", "geometry.formulation=solid", "--set", "impactor.offset=0.01"];
+    let refused = fail(folder.path(), &beside, 2);
+    assert!(refused.contains("expected 0 m with geometry.symmetry = quarter"), "{refused}");
     assert!(fail(folder.path(), &["reduction", "silicone.c10"], 2).contains("silicone.c10"));
 }

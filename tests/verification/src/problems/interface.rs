@@ -5,13 +5,14 @@
 //! 2 Z_2 / (Z_1 + Z_2) goes on and (Z_2 - Z_1) / (Z_1 + Z_2) comes back, Z = rho c.
 
 use softanvil_kernel::material::Material;
-use softanvil_kernel::scenario::{Formulation, Interface, Layer, LayerInterface, Section};
+use softanvil_kernel::scenario::{Formulation, Interface, Layer, LayerInterface, Section, Symmetry};
 use softanvil_kernel::{Model, Scenario, Simulation, State, StepInput, step};
 
 use crate::order::over_cells;
 use crate::relaxation::{damp, press_slowly};
 use crate::row::Row;
 use crate::scenes::{block, neo_hookean};
+use crate::solid::nodes;
 
 /// A block of two layers under a face that nothing moves.
 fn stack(width: f64, [below, above]: [(f64, Material); 2], interface: LayerInterface) -> Scenario {
@@ -30,11 +31,14 @@ pub fn series_springs(formulation: Formulation, interface: LayerInterface) -> f6
     let heights = [8e-3, 5e-3];
     // Young's modulus, and that of plane strain, of a shear and a bulk modulus.
     let modulus = |g: f64, k: f64| match formulation {
-        Formulation::Axisymmetric => 9.0 * k * g / (3.0 * k + g),
-        Formulation::PlaneStrain | Formulation::Solid => 4.0 * g * (g + 3.0 * k) / (3.0 * k + 4.0 * g),
+        Formulation::Axisymmetric | Formulation::Solid => 9.0 * k * g / (3.0 * k + g),
+        Formulation::PlaneStrain => 4.0 * g * (g + 3.0 * k) / (3.0 * k + 4.0 * g),
     };
     let mut scenario = stack(20e-3, [(heights[0], soft), (heights[1], hard)], interface);
     scenario.geometry.formulation = formulation;
+    if formulation.is_solid() {
+        scenario.geometry.length = 20e-3;
+    }
     let area = match formulation {
         Formulation::Axisymmetric => std::f64::consts::PI * 10e-3 * 10e-3,
         Formulation::PlaneStrain | Formulation::Solid => 20e-3 * scenario.geometry.length,
@@ -155,6 +159,65 @@ pub fn sliding_slab(friction: f64, element_size: f64) -> [f64; 2] {
     found.expect("memory of the right size").map(|way| way / reference)
 }
 
+/// The same of a slab on a layer in three dimensions, 16 mm square, that slides along x and, by `SIDEWAYS` of it, along z; then how much
+/// more of its way is along z, over `SIDEWAYS`, less 1.
+pub fn sliding_solid_slab(friction: f64, element_size: f64) -> [f64; 3] {
+    let material = neo_hookean(4e6, 1e7);
+    let mut scenario = stack(48e-3, [(4e-3, material), (6e-3, material)], LayerInterface::Frictional);
+    (scenario.geometry.formulation, scenario.geometry.symmetry) = (Formulation::Solid, Symmetry::Full);
+    scenario.geometry.length = 16e-3;
+    scenario.core.interface = Interface::Bonded;
+    (scenario.layers[1].width, scenario.layers[1].friction_coefficient) = (16e-3, friction);
+    scenario.impactor.gap = 0.5;
+    scenario.mesh.element_size = element_size;
+    let speed = SLIDING * (1.0 + SIDEWAYS * SIDEWAYS).sqrt();
+    let mut simulation = Simulation::new(&scenario).expect("a legal scenario");
+    let dt = simulation.constants().dt;
+    let found = simulation.with(|model, state| {
+        let input = StepInput { driven_position: Some(0.5), ..StepInput::default() };
+        let [_, above] = model.constants.grid.interface_rows(1).expect("an interface");
+        let slab: Vec<(usize, f64)> = nodes(model)
+            .filter(|[_, v, _]| *v >= above)
+            .map(|[u, v, w]| (model.constants.grid.node(u, v, w), model.nodal_mass(u, v, w)))
+            .filter(|(_, mass)| *mass > 0.0)
+            .collect();
+        let mean = |state: &State| {
+            let ([x, _], [z, ..]) = (state.displacement(), state.as_view().along_z(model));
+            let mass: f64 = slab.iter().map(|(_, mass)| mass).sum();
+            [x, z].map(|along| slab.iter().map(|(node, mass)| mass * along[*node]).sum::<f64>() / mass)
+        };
+        let advance = |state: &mut State| {
+            slab.iter().for_each(|(node, _)| state.velocity_mut()[1][*node] -= GRAVITY * dt);
+            step(model, state, &input).expect("a step");
+        };
+        for _ in 0..(5e-3 / dt) as usize {
+            damp(model, state, 1.0 - dt / 0.5e-3);
+            advance(state);
+        }
+        let start = mean(state);
+        for (node, _) in &slab {
+            state.velocity_mut()[0][*node] += SLIDING;
+            state.along_z_mut(model)[1][*node] += SIDEWAYS * SLIDING;
+        }
+        let stopping = (1.2 * speed / (friction * GRAVITY) / dt) as usize;
+        for _ in 0..stopping {
+            advance(state);
+        }
+        let stopped = mean(state);
+        for _ in 0..stopping {
+            advance(state);
+        }
+        let way = |to: [f64; 2], from: [f64; 2]| [to[0] - from[0], to[1] - from[1]];
+        (way(stopped, start), way(mean(state), stopped))
+    });
+    let (way, creep) = found.expect("memory of the right size");
+    let reference = speed * speed / (2.0 * friction * GRAVITY);
+    [way[0].hypot(way[1]) / reference, creep[0].hypot(creep[1]) / reference, way[1] / way[0] / SIDEWAYS - 1.0]
+}
+
+/// Speed along z over that along x.
+const SIDEWAYS: f64 = 0.3;
+
 /// Mean displacement of the upper layer along x, m, by mass.
 fn slab(model: &Model, state: &State) -> f64 {
     let grid = &model.constants.grid;
@@ -212,9 +275,11 @@ pub const ELEMENT_SIZE: f64 = 2e-3;
 pub fn rows(cells: &[usize]) -> Vec<Row> {
     let mut rows = Vec::new();
     for (interface, name) in [(LayerInterface::Bonded, "bonded"), (LayerInterface::Separating, "separating")] {
-        for (formulation, kind) in
-            [(Formulation::PlaneStrain, "plane strain"), (Formulation::Axisymmetric, "axisymmetric")]
-        {
+        for (formulation, kind) in [
+            (Formulation::PlaneStrain, "plane strain"),
+            (Formulation::Axisymmetric, "axisymmetric"),
+            (Formulation::Solid, "solid"),
+        ] {
             rows.push(row(
                 format!("stiffness of two layers, {name}, {kind}"),
                 "springs in series",
@@ -237,6 +302,14 @@ pub fn rows(cells: &[usize]) -> Vec<Row> {
         let error = sliding_slab(friction, ELEMENT_SIZE)[0] - 1.0;
         let quantity = format!("stopping distance of a slab, friction {friction}");
         rows.push(row(quantity, "v^2 / (2 mu g), rigid", &["2 mm".into()], vec![error], None));
+    }
+    let [way, _, aside] = sliding_solid_slab(FRICTION[1], ELEMENT_SIZE);
+    for (of, reference, error) in [
+        ("stopping distance of", "v^2 / (2 mu g), rigid", way - 1.0),
+        ("direction of the way of", "that of its velocity", aside),
+    ] {
+        let quantity = format!("{of} a solid slab that slides aslant, friction {}", FRICTION[1]);
+        rows.push(row(quantity, reference, &["2 mm".into()], vec![error], None));
     }
     rows
 }

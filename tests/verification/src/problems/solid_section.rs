@@ -1,6 +1,6 @@
-//! Solids that a section describes: a slice between held ends, a dome, a disc; pressed by a face without friction, quasi-static.
+//! Solids that a section describes: a slice between held ends, a dome, a disc, and loose pads on them; pressed by a face without friction, quasi-static.
 
-use softanvil_kernel::scenario::{Body, Ends, Formulation, Interface, Motion, Shape};
+use softanvil_kernel::scenario::{Body, Ends, Formulation, Interface, Layer, LayerInterface, Motion, Shape};
 use softanvil_kernel::{Scenario, Simulation, preset};
 
 use crate::memo::Memo;
@@ -17,27 +17,59 @@ pub enum Twin {
     Dome,
     /// A flat cylinder, axisymmetric.
     Disc,
+    /// The slice with a pad on it that covers a part and may slide and lift.
+    PaddedSlice,
+    /// The dome with such a pad.
+    PaddedDome,
 }
 
 impl Twin {
     /// All of them.
-    pub const ALL: [Self; 3] = [Self::Slice, Self::Dome, Self::Disc];
+    pub const ALL: [Self; 5] = [Self::Slice, Self::Dome, Self::Disc, Self::PaddedSlice, Self::PaddedDome];
 
     /// Poisson's ratios that are tried.
     pub fn poissons_ratios(self) -> &'static [f64] {
-        if self == Self::Disc { &[0.3, 0.48, 0.49] } else { &[0.3, 0.48] }
+        match self {
+            Self::Disc => &[0.3, 0.48, 0.49],
+            Self::Slice | Self::Dome => &[0.3, 0.48],
+            Self::PaddedSlice | Self::PaddedDome => &[0.45],
+        }
     }
 
     /// Side of an element, m.
     fn size(self) -> f64 {
-        if self == Self::Dome { 4e-3 } else { 2.5e-3 }
+        if self.is_dome() { 4e-3 } else { 2.5e-3 }
+    }
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Slice => "slice",
+            Self::Dome => "dome",
+            Self::Disc => "disc",
+            Self::PaddedSlice => "slice with a loose pad",
+            Self::PaddedDome => "dome with a loose pad",
+        }
+    }
+
+    fn is_dome(self) -> bool {
+        matches!(self, Self::Dome | Self::PaddedDome)
+    }
+
+    fn is_slice(self) -> bool {
+        matches!(self, Self::Slice | Self::PaddedSlice)
     }
 
     /// Its section.
     fn section(self, poissons_ratio: f64) -> Scenario {
         let mut scenario = anvil(poissons_ratio, self.size());
-        if self != Self::Slice {
+        if !self.is_slice() {
             scenario.geometry.formulation = Formulation::Axisymmetric;
+        }
+        if matches!(self, Self::PaddedSlice | Self::PaddedDome) {
+            let material = scenario.layers[0].material;
+            let interface = LayerInterface::Frictional;
+            let pad = Layer { interface, friction_coefficient: 0.3, width: 60e-3, ..Layer::new("pad", 8e-3, material) };
+            scenario.add_layer(pad).expect("room for a pad");
         }
         if self == Self::Disc {
             (scenario.geometry.shape, scenario.geometry.block_width) = (Shape::Block, 40e-3);
@@ -49,7 +81,7 @@ impl Twin {
     fn solid(self, section: &Scenario) -> (Scenario, f64) {
         let mut solid = section.clone();
         solid.geometry.formulation = Formulation::Solid;
-        if self != Self::Slice {
+        if !self.is_slice() {
             solid.geometry.body = Body::Revolved;
             return (solid, 1.0);
         }
@@ -89,7 +121,7 @@ pub fn error(twin: Twin, poissons_ratio: f64) -> f64 {
 pub fn rows() -> Vec<Row> {
     let row = |twin: Twin, nu: f64| Row {
         problem: "solid_section",
-        quantity: format!("force to 3 mm, {twin:?}, nu = {nu}").to_lowercase(),
+        quantity: format!("force to 3 mm, {}, nu = {nu}", twin.name()),
         reference: "the section, same mesh".into(),
         meshes: vec![format!("{} mm", 1e3 * twin.size())],
         errors: vec![error(twin, nu)],

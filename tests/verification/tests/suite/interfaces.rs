@@ -84,7 +84,7 @@ fn momentum_passes_from_layer_to_layer() {
             [0, 1].map(|i| masses.iter().zip(state.velocity()[i]).map(|(mass, v)| mass * v).sum::<f64>())
         };
         let (before, mut changed) = (momentum(state), 0.0_f64);
-        let slab = |state: &softanvil_kernel::State| state.velocity()[1][grid.surface_node(grid.centre)];
+        let slab = |state: &softanvil_kernel::State| state.velocity()[1][grid.surface_node(grid.centre, 0)];
         for _ in 0..(1e-3 / model.constants.dt) as usize {
             softanvil_kernel::step(model, state, &StepInput::default()).unwrap();
             changed = changed.max((slab(state) + 2.0).abs());

@@ -6,14 +6,15 @@
 use softanvil_kernel::scenario::{Formulation, LayerInterface};
 use softanvil_verification::order::over_cells;
 use softanvil_verification::problems::interface::{
-    CELLS, ELEMENT_SIZE, FRICTION, closing_gap, reflected, series_springs, sliding_slab, transmitted,
+    CELLS, ELEMENT_SIZE, FRICTION, closing_gap, reflected, series_springs, sliding_slab, sliding_solid_slab,
+    transmitted,
 };
 use softanvil_verification::tolerance::{CREEP, IMPEDANCE, SERIES_SPRINGS, STOPPING_DISTANCE_ON_LAYER};
 
 #[test]
 fn two_layers_are_springs_in_series() {
     for interface in [LayerInterface::Bonded, LayerInterface::Separating] {
-        for formulation in [Formulation::PlaneStrain, Formulation::Axisymmetric] {
+        for formulation in [Formulation::PlaneStrain, Formulation::Axisymmetric, Formulation::Solid] {
             let ratio = series_springs(formulation, interface);
             assert!((ratio - 1.0).abs() < SERIES_SPRINGS, "{interface:?}, {formulation:?}: {ratio}");
         }
@@ -38,6 +39,14 @@ fn friction_stops_a_slab_and_holds_it() {
         assert!((way - 1.0).abs() < STOPPING_DISTANCE_ON_LAYER, "{friction}: {way}");
         assert!(creep.abs() < CREEP, "{friction}: {creep}");
     }
+}
+
+#[test]
+fn friction_stops_a_solid_slab_that_slides_aslant() {
+    let [way, creep, aside] = sliding_solid_slab(FRICTION[1], ELEMENT_SIZE);
+    assert!((way - 1.0).abs() < STOPPING_DISTANCE_ON_LAYER, "{way}");
+    assert!(creep.abs() < CREEP, "{creep}");
+    assert!(aside.abs() < STOPPING_DISTANCE_ON_LAYER, "{aside}");
 }
 
 /// The force begins in the step in which the slab would go into the layer below, and in none before.

@@ -5,6 +5,7 @@ mod checkerboard;
 mod cook;
 mod edge;
 mod element;
+mod interfaces;
 mod lame;
 mod limits;
 mod press;

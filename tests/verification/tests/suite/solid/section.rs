@@ -1,4 +1,4 @@
-//! Solids that a section describes: a slice between held ends, a dome, a disc.
+//! Solids that a section describes: a slice between held ends, a dome, a disc, and pads on them.
 //!
 //! Reference: the section on the same mesh, whose cells have other diagonals; the bounds are those that the solid is asked for.
 
@@ -25,4 +25,14 @@ fn a_dome_is_axisymmetric() {
 #[test]
 fn a_disc_is_axisymmetric() {
     bears_what_its_section_bears(Twin::Disc, SOLID_REVOLVED);
+}
+
+#[test]
+fn a_loose_pad_on_a_slice_is_in_plane_strain() {
+    bears_what_its_section_bears(Twin::PaddedSlice, SOLID_PLANE_STRAIN);
+}
+
+#[test]
+fn a_loose_pad_on_a_dome_is_axisymmetric() {
+    bears_what_its_section_bears(Twin::PaddedDome, SOLID_REVOLVED);
 }
