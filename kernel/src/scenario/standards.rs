@@ -9,8 +9,8 @@ use crate::number::real::Real;
 use crate::sampling::SAMPLING_INTERVAL;
 use crate::scenario::preset::{consistent, elastic_silicone, study};
 use crate::scenario::{
-    CoreInterface, FaceInterface, FaceShape, Formulation, Geometry, Impactor, Interface, Layer, LayerInterface, Mesh,
-    Scenario, Time,
+    Body, CoreInterface, FaceInterface, FaceShape, Formulation, Geometry, Impactor, Interface, Layer, LayerInterface,
+    Mesh, Scenario, Time,
 };
 
 /// An elastomeric foam: two terms of [`Hyperfoam`], fitted with `softanvil fit --foam` to the compression, tension and shear of the
@@ -90,7 +90,8 @@ pub fn rugby_steel_anvil() -> Scenario {
 /// its friction are assumed.
 pub fn en1621_1() -> Scenario {
     let pad = pad_on_core(20e-3, stiff_foam());
-    let geometry = Geometry { formulation: Formulation::Axisymmetric, core_radius: 50e-3, ..pad.geometry };
+    let (formulation, body) = (Formulation::Axisymmetric, Body::Revolved);
+    let geometry = Geometry { formulation, body, core_radius: 50e-3, ..pad.geometry };
     // 2 sqrt(40 mm * 30 mm / pi).
     let impactor = Impactor { face_diameter: 39.1e-3, drop_energy: 50.0, ..pad.impactor };
     timed(Scenario { geometry, impactor, ..pad }, 61.0, 30e-3)

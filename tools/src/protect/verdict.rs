@@ -2,6 +2,7 @@
 
 use serde_json::{Value, json};
 use softanvil_kernel::parameter::Values;
+use softanvil_kernel::scenario::{Body, Ends, Formulation};
 use softanvil_kernel::{Parameter, Scenario};
 
 use super::numbers::Numbers;
@@ -118,8 +119,23 @@ const FREE: [&str; 3] = ["mesh", "time", "measurement"];
 /// How the parameters begin that state the speed at the start, each in its way.
 const START: &str = "impactor.drop_";
 
-/// What of the test itself, the pad aside, is other in `scenario` than in `preset`.
+/// The section of a solid that is the body of `preset` in three dimensions, and any other scenario as it is.
+fn section_of(scenario: &Scenario, preset: &Scenario) -> Scenario {
+    let (mut section, geometry) = (scenario.clone(), &scenario.geometry);
+    let same_body = match geometry.body {
+        Body::Prism => preset.geometry.formulation == Formulation::PlaneStrain && geometry.ends == Ends::Free,
+        Body::Revolved => preset.geometry.formulation == Formulation::Axisymmetric,
+    };
+    if geometry.formulation.is_solid() && same_body {
+        section.geometry.formulation = preset.geometry.formulation;
+    }
+    section
+}
+
+/// What of the test itself, the pad aside, is other in `scenario` than in `preset`. In how many dimensions it is simulated is no
+/// part of it.
 fn changed(scenario: &Scenario, preset: &Scenario) -> Vec<String> {
+    let scenario = &section_of(scenario, preset);
     let (pad, own) = (padding::place(scenario), padding::place(preset));
     if pad != own {
         return vec![format!("{pad} layers under the pad instead of {own}")];
@@ -153,4 +169,28 @@ fn described(parameter: &Parameter, now: f64, then: f64) -> String {
         None => format!("{value}"),
     };
     format!("{} = {} instead of {}", parameter.name(), text(now), text(then))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use softanvil_kernel::preset;
+
+    #[test]
+    fn the_body_of_a_test_in_three_dimensions_is_its_test() {
+        for preset in [preset::rugby_soft_anvil(), preset::en1621_1()] {
+            let mut solid = preset.clone();
+            solid.geometry.formulation = Formulation::Solid;
+            assert_eq!(changed(&solid, &preset), Vec::<String>::new());
+            let other = match solid.geometry.body {
+                Body::Prism => Body::Revolved,
+                Body::Revolved => Body::Prism,
+            };
+            solid.geometry.body = other;
+            assert!(changed(&solid, &preset)[0].starts_with("geometry.formulation = solid instead of"));
+        }
+        let mut held = preset::rugby_soft_anvil();
+        (held.geometry.formulation, held.geometry.ends) = (Formulation::Solid, Ends::Held);
+        assert!(!changed(&held, &preset::rugby_soft_anvil()).is_empty());
+    }
 }
