@@ -103,7 +103,7 @@ rust_tests() {
     # They take every instruction set that the processor has.
     runs "Rust tests with AVX2" x86-64-v3
     runs "Rust tests with AVX-512" x86-64-v4
-    run "Rust tests" cargo test -q --profile checked --workspace --no-fail-fast
+    run "Rust tests" cargo test -q --profile checked "${checked[@]}" --no-fail-fast
 }
 fmu_tests() {
     run "FMU in other tools, release library" tests/fmi/run.sh target/release
@@ -118,7 +118,6 @@ page_tests() {
     [ -z "$page" ] || run "page in a browser" tests/page/run.sh target/release "$SOFTANVIL_VENV"
     run "page is of these sources" tests/page/rebuilt.sh target/release
 }
-# The package has a workspace of its own.
 wheel_tests() { run "Python package" python/test.sh; }
 target_tests() { run "same digests on every target" tests/targets/run.sh; }
 # The second takes the library that the first has built.
@@ -162,10 +161,13 @@ else
     done
 fi
 run "documentation" env RUSTDOCFLAGS=-Dwarnings cargo doc -q --release --workspace --no-deps
-run "build, release" cargo build -q --release -p softanvil -p softanvil-ffi -p softanvil-bench
+# With the package for Python, so that all has the features that it has in the whole workspace, and is not built anew for
+# `cargo run` or for a wheel.
+run "build, release" cargo build -q --release -p softanvil -p softanvil-ffi -p softanvil-bench -p softanvil-python
 # Everything that the Rust tests take, at once: parts of the workspace built alone may have other features, and libraries of
-# the same name would take each other's place.
-run "build, checked" cargo build -q --profile checked --workspace --lib --bins --examples --tests
+# the same name would take each other's place. The package for Python has no tests in Rust.
+checked=(--workspace --exclude softanvil-python)
+run "build, checked" cargo build -q --profile checked "${checked[@]}" --lib --bins --examples --tests
 # Without the features that the rest of the workspace switches on, and without pads.
 kernel_alone() {
     cargo test -q --release -p softanvil-kernel --no-default-features --lib &&

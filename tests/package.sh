@@ -35,7 +35,13 @@ for package in "$target"/package/*.crate; do
 done
 rm "$work/files.txt"
 
-# A workspace of the packages, with the profiles and the versions of this one; names of crates lead to each other.
+# A workspace of the packages, with the profiles and the versions of this one; names of crates lead to each other. And with what the
+# package for Python takes, so that what all take has the features with which clippy has compiled it.
+mkdir -p "$work/python/src" && touch "$work/python/src/lib.rs"
+{
+    printf '[package]\nname = "python"\nedition = "2024"\n\n[dependencies]\n'
+    grep -E '^(numpy|pyo3) = ' python/Cargo.toml
+} >"$work/python/Cargo.toml"
 {
     printf '[workspace]\nresolver = "3"\nmembers = ["*"]\n\n[patch.crates-io]\n'
     for name in softanvil "${crates[@]/#/softanvil-}"; do

@@ -1,4 +1,4 @@
-"""The package itself: its stubs are those of the kernel's tables, type checkers agree, and its profile is that of the workspace."""
+"""The package itself: its stubs are those of the kernel's tables, type checkers agree, and it is built as the workspace is."""
 
 import importlib.metadata
 import importlib.util
@@ -32,26 +32,11 @@ def test_stubs_are_those_of_the_tables(root):
         assert (root / "python/softanvil" / name).read_text() == text(), f"python python/stubs.py renews {name}"
 
 
-def test_profiles_are_those_of_the_workspace(root):
-    """Whatever the two workspaces have in common is built alike."""
-    theirs = tomllib.loads((root / "Cargo.toml").read_text())["profile"]["release"]
-    ours = tomllib.loads((root / "python/Cargo.toml").read_text())["profile"]["release"]
-    assert {key: value for key, value in ours.items() if key != "package"} == {
-        key: value for key, value in theirs.items() if key != "package"}
-    # The kernel is a member there, which "*" is not for.
-    assert ours["package"].pop("softanvil-kernel") == {"opt-level": 3, **theirs["package"]["softanvil-kernel"]}
-    for name, profile in ours["package"].items():
-        assert theirs["package"][name] == profile, name
-
-
-def test_versions_are_those_of_the_workspace(root):
-    """What Python has of others is what the other tests have tried."""
-    theirs, ours = (
-        {(package["name"], package["version"]) for package in tomllib.loads((root / lock).read_text())["package"]}
-        for lock in ("Cargo.lock", "python/Cargo.lock"))
-    known = {name for name, _ in theirs}
-    other = {package for package in ours - theirs if package[0] in known}
-    assert not other, "cargo update -p NAME --precise VERSION"
+def test_it_is_built_as_the_workspace_is(root):
+    """With its profiles, and what it has of others is what the other tests have tried."""
+    manifest = tomllib.loads((root / "python/Cargo.toml").read_text())
+    assert "python" in tomllib.loads((root / "Cargo.toml").read_text())["workspace"]["members"]
+    assert "profile" not in manifest and "workspace" not in manifest and not (root / "python/Cargo.lock").exists()
 
 
 def test_modules_import_each_other_one_way(root, tmp_path):
