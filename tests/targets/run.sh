@@ -61,7 +61,7 @@ compiled() {
 build() {
     local name=$1 profile=$2 target=$3 extension=$4; shift 4
     # What changes no bits is set to build fast.
-    CARGO_PROFILE_RELEASE_LTO=off CARGO_PROFILE_RELEASE_CODEGEN_UNITS=16 \
+    CARGO_PROFILE_RELEASE_LTO=off CARGO_PROFILE_RELEASE_CODEGEN_UNITS=16 CARGO_PROFILE_DEV_DEBUG=0 CARGO_INCREMENTAL=0 \
         compiled "$out/$name/$runner$extension" "$target/${profile/dev/debug}/$runner$extension" -p "$runner" \
         --profile "$profile" --target "$target" "$@"
 }
@@ -156,10 +156,13 @@ make_board() {
     row "$name" "$check" bash -c 'on_board "$@"' board "$elf"
 }
 
-# chosen NAME SET: the program with every instruction set, made to take one.
-chosen() {
-    build "chosen-$2" release "$host" '' --features $features || { fail "$1" "does not build"; return; }
-    row "$1" check "$out/chosen-$2/$runner" --instructions "$2"
+# released NAME FOLDER ARGUMENT...: the program with the features that other members of the workspace switch on: owned simulations,
+# vectors chosen at run time. It is built where a release is, which has compiled its kernel.
+released() {
+    local name=$1 program=$out/$2/$runner; shift 2
+    built_in=$root/target compiled "$program" "release/$runner" --release --workspace --bin "$runner" ||
+        { fail "$name" "does not build"; return; }
+    row "$name" check "$program" "$@"
 }
 
 # refused: without SSE2 the kernel does not build, and says why; also without what it depends on, which is not built for that.
@@ -174,18 +177,19 @@ refused() {
     fi
 }
 
-# The first row is what the others are compared with, so it is always there: built as the library is.
-cargo build -q --profile library -p softanvil-golden -p softanvil-golden-f32 || exit 1
-home=("$root/target/library/$runner")
+# The first row is what the others are compared with, so it is always there: built as the library is, and where install.sh builds that,
+# so that what both take is compiled once.
+library=$root/target/install/cargo
+cargo build -q --profile library --target-dir "$library" -p softanvil-golden -p softanvil-golden-f32 || exit 1
+home=("$library/library/$runner")
 at_home
 row "$(uname -m), opt-level 3" check "${home[@]}"
 native "$(uname -m), opt-level 0, debug" o0 dev
 for level in 2 s; do
     CARGO_PROFILE_RELEASE_OPT_LEVEL=$level native "$(uname -m), opt-level $level" "o$level" release
 done
-# With the features that other members of the workspace switch on: owned simulations, vectors chosen at run time.
-features=softanvil-kernel/alloc,softanvil-kernel/dispatch
-native "features as in the workspace" features release --features $features
+name="features as in the workspace"
+wanted "$name" && beside released "$name" features
 wanted "8 threads" && beside row "8 threads" check "${home[@]}" --threads 8
 RUSTFLAGS='-C no-vectorize-loops -C no-vectorize-slp' native "scalar" scalar release
 # Instruction sets: the compiler may use one anywhere, or the program with all of them is made to choose it. The first row is of the
@@ -195,7 +199,7 @@ for set in 'SSE2 x86-64 baseline' 'AVX2 x86-64-v3 avx2' 'AVX-512 x86-64-v4 avx51
     [ "$word" != baseline ] && wanted "$name" && runs "$name" "$level" &&
         RUSTFLAGS="-C target-cpu=$level" native "$name" "$level" release
     name="chosen at run time, $name"
-    wanted "$name" && runs "$name" "$level" && beside chosen "$name" "$word"
+    wanted "$name" && runs "$name" "$level" && beside released "$name" "chosen-$word" --instructions "$word"
 done
 
 # Compilers that are installed beside this one.
@@ -218,7 +222,9 @@ else
     else
         not_applicable "x86, 32 bit, SSE2" "the processor is no x86-64"
     fi
-    # These and that of Windows are compiled as the libraries that tests/fmi/matrix.py builds here, which then find the kernel.
+    # These and that of Windows have all instruction sets, and are compiled as the libraries that tests/fmi/matrix.py builds here, which
+    # then find the kernel.
+    features=softanvil-kernel/alloc,softanvil-kernel/dispatch
     export CARGO_TARGET_AARCH64_UNKNOWN_LINUX_GNU_LINKER=aarch64-linux-gnu-gcc
     if need qemu-aarch64 qemu-user && need aarch64-linux-gnu-gcc gcc-aarch64-linux-gnu libc6-dev-arm64-cross; then
         for word in NEON:neon scalar:baseline; do
@@ -268,7 +274,7 @@ fi
 # In single precision, with digests of its own.
 runner=softanvil-golden-f32 firmware=tests/firmware/rust/single
 if wanted "f32: " || [[ $only == f32* ]]; then
-    home=("$root/target/library/$runner")
+    home=("$library/library/$runner")
     at_home
     row "f32: $(uname -m), opt-level 3" check "${home[@]}"
     native "f32: $(uname -m), opt-level 0, debug" f32-o0 dev
