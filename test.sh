@@ -168,10 +168,11 @@ run "build, release" cargo build -q --release -p softanvil -p softanvil-ffi -p s
 # the same name would take each other's place. The package for Python has no tests in Rust.
 checked=(--workspace --exclude softanvil-python)
 run "build, checked" cargo build -q --profile checked "${checked[@]}" --lib --bins --examples --tests
-# Without the features that the rest of the workspace switches on, and without pads.
+# Without the features that the rest of the workspace switches on, and without pads; where the rows of tests/targets are built, which
+# take the same libraries.
 kernel_alone() {
-    cargo test -q --release -p softanvil-kernel --no-default-features --lib &&
-        cargo run -q --release -p softanvil-golden --no-default-features -- check
+    local alone=(--release --no-default-features --target-dir target/targets/cargo --target "$(rustc -vV | sed -n 's/^host: //p')")
+    cargo test -q "${alone[@]}" -p softanvil-kernel --lib && cargo run -q "${alone[@]}" -p softanvil-golden -- check
 }
 run "kernel alone, no_std and without pads" kernel_alone
 run "packages of the crates" tests/package.sh

@@ -62,13 +62,13 @@ PLATFORMS = [
 
 def static_library(platform):
     """The C ABI for a platform: here the one beside the command line, elsewhere built as the tests of other targets build,
-    in their folder, with what changes no bits set to build fast."""
+    in their folder, with the same linker, by which cargo tells builds apart."""
     if not platform.runner:
         return pathlib.Path(os.environ["SOFTANVIL_CLI"]).with_name("libsoftanvil.a")
     folder = ROOT / "target/targets/cargo"
-    fast = {"CARGO_PROFILE_RELEASE_LTO": "off", "CARGO_PROFILE_RELEASE_CODEGEN_UNITS": "16"}
+    linker = {"CARGO_TARGET_AARCH64_UNKNOWN_LINUX_GNU_LINKER": "aarch64-linux-gnu-gcc"}
     subprocess.run(["cargo", "rustc", "--quiet", "--release", "--lib", "--crate-type", "staticlib", "--target", platform.target,
-                    "--manifest-path", ROOT / "ffi/Cargo.toml", "--target-dir", folder], check=True, env={**os.environ, **fast})
+                    "--manifest-path", ROOT / "ffi/Cargo.toml", "--target-dir", folder], check=True, env={**os.environ, **linker})
     return folder / platform.target / "release/libsoftanvil.a"
 
 

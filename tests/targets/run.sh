@@ -61,7 +61,7 @@ compiled() {
 build() {
     local name=$1 profile=$2 target=$3 extension=$4; shift 4
     # What changes no bits is set to build fast.
-    CARGO_PROFILE_RELEASE_LTO=off CARGO_PROFILE_RELEASE_CODEGEN_UNITS=16 CARGO_PROFILE_DEV_DEBUG=0 CARGO_INCREMENTAL=0 \
+    CARGO_PROFILE_DEV_DEBUG=0 CARGO_INCREMENTAL=0 \
         compiled "$out/$name/$runner$extension" "$target/${profile/dev/debug}/$runner$extension" -p "$runner" \
         --profile "$profile" --target "$target" "$@"
 }
