@@ -96,12 +96,20 @@ fn of_xml(names: &[&str], data: &[String]) -> Vec<u8> {
 
 /// An OpenDocument spreadsheet with one sheet.
 pub fn ods(rows: Rows) -> Vec<u8> {
-    let cell = |text: &&str| match text.parse::<f64>() {
+    let percentage = |text: &str| {
+        let part = text.strip_suffix('%')?.parse::<f64>().ok()? / 100.0;
+        Some(format!(
+            "<table:table-cell table:formula=\"of:=IF([.A1]>0;1;0)\" office:value=\"{part}\" \
+             office:value-type=\"percentage\"><text:p>{text}</text:p></table:table-cell>"
+        ))
+    };
+    let plain = |text: &&str| match text.parse::<f64>() {
         Ok(_) => format!(
             "<table:table-cell office:value-type=\"float\" office:value=\"{text}\"><text:p>{text}</text:p></table:table-cell>"
         ),
         Err(_) => format!("<table:table-cell office:value-type=\"string\"><text:p>{text}</text:p></table:table-cell>"),
     };
+    let cell = |text: &&str| percentage(text).unwrap_or_else(|| plain(text));
     let row = |cells: &Vec<&str>| {
         format!("<table:table-row>{}</table:table-row>", cells.iter().map(cell).collect::<String>())
     };
@@ -186,13 +194,18 @@ fn times_and_durations_are_seconds() {
 fn a_percentage_keeps_its_meaning() {
     for title in ["strain", "strain [%]", "strain [-]"] {
         let row = |strain: &f64| [format!("<c s=\"2\"><v>{strain}</v></c>"), "<c><v>5</v></c>".to_string()];
-        let sheet = sheet::parse(&titled(&[title, "stress [kPa]"], [0.1, 0.2].iter().map(row)), &Layout::default());
-        let table = Table::new(sheet.unwrap(), None).unwrap();
-        let strain = table.of(Kind::Strain).next().unwrap();
-        let rows = &table.series[0].rows;
-        let values = rows.iter().map(|row| table.value(strain, row).unwrap().unwrap() * strain.si.unwrap());
-        for (value, expected) in values.zip([0.1, 0.2]) {
-            assert!((value - expected).abs() < 1e-12, "{title}: {value}");
+        let xlsx = titled(&[title, "stress [kPa]"], [0.1, 0.2].iter().map(row));
+        let rows = [vec![title, "stress [kPa]"], vec!["10%", "5"], vec!["20%", "5"]];
+        for (kind, bytes) in [("XLSX", xlsx), ("ODS", ods(&rows))] {
+            let table = Table::new(sheet::parse(&bytes, &Layout::default()).unwrap(), None).unwrap();
+            let strain = table.of(Kind::Strain).next().unwrap();
+            let rows = &table.series[0].rows;
+            let values: Vec<f64> =
+                rows.iter().map(|row| table.value(strain, row).unwrap().unwrap() * strain.si.unwrap()).collect();
+            assert_eq!(values.len(), 2, "{kind}");
+            for (value, expected) in values.into_iter().zip([0.1, 0.2]) {
+                assert!((value - expected).abs() < 1e-12, "{kind}, {title}: {value}");
+            }
         }
     }
 }

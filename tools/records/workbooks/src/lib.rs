@@ -2,6 +2,9 @@
 //!
 //! A crate of its own, because what is generic in that library is compiled where it is used, and need not be optimised.
 
+mod percentages;
+
+use std::borrow::Cow;
 use std::io::Cursor;
 
 use calamine::{Data, DataRef, ExcelDateTime, Range, Reader, Sheets, Style, open_workbook_auto_from_rs};
@@ -26,7 +29,7 @@ pub fn is_workbook(bytes: &[u8]) -> bool {
 }
 
 /// A workbook that is open.
-pub struct Workbook<'a>(Sheets<Cursor<&'a [u8]>>);
+pub struct Workbook<'a>(Sheets<Cursor<Cow<'a, [u8]>>>);
 
 impl<'a> Workbook<'a> {
     /// Opens the workbook in `bytes`.
@@ -41,6 +44,7 @@ impl<'a> Workbook<'a> {
             return Err(format!("a workbook of {size} bytes when it is unpacked: expected {MAX_UNPACKED} at most"));
         }
         let refuse = |error: calamine::Error| format!("this is no workbook that can be read: {error}");
+        let bytes = percentages::shown(bytes).map_or(Cow::Borrowed(bytes), Cow::Owned);
         open_workbook_auto_from_rs(Cursor::new(bytes)).map(Self).map_err(refuse)
     }
 
@@ -50,7 +54,7 @@ impl<'a> Workbook<'a> {
     }
 
     /// The sheet `name` as text: a line for each row, tabs between the cells, numbers with all their digits, times and durations as
-    /// 10:11:12.995, percentages of XLSX with their sign, and [`TYPED`] before a text that begins as a number does.
+    /// 10:11:12.995, percentages of XLSX and ODS with their sign, and [`TYPED`] before a text that begins as a number does.
     ///
     /// # Errors
     /// A sheet that cannot be read, or of too many cells.
@@ -59,7 +63,7 @@ impl<'a> Workbook<'a> {
     }
 }
 
-fn rows(workbook: &mut Sheets<Cursor<&[u8]>>, name: &str) -> Result<String, String> {
+fn rows(workbook: &mut Sheets<Cursor<Cow<[u8]>>>, name: &str) -> Result<String, String> {
     let refuse = |error: &dyn std::fmt::Display| format!("sheet \"{name}\" cannot be read: {error}");
     match workbook {
         // Cell by cell: a range would hold every cell between the first and the last.
