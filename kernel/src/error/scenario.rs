@@ -93,7 +93,7 @@ pub enum ScenarioError {
         r: Real,
     },
     /// The face is narrower than two cells, of which none may be under it.
-    #[error("{name} = {} m is refused: expected at least {} m on this mesh", Decimal(*width), Decimal(*minimum))]
+    #[error("{name} = {} m is refused: expected at least {} m on this mesh, or a smaller mesh.element_size", Decimal(*width), Decimal(*minimum))]
     FaceTooSmall {
         /// Name of the parameter that says how wide it is.
         name: &'static str,

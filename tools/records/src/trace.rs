@@ -318,7 +318,9 @@ impl Record<'_> {
             understood.say("displacement", shown(column, "m"), of_column(column));
         }
         if samples.dropped > 0 {
-            understood.say("dropped", format!("{} rows without a time or a value", samples.dropped), samples.dropped);
+            let rows = if samples.dropped == 1 { "row" } else { "rows" };
+            let text = format!("{} {rows} without a time or a value", samples.dropped);
+            understood.say("dropped", text, samples.dropped);
         }
         let used = |column: &&Column| {
             let time = matches!(time, Clock::Column(time) if time.index == column.index);

@@ -117,7 +117,7 @@ fn faces_that_do_not_fit_are_refused() {
         ),
         (
             with_face(FaceShape::Round, Formulation::PlaneStrain, 5e-3),
-            "impactor.face_diameter = 0.005 m is refused: expected at least 0.006 m on this mesh",
+            "impactor.face_diameter = 0.005 m is refused: expected at least 0.006 m on this mesh, or a smaller mesh.element_size",
         ),
     ] {
         assert_eq!(refusal(&scenario).as_deref(), Some(message));
