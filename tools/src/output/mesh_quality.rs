@@ -25,10 +25,10 @@ pub fn mesh_quality(scenario: &Scenario, grid: &Grid) -> MeshQuality {
     let at = |u: usize, v: usize| reference_position(scenario, grid, u, v);
     for (u, v) in (0..grid.n_v).flat_map(|v| (0..grid.n_u).map(move |u| (u, v))) {
         if grid.is_solid() {
-            for corners in (0..grid.n_w).flat_map(|w| tetrahedra(grid, [u, v, w])) {
+            for corners in (0..grid.n_w).filter(|w| grid.has_cell(u, v, *w)).flat_map(|w| tetrahedra(grid, [u, v, w])) {
                 add(of_tetrahedron(corners.map(|node| solid_position(scenario, grid, node))));
             }
-        } else {
+        } else if grid.has_cell(u, v, 0) {
             let lower = grid.node_row(v);
             for corners in triangles(grid, u, v) {
                 add(of_triangle(corners.map(|corner| at(u + CORNERS[corner].0, lower + CORNERS[corner].1))));

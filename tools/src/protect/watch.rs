@@ -10,7 +10,7 @@ use crate::section::Frame;
 pub struct Extremes {
     /// Largest compression in the middle of the section, as a part of the thickness at rest.
     pub compression: f64,
-    /// Largest principal stretch of a triangle.
+    /// Largest principal stretch of a triangle, of a solid of a tetrahedron.
     pub stretch: f64,
 }
 
@@ -22,8 +22,8 @@ pub struct Watch {
 
 const DISPLACEMENT: &str = "node.displacement";
 const STRETCH: &str = "element.principal_stretch";
-/// Components of a displacement, the vertical one last, and of the principal stretches.
-const COMPONENTS: (usize, usize) = (2, 3);
+/// Components of a displacement, the vertical one last.
+const COMPONENTS: usize = 2;
 
 impl Watch {
     /// Takes the present of `simulation`.
@@ -31,22 +31,23 @@ impl Watch {
     /// # Errors
     /// Never in practice, as [`Simulation::with`].
     pub fn take(&mut self, simulation: &mut Simulation) -> Result<(), Failure> {
-        let fields: Vec<&'static Field> = [DISPLACEMENT, STRETCH].into_iter().filter_map(Field::find).collect();
-        let frame = Frame::take(simulation, &fields)?;
+        let field = |name| Field::find(name).into_iter().collect::<Vec<&'static Field>>();
+        let (middle, whole) =
+            (Frame::take(simulation, &field(DISPLACEMENT))?, Frame::whole(simulation, &field(STRETCH))?);
         let constants = simulation.constants();
         let (grid, layers) = (&constants.grid, &constants.scenario.layers);
         self.layers.resize(layers.len(), Extremes { compression: 0.0, stretch: 1.0 });
         let height = |row: usize| {
             let node = row * (grid.n_u + 1) + grid.centre;
-            frame.values(DISPLACEMENT).get(COMPONENTS.0 * node + 1).copied().unwrap_or_default()
+            middle.values(DISPLACEMENT).get(COMPONENTS * node + 1).copied().unwrap_or_default()
         };
-        let row = COMPONENTS.1 * 2 * grid.n_u;
+        let row = whole.values(STRETCH).len() / grid.n_v.max(1);
         for (place, (extremes, layer)) in self.layers.iter_mut().zip(layers).enumerate() {
             let rows = grid.rows_of(place);
             // Layers that are not glued have rows of nodes of their own between them.
             let [lower, upper] = [grid.node_row(rows.start), grid.node_row(rows.end.saturating_sub(1)) + 1];
             let compression = (height(lower) - height(upper)) / layer.thickness;
-            let stretches = frame.values(STRETCH).get(row * rows.start..row * rows.end).unwrap_or_default();
+            let stretches = whole.values(STRETCH).get(row * rows.start..row * rows.end).unwrap_or_default();
             extremes.compression = extremes.compression.max(compression);
             extremes.stretch = stretches.iter().fold(extremes.stretch, |largest, stretch| largest.max(*stretch));
         }

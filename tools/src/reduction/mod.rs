@@ -58,7 +58,9 @@ pub struct Common {
 pub fn compare(sweep: &Sweep, cases: &[Case], until: Until) -> Result<Reduction, Failure> {
     // Refused before anything is simulated.
     for case in cases {
-        as_solid(&case.scenario).validate().map_err(ModelError::from).map_err(RunError::from)?;
+        for scenario in [as_solid(&case.scenario), as_section(&case.scenario)] {
+            scenario.validate().map_err(ModelError::from).map_err(RunError::from)?;
+        }
     }
     let bar = progress::bar(0);
     let mut comparisons = Vec::new();
@@ -116,9 +118,8 @@ fn as_section(scenario: &Scenario) -> Scenario {
             Body::Prism => Formulation::PlaneStrain,
             Body::Revolved => Formulation::Axisymmetric,
         };
-        if scenario.impactor.offset != 0.0 {
-            section.geometry.section = Section::Full;
-        }
+        let both_sides = scenario.geometry.symmetry != Symmetry::Quarter && scenario.geometry.body == Body::Prism;
+        section.geometry.section = if both_sides { Section::Full } else { Section::Half };
     }
     section
 }

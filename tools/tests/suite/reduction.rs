@@ -57,8 +57,9 @@ fn a_full_section_with_a_loose_pad_is_half_a_solid() {
                interface = 'frictional'\n";
     std::fs::write(folder.path().join("pad.toml"), pad).unwrap();
     let of_section = succeed(folder.path(), &["reduction", "--scenario", "pad.toml"]);
-    let solid = ["--set", "geometry.formulation=solid", "--set", "geometry.symmetry=half"];
-    let of_solid = succeed(folder.path(), &[&["reduction", "--scenario", "pad.toml"][..], &solid].concat());
+    let solid = pad.replace("section = 'full'", "formulation = 'solid'\nsymmetry = 'half'");
+    std::fs::write(folder.path().join("solid.toml"), solid).unwrap();
+    let of_solid = succeed(folder.path(), &["reduction", "--scenario", "solid.toml"]);
     assert!(of_section.contains("peak force") && of_section == of_solid, "{of_section}\n{of_solid}");
 }
 

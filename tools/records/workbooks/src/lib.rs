@@ -44,7 +44,7 @@ impl<'a> Workbook<'a> {
             return Err(format!("a workbook of {size} bytes when it is unpacked: expected {MAX_UNPACKED} at most"));
         }
         let refuse = |error: calamine::Error| format!("this is no workbook that can be read: {error}");
-        let bytes = percentages::shown(bytes).map_or(Cow::Borrowed(bytes), Cow::Owned);
+        let bytes = percentages::shown(bytes)?.map_or(Cow::Borrowed(bytes), Cow::Owned);
         open_workbook_auto_from_rs(Cursor::new(bytes)).map(Self).map_err(refuse)
     }
 

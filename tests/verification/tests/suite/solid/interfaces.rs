@@ -164,7 +164,7 @@ fn open_layers_have_the_same_bits_in_every_way() {
     }
 }
 
-/// A quarter, a half and the whole are one and the same drop, but for the order of sums.
+/// A quarter, a half and the whole are one and the same drop, but for what the passes over the pairs leave.
 #[test]
 fn symmetry_changes_nothing_but_the_cost() {
     for body in [Body::Prism, Body::Revolved] {
