@@ -62,7 +62,7 @@ extern "C" {
 /** Version of this header as text. */
 #define SOFTANVIL_VERSION_TEXT "0.2.0"
 /** Digest of what the kernel of this version computes, to be compared with softanvil_kernel_digest(). */
-#define SOFTANVIL_KERNEL_DIGEST UINT64_C(0x0ce1bf03e4d4e209)
+#define SOFTANVIL_KERNEL_DIGEST UINT64_C(0x4c9961584d3151ab)
 
 /* ================================================================================================================ */
 /* Status and errors                                                                                                */

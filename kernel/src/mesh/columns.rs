@@ -6,7 +6,7 @@ use crate::features::PADS;
 use crate::number::math;
 use crate::number::real::consts::FRAC_PI_2;
 use crate::number::real::{Real, SAME};
-use crate::scenario::{MAX_LAYERS, Outline, Scenario, Section, Shape};
+use crate::scenario::{MAX_LAYERS, Outline, Scenario, Shape};
 
 /// Most pieces of half a section: between the edges of three layers and both ends of a face's flat part.
 pub const MAX_PIECES: usize = 6;
@@ -102,9 +102,10 @@ fn face_edges(scenario: &Scenario) -> [Option<Real>; 2] {
     }
     let half_a_cell = 0.5 * scenario.mesh.element_size * surface_half_width(scenario) / half_width(scenario);
     let last = math::max(0.0, outline.flat - half_a_cell);
-    match scenario.geometry.section {
-        Section::Half => [Some(last), None],
-        Section::Full => [Some(math::abs(offset + last)), Some(math::abs(offset - last))],
+    if scenario.has_both_sides() {
+        [Some(math::abs(offset + last)), Some(math::abs(offset - last))]
+    } else {
+        [Some(last), None]
     }
 }
 
@@ -136,7 +137,7 @@ pub(super) fn cells_along(length: Real, size: Real) -> Real {
 mod tests {
     use super::*;
     use crate::mesh::{Grid, reference_position, solid_position};
-    use crate::scenario::{FaceShape, Formulation, preset};
+    use crate::scenario::{FaceShape, Formulation, Section, preset};
 
     /// How far the mesh reaches from the centre line, m.
     fn reach(scenario: &Scenario) -> Real {

@@ -15,7 +15,7 @@ use crate::mesh::paths::TETRAHEDRA;
 use crate::mesh::slices::{Slices, meshed};
 use crate::number::pack::{LANES, Pack};
 use crate::number::real::{Real, SAME};
-use crate::scenario::{Body, Formulation, Layer, MAX_LAYERS, Scenario, Section, Symmetry};
+use crate::scenario::{Body, Formulation, Layer, MAX_LAYERS, Scenario};
 
 /// Largest number of cells of a mesh.
 pub const MAX_CELLS: usize = 1 << 20;
@@ -65,7 +65,7 @@ impl Grid {
         let rows = scenario.layers.iter().fold(0.0, |sum, layer| sum + layer_rows(layer, element_size) as Real);
         let slices = if geometry.formulation.is_solid() { Slices::of(scenario, half) } else { Slices::NONE };
         let [n_w, centre_w] = meshed(geometry.symmetry, slices.half);
-        let full = has_both_sides(scenario);
+        let full = scenario.has_both_sides();
         let cells = if full { 2.0 } else { 1.0 } * half as Real * rows * n_w.max(1) as Real;
         if cells > MAX_CELLS as Real {
             return Err(ModelError::TooManyCells { cells, max: MAX_CELLS });
@@ -300,9 +300,12 @@ impl Grid {
         self.plane() * self.node_rows()
     }
 
-    /// Triangles or tetrahedra of the whole mesh, padding excluded.
+    /// Triangles or tetrahedra of the whole mesh, without padding and the empty cells beside narrower layers.
     pub fn n_elem(&self) -> usize {
-        if self.is_solid() { TETRAHEDRA * self.n_u * self.n_v * self.n_w } else { 2 * self.n_u * self.n_v }
+        let cells =
+            |layer| self.rows_of(layer).len() * self.columns_of(layer).len() * self.slices_of(layer).len().max(1);
+        let per_cell = if self.is_solid() { TETRAHEDRA } else { 2 };
+        per_cell * (0..MAX_LAYERS).map(cells).sum::<usize>()
     }
 
     /// Index of the triangle `t` (0 or 1) or tetrahedron `t` (0 to 5) of lane `l` in block `block`, counted row by row without
@@ -312,16 +315,6 @@ impl Grid {
         let column = (block % self.blocks_per_row().max(1)) * LANES + l;
         let per_cell = if self.is_solid() { TETRAHEDRA } else { 2 };
         (per_cell * (row * self.n_u + column) + t) as u32
-    }
-}
-
-/// Whether what is meshed has both sides of the centre line.
-fn has_both_sides(scenario: &Scenario) -> bool {
-    let geometry = &scenario.geometry;
-    if geometry.formulation.is_solid() {
-        geometry.symmetry != Symmetry::Quarter
-    } else {
-        geometry.section == Section::Full
     }
 }
 

@@ -232,6 +232,16 @@ impl Scenario {
         self.layers.iter().fold(0.0, |sum, layer| sum + layer.thickness)
     }
 
+    /// Whether what is meshed has both sides of the centre line.
+    pub(crate) fn has_both_sides(&self) -> bool {
+        let geometry = &self.geometry;
+        if geometry.formulation.is_solid() {
+            geometry.symmetry != Symmetry::Quarter
+        } else {
+            geometry.section == Section::Full
+        }
+    }
+
     /// Distance from the layer `place`, counted from the core, to the one below, m; 0 where they are bonded, and on the core.
     pub fn gap_below(&self, place: usize) -> Real {
         self.layers.get(place).filter(|_| self.is_open(place)).map_or(0.0, |layer| layer.gap)

@@ -31,15 +31,18 @@ pub(super) fn advance(
     let before = state.scalars.impactor.velocity_half;
     let (mut nodes, history) = state.nodes.without_history(constants);
     // The monitor looks at the histories, which contact leaves as they are. Where it ends the step, no more than forces have changed.
-    let ((core, push), exceeded) = both(
+    let ((core, interfaces, push), exceeded) = both(
         &constants.grid,
-        || (solid_core::react(model, &mut nodes), solid_face::press(model, &mut nodes, &prediction)),
+        || {
+            let core = solid_core::react(model, &mut nodes);
+            let interfaces = solid_interface::press(model, &mut nodes);
+            (core, interfaces, solid_face::press(model, &mut nodes, &prediction))
+        },
         || solid_stable_step::is_exceeded(set, model, history, step_index),
     );
     if exceeded {
         return Err(monitor::failure(model, state));
     }
-    let interfaces = solid_interface::press(model, &mut nodes);
     let face = solid_face::complete(model, &mut nodes, &mut state.scalars.impactor, &prediction, &push);
     state.scalars.contact_half_width = surface::contact_half_width(model, &state.as_view());
     let layer_kinetic = move_solid(set, model, state);

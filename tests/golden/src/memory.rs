@@ -10,7 +10,7 @@ const BLOCKS: usize = 30;
 /// Nodes of the largest mesh, padding included. A smaller mesh with an interface has more numbers a node.
 const NODES: usize = 336;
 /// Numbers of the model and of the state of a solid, which has those of its tetrahedra among them.
-const SOLID: [usize; 2] = if cfg!(feature = "solid") { [4400, 10_240] } else { [0; 2] };
+const SOLID: [usize; 2] = if cfg!(feature = "solid") { [4800, 10_240] } else { [0; 2] };
 const MODEL_NUMBERS: usize = if 5 * NODES > SOLID[0] { 5 * NODES } else { SOLID[0] };
 const STATE_NUMBERS: usize = if 10 * NODES > SOLID[1] { 10 * NODES } else { SOLID[1] };
 /// Most viscous terms of a layer.

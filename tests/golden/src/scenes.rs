@@ -8,6 +8,8 @@ use softanvil_kernel::material::{
 };
 use softanvil_kernel::number::digest::Digest;
 use softanvil_kernel::number::real::Real;
+#[cfg(all(feature = "pads", feature = "solid"))]
+use softanvil_kernel::scenario::Body;
 #[cfg(feature = "pads")]
 use softanvil_kernel::scenario::LayerInterface;
 #[cfg(feature = "solid")]
@@ -91,6 +93,13 @@ pub static SCENES: &[Scene] = &[
         solid,
         nothing,
         "half of a short cylinder in three dimensions, narrow face off centre, core with friction, two Prony terms, slider"
+    ),
+    #[cfg(all(feature = "pads", feature = "solid"))]
+    scene!(
+        "solid-pad",
+        solid_pad,
+        nothing,
+        "half of a dome in three dimensions under a round pad that covers a part, lies loose with a gap and slides"
     ),
 ];
 
@@ -272,6 +281,29 @@ fn solid() -> Scenario {
     (scenario.geometry.length, scenario.mesh.element_size) = (20e-3, 7.5e-3);
     scenario.impactor.drop_energy = 1.0;
     (scenario.impactor.offset, scenario.impactor.face_diameter) = (3e-3, 17e-3);
+    (scenario.core.interface, scenario.core.friction_coefficient) = (Interface::Frictional, 0.2);
+    scenario.time.step = 5e-6;
+    scenario
+}
+
+#[cfg(all(feature = "pads", feature = "solid"))]
+fn solid_pad() -> Scenario {
+    let mut scenario = base(rubber());
+    let geometry = &mut scenario.geometry;
+    (geometry.formulation, geometry.body, geometry.symmetry) = (Formulation::Solid, Body::Revolved, Symmetry::Half);
+    scenario.mesh.element_size = 24e-3;
+    scenario.layers[0].rows = 1;
+    // There is room for a second layer.
+    let _ = scenario.add_layer(Layer {
+        rows: 1,
+        width: 0.09,
+        interface: LayerInterface::Frictional,
+        friction_coefficient: 0.15,
+        gap: 0.4e-3,
+        ..Layer::new("pad", 8e-3, rubber())
+    });
+    (scenario.impactor.drop_energy, scenario.impactor.gap) = (3.0, 0.5e-3);
+    (scenario.impactor.offset, scenario.impactor.face_diameter) = (3e-3, 50e-3);
     (scenario.core.interface, scenario.core.friction_coefficient) = (Interface::Frictional, 0.2);
     scenario.time.step = 5e-6;
     scenario
