@@ -17,8 +17,8 @@ rustup --quiet target add x86_64-unknown-linux-gnu aarch64-unknown-linux-gnu x86
 cd "$here"
 rm -f "$out"/softanvil-*.whl "$out"/softanvil-*.tar.gz
 for target in x86_64-unknown-linux-gnu aarch64-unknown-linux-gnu; do
-    maturin build --quiet --release --out "$out" --target "$target" --zig --compatibility manylinux2014
+    maturin build --quiet --release --locked --out "$out" --target "$target" --zig --compatibility manylinux2014
 done
-maturin build --quiet --release --out "$out" --target x86_64-pc-windows-gnu
+maturin build --quiet --release --locked --out "$out" --target x86_64-pc-windows-gnu
 maturin sdist --out "$out"
 ls -1 "$out"

@@ -86,9 +86,8 @@ pub(crate) fn solid_contact_pressure(model: &Model, state: &StateView, slice: us
     let mut area = 0.0;
     for (u, w) in [(0, 0), (1, 0), (0, 1), (1, 1)] {
         let (Some(u), Some(w)) = ((column + u).checked_sub(1), (slice + w).checked_sub(1)) else { continue };
-        // The cell below the row that has the node.
-        let corners = [(u, w), (u + 1, w), (u + 1, w + 1), (u, w + 1)];
-        if u < grid.n_u && w < grid.n_w && corners.iter().all(|(u, w)| grid.surface_row(*u, *w) == row) {
+        // Of the layer of the node, and under no other one.
+        if u < grid.n_u && w < grid.n_w && grid.surface_row_of_cell(u, w) == row {
             let [a, b, c, d] = [place(u, w)?, place(u + 1, w)?, place(u + 1, w + 1)?, place(u, w + 1)?];
             // Half the product of the diagonals.
             area += 0.125 * ((c[0] - a[0]) * (d[1] - b[1]) - (c[1] - a[1]) * (d[0] - b[0]));

@@ -191,6 +191,14 @@ impl Grid {
         layers.fold(self.n_v, |row, (columns, top)| if ring <= *columns { top } else { row })
     }
 
+    /// Row of nodes above the topmost cell in column `u` and slice `w` of a solid.
+    pub(crate) fn surface_row_of_cell(&self, u: usize, w: usize) -> usize {
+        let layers = (0..MAX_LAYERS).zip(self.layer_top);
+        layers.fold(self.n_v, |row, (layer, top)| {
+            if self.columns_of(layer).contains(&u) && self.slices_of(layer).contains(&w) { top } else { row }
+        })
+    }
+
     /// Columns of cells between a node and the centre line, or rings about the axis.
     fn ring(&self, u: usize, w: usize) -> usize {
         let (across, along) = (u.abs_diff(self.centre), w.abs_diff(self.centre_w));

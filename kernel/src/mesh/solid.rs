@@ -48,3 +48,25 @@ pub(crate) fn cell_nodes(grid: &Grid, [u, v, w]: [usize; 3]) -> [[usize; 3]; 8] 
         [u, lower + 1 - across, w]
     })
 }
+
+#[cfg(all(test, feature = "pads", feature = "solid"))]
+mod tests {
+    use super::*;
+    use crate::scenario::{Formulation, Layer, preset};
+
+    #[test]
+    fn a_cell_beside_a_pad_is_of_the_layer_below_it() {
+        for body in [Body::Prism, Body::Revolved] {
+            let mut scenario = preset::study();
+            (scenario.geometry.formulation, scenario.geometry.body) = (Formulation::Solid, body);
+            scenario.add_layer(Layer { thickness: 6e-3, width: 60e-3, ..preset::spare_layer() }).unwrap();
+            let grid = Grid::new(&scenario).unwrap();
+            let edge = grid.columns_of(1).end;
+            assert_eq!(grid.surface_row(edge, 0), grid.layer_top[1]);
+            assert_eq!(grid.surface_row_of_cell(edge - 1, 0), grid.layer_top[1]);
+            assert_eq!(grid.surface_row_of_cell(edge, 0), grid.layer_top[0]);
+            let beyond = if body == Body::Revolved { grid.layer_top[0] } else { grid.layer_top[1] };
+            assert_eq!(grid.surface_row_of_cell(0, edge), beyond);
+        }
+    }
+}

@@ -30,7 +30,8 @@ pub(super) fn advance(
     let prediction = state.scalars.impactor.predict(model, input, step_index);
     let before = state.scalars.impactor.velocity_half;
     let (mut nodes, history) = state.nodes.without_history(constants);
-    // The monitor looks at the histories, which contact leaves as they are. Where it ends the step, no more than forces have changed.
+    // The monitor looks at the histories, which contact leaves as they are. Where it ends the step, no more has changed
+    // than forces.
     let ((core, interfaces, push), exceeded) = both(
         &constants.grid,
         || {

@@ -108,7 +108,7 @@ mod tests {
 
     use super::*;
     use crate::scenario::preset::{self, study};
-    use crate::scenario::{Formulation, Layer, LayerInterface, Symmetry};
+    use crate::scenario::{Body, Formulation, Layer, LayerInterface, Symmetry};
 
     #[test]
     fn every_row_of_cells_comes_once_with_its_nodes_and_its_history() {
@@ -121,10 +121,14 @@ mod tests {
                 assert_rows(&Grid::new(&scenario).unwrap());
                 // Of layers of odd and even rows of cells.
                 for thickness in [3e-3, 8e-3] {
-                    let layer = Layer { interface: LayerInterface::Separating, thickness, ..preset::spare_layer() };
-                    scenario.add_layer(layer).unwrap();
+                    let (interface, width) = (LayerInterface::Separating, 20.0 * thickness);
+                    let layer = Layer { interface, thickness, width, ..preset::spare_layer() };
+                    scenario.layers.insert(1, layer).unwrap();
                 }
-                assert_rows(&Grid::new(&scenario).unwrap());
+                for body in [Body::Prism, Body::Revolved] {
+                    scenario.geometry.body = body;
+                    assert_rows(&Grid::new(&scenario).unwrap());
+                }
             }
         }
     }
