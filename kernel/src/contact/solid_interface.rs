@@ -34,7 +34,7 @@ fn press_all(model: &Model, nodes: &mut StateNodes<&mut [Real]>) -> ContactWork 
         let mut row = || SolidPairRow::of(rows.next()?, plane);
         if let (Some(above), Some(below)) = (row(), row()) {
             let coefficient = upper.sliding_coefficient();
-            Interface { sides, rows: [above, below], coefficient, dt: constants.dt }.press(&mut nodes, &mut work);
+            Interface { sides, rows: [above, below], coefficient }.press(&mut nodes, &mut work);
         }
     }
     work
@@ -46,8 +46,6 @@ struct Interface<'p> {
     rows: [SolidPairRow<'p>; 2],
     /// Of friction.
     coefficient: Real,
-    /// Time step, s.
-    dt: Real,
 }
 
 impl Interface<'_> {
@@ -69,31 +67,17 @@ impl Interface<'_> {
         }
         self.turns(1, |of| {
             let [pressed, rubbed] = of.power();
-            work.contact_dissipation -= of.dt * pressed;
-            work.frictional_dissipation -= of.dt * rubbed;
+            work.contact_dissipation -= of.side.dt * pressed;
+            work.frictional_dissipation -= of.side.dt * rubbed;
         });
     }
 
     /// Does `work` for the row above and then for the one below, so many `times`.
     fn turns(&mut self, times: usize, mut work: impl FnMut(&mut Turn)) {
-        let ([above, below], [upper, lower], dt) = (&mut self.rows, &self.sides, self.dt);
+        let ([above, below], [upper, lower]) = (&mut self.rows, &self.sides);
         for _ in 0..times {
-            work(&mut Turn {
-                side: upper,
-                own_first: upper.first,
-                other_first: lower.first,
-                own: above,
-                other: below,
-                dt,
-            });
-            work(&mut Turn {
-                side: lower,
-                own_first: lower.first,
-                other_first: upper.first,
-                own: below,
-                other: above,
-                dt,
-            });
+            work(&mut Turn { side: upper, opposite: lower, own: above, other: below });
+            work(&mut Turn { side: lower, opposite: upper, own: below, other: above });
         }
     }
 }
@@ -101,20 +85,16 @@ impl Interface<'_> {
 /// The row whose turn it is, and the other one.
 struct Turn<'t, 'p> {
     side: &'t SolidSide<'p>,
-    /// First nodes of either row.
-    own_first: usize,
-    other_first: usize,
+    opposite: &'t SolidSide<'p>,
     own: &'t mut SolidPairRow<'p>,
     other: &'t mut SolidPairRow<'p>,
-    /// Time step, s.
-    dt: Real,
 }
 
 impl Turn<'_, '_> {
     /// Turns what [`SolidSide::find`] has left for the resistance of each pair, 1 where the node is over a cell, into it: one over
     /// what a force moves the node by and, as far as it is its share, the corners.
     fn resist(&mut self, nodes: &SolidNodes) {
-        let along_y = |index: usize| nodes.inverse_mass[1].get(index).map_or(0.0, |inverse| self.dt * inverse);
+        let along_y = |index: usize| nodes.inverse_mass[1].get(index).map_or(0.0, |inverse| self.side.dt * inverse);
         for (at, place) in self.side.places() {
             let Some(pair) = self.own.pairs.get(place).map(|numbers| SolidPair::of(*numbers)) else { continue };
             if pair.resistance > 0.0 {
@@ -127,9 +107,9 @@ impl Turn<'_, '_> {
             if pair.resistance > 0.0 {
                 let corners = self.side.corners(at, &pair).into_iter().zip(pair.weights());
                 // Nodes on planes of symmetry, which are fixed across them, count as if they were not.
-                let mobility = corners.fold(along_y(self.own_first + place), |sum, (corner, weight)| {
+                let mobility = corners.fold(along_y(self.side.first + place), |sum, (corner, weight)| {
                     let load = self.other.pull.get(corner).map_or(0.0, |load| load[0]);
-                    sum + weight * (load * along_y(self.other_first + corner))
+                    sum + weight * (load * along_y(self.opposite.first + corner))
                 });
                 pair.resistance = if mobility > 0.0 { 1.0 / mobility } else { 0.0 };
                 *numbers = pair.numbers();
@@ -187,7 +167,7 @@ impl Turn<'_, '_> {
     /// Changes the velocity of the node of a pair by a `force`, N, and pulls at what is under it by the opposite.
     fn push(&mut self, nodes: &SolidNodes, at: [usize; 2], place: usize, pair: &SolidPair, force: &[Real; 3]) {
         if let Some(velocity) = self.own.velocity.get_mut(place) {
-            change(nodes, self.own_first + place, self.dt, velocity, force);
+            change(nodes, self.side.first + place, self.side.dt, velocity, force);
         }
         take(self.other.pull, self.side.corners(at, pair), &pair.weights(), force);
     }
@@ -195,7 +175,7 @@ impl Turn<'_, '_> {
     /// Lets the nodes of the other row follow what pulls at them.
     fn follow(&mut self, nodes: &SolidNodes) {
         for (place, (velocity, pull)) in self.other.velocity.iter_mut().zip(&mut *self.other.pull).enumerate() {
-            change(nodes, self.other_first + place, self.dt, velocity, pull);
+            change(nodes, self.opposite.first + place, self.side.dt, velocity, pull);
             *pull = [0.0; 3];
         }
     }

@@ -26,7 +26,7 @@ pub(super) struct SolidSide<'m> {
     /// Whether the body goes on beyond the first column, and beyond the first slice, by symmetry.
     mirrored: [bool; 2],
     /// Time step, s.
-    dt: Real,
+    pub dt: Real,
 }
 
 impl<'m> SolidSide<'m> {
