@@ -48,11 +48,18 @@ fn row(variable: &Variable) -> String {
         variable.reference.to_string(),
         format!("<code>{}</code>", escape(&variable.name.to_string())),
         escape(unit),
-        variable.start().map(|start| format!("{start:?}")).unwrap_or_default(),
+        variable.start().map(|start| start_of(variable, start)).unwrap_or_default(),
         escape(&legal.unwrap_or_default()),
         escape(variable.description),
     ];
     format!("<tr>{}</tr>\n", cells.map(|cell| format!("<td>{cell}</td>")).concat())
+}
+
+fn start_of(variable: &Variable, start: f64) -> String {
+    match variable.value {
+        ValueType::Boolean => (start != 0.0).to_string(),
+        _ => format!("{start:?}"),
+    }
 }
 
 fn escape(text: &str) -> String {

@@ -41,10 +41,13 @@ class Slave:
         return self
 
     def set(self, **values):
-        """Sets variables: integers as such, everything else as a Real."""
+        """Sets variables: Booleans and integers as such, everything else as a Real."""
         for name, value in values.items():
             reference = [self.references[name.replace("__", ".")]]
-            (self.fmu.setInteger if isinstance(value, int) else self.fmu.setReal)(reference, [value])
+            if isinstance(value, bool):
+                self.fmu.setBoolean(reference, [value])
+            else:
+                (self.fmu.setInteger if isinstance(value, int) else self.fmu.setReal)(reference, [value])
 
     def real(self, name):
         return self.fmu.getReal([self.references[name]])[0]

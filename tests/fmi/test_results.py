@@ -1,7 +1,10 @@
 """The FMU computes what the kernel computes, to the last bit, however it is used."""
 
+import json
 import math
+import os
 import random
+import subprocess
 from math import pi
 
 import numpy
@@ -227,6 +230,30 @@ def test_a_position_given_at_the_start_counts_whatever_the_gap(either):
     start = {"impactor.motion": 1, "impactor.driven_position": 2e-3, "impactor.gap": 5e-3}
     rows = simulate_fmu(either, start_values=start, output=["impactor.position"], stop_time=1e-3, output_interval=1e-3)
     assert rows["impactor.position"].tolist() == [5e-3, 2e-3]
+
+
+def test_impacts_asked_for_in_fmpy_are_those_of_the_command_line(either):
+    """On an anvil that softens; each begins where the command line ended the one before."""
+    softening = {"layers[0].softening_r": 1.5, "layers[0].softening_m": 1e5}
+    command = [os.environ["SOFTANVIL_CLI"], "run", "--json", "--energy", "4.9", "--impacts", "3", "--rest", "2"]
+    command += [word for name, value in softening.items() for word in ("--set", f"{name}={value}")]
+    said = json.loads(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
+    ends = numpy.cumsum([impact["simulated_time"] for impact in said["impacts"]])
+    # Up at the end of an impact, and down again five steps later.
+    rises = [row for end in ends[:2] for row in [(end, 2.0, True), (end + 5 * STEP, 2.0, False)]]
+    requests = numpy.array([(0.0, 2.0, False), *rises],
+                           dtype=[("time", float), ("impact.rest", float), ("impact.next", bool)])
+    outputs = ["impact.number", "result.peak_force", "result.max_deformation", "result.impact_duration"]
+    rows = simulate_fmu(either, start_values={"impactor.drop_energy": 4.9, **softening}, input=requests, output=outputs,
+                        stop_time=ends[2], output_interval=STEP)
+    assert set(rows["impact.number"]) == {1, 2, 3}
+    peaks = []
+    for number, impact in enumerate(said["impacts"], start=1):
+        last = rows[rows["impact.number"] == number][-1]
+        assert [last[name] for name in outputs[1:]] == [
+            impact[name] for name in ("peak_force", "max_deformation", "impact_duration")], number
+        peaks.append(last["result.peak_force"])
+    assert len(set(peaks)) == 3
 
 
 @pytest.mark.parametrize("size, most", [(50e-6, 0.005), (200e-6, 0.02)])

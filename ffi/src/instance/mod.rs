@@ -5,6 +5,7 @@
 
 mod clock;
 mod error;
+mod impact;
 mod mode;
 mod saved;
 mod stepping;
@@ -19,6 +20,7 @@ use crate::variables::{Inputs, Table, Version, profile, same_bits};
 
 use clock::Clock;
 pub use error::Error;
+use impact::Impact;
 pub use mode::{Function, Mode};
 pub use saved::SavedState;
 pub use stepping::{Advance, Pause};
@@ -57,8 +59,11 @@ pub struct Instance {
     inputs: Inputs,
     experiment: Experiment,
     clock: Clock,
+    impact: Impact,
     /// The model that was built last, which may be older than the scenario until the drop starts.
     simulation: Option<Simulation>,
+    /// Whether that is at the start of a drop on a fresh anvil.
+    is_fresh: bool,
 }
 
 impl Instance {
@@ -74,7 +79,9 @@ impl Instance {
             inputs: Inputs::start(),
             experiment: Experiment { start: 0.0, stop: None },
             clock: Clock::at(0.0),
+            impact: Impact::first(0.0),
             simulation: None,
+            is_fresh: false,
         }
     }
 
@@ -101,6 +108,7 @@ impl Instance {
         }
         self.experiment = Experiment { start, stop };
         self.clock = Clock::at(start);
+        self.impact = Impact::first(start);
         Ok(())
     }
 
@@ -145,6 +153,7 @@ impl Instance {
         let changes = self.changes()?;
         let scenario = self.prepare()?.constants().scenario.clone();
         self.values.update(&scenario);
+        self.impact.asked = self.inputs.next_impact;
         self.mode = if self.event_mode_used { Mode::Event } else { Mode::Step };
         Ok(changes)
     }
@@ -167,8 +176,8 @@ impl Instance {
 
     /// Back to a new instance. The model is kept, in case the next run wants the same one.
     pub fn reset(&mut self) {
-        let simulation = self.simulation.take();
-        *self = Self { simulation, event_mode_used: self.event_mode_used, ..Self::new(self.version) };
+        let (simulation, is_fresh) = (self.simulation.take(), self.is_fresh);
+        *self = Self { simulation, is_fresh, event_mode_used: self.event_mode_used, ..Self::new(self.version) };
     }
 
     /// The version of the standard that the master speaks.
@@ -199,13 +208,14 @@ impl Instance {
         let kept = self.simulation.take().filter(|kept| same_bits(&kept.constants().scenario, &scenario));
         let simulation = match kept {
             Some(mut kept) => {
-                if kept.scalars().step_index != 0 || kept.scalars().failure.is_some() {
+                if !self.is_fresh {
                     kept.reset().map_err(memory)?;
                 }
                 kept
             }
             None => Simulation::new(&scenario).map_err(Error::Model)?,
         };
+        self.is_fresh = true;
         Ok(self.simulation.insert(simulation))
     }
 }

@@ -1,8 +1,9 @@
 //! Saved states: bytes without pointers that mean the same on every platform.
 //!
 //! Format: little-endian 64-bit words. Magic, format version, digest of the variable table, length of the whole in
-//! bytes; mode, start, whether there is a stop, stop, communication point, by how much it is ahead of the kernel, points of
-//! the profiles; the inputs, and 1 or 0 for whether the master gives a position, and a velocity; the parameters in the order
+//! bytes; mode, start, whether there is a stop, stop, communication point, by how much it is ahead of the kernel, number and
+//! start of the impact, whether the next one had been asked for, points of the profiles; the inputs, and 1 or 0 for whether the
+//! master gives a position, and a velocity, and asks for the next impact; the parameters in the order
 //! of the kernel's tables, those of all layers that there can be; the kernel's own snapshot, which is empty before the first step can be made; last the FNV-1a digest
 //! of everything before.
 
@@ -14,6 +15,7 @@ use softanvil_kernel::state::{restore, save, snapshot_size};
 use softanvil_kernel::{Parameter, SAMPLING_INTERVAL, Scenario, Simulation, SnapshotError, preset};
 
 use super::clock::Clock;
+use super::impact::Impact;
 use super::{Error, Experiment, Instance, Mode, memory};
 use crate::variables::profile::POINTS;
 use crate::variables::{INPUTS, Inputs, Version, same_bits};
@@ -21,7 +23,7 @@ use crate::variables::{INPUTS, Inputs, Version, same_bits};
 /// "SOFTAFMU" in ASCII, least significant byte first.
 const MAGIC: u64 = u64::from_le_bytes(*b"SOFTAFMU");
 /// Changes with the format. A state of another version is refused, and the error names both.
-const VERSION: u64 = 6;
+const VERSION: u64 = 7;
 
 /// A saved state, checked to be whole and of this version.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -32,6 +34,7 @@ struct Content<'a> {
     mode: Mode,
     experiment: Experiment,
     clock: Clock,
+    impact: Impact,
     points: u64,
     inputs: Inputs,
     values: Values,
@@ -53,23 +56,26 @@ impl SavedState {
         let (start, has_stop, stop) = (f64::from_bits(next()), next() != 0, f64::from_bits(next()));
         let experiment = Experiment { start, stop: has_stop.then_some(stop) };
         let clock = Clock { point: f64::from_bits(next()), ahead: f64::from_bits(next()) };
+        let number = u32::try_from(next()).ok().filter(|number| *number > 0).ok_or(corrupt)?;
+        let impact = Impact { number, start: f64::from_bits(next()), asked: next() != 0 };
         let points = next();
         let (inputs, values) = (read_inputs(&mut rest)?, read_values(&mut rest)?);
         let snapshot = rest.len().checked_sub(8).and_then(|end| rest.get(..end)).ok_or(corrupt)?;
         let is_stepping = matches!(mode, Mode::Step | Mode::Event | Mode::Terminated);
         // A clock is at most a kernel step away from the kernel, and no kernel step is longer than a sampling interval.
-        let has_clock = start.is_finite() && clock.point.is_finite() && clock.ahead.abs() <= SAMPLING_INTERVAL;
+        let has_clock = [start, clock.point, impact.start].into_iter().all(f64::is_finite)
+            && clock.ahead.abs() <= SAMPLING_INTERVAL;
         if snapshot.is_empty() == is_stepping || !has_clock || points < POINTS.0 || points > POINTS.1 {
             return Err(corrupt);
         }
-        Ok(Content { mode, experiment, clock, points, inputs, values, snapshot })
+        Ok(Content { mode, experiment, clock, impact, points, inputs, values, snapshot })
     }
 }
 
 /// Words before the inputs.
-const HEADER_WORDS: usize = 11;
-/// Words that say which inputs the master gives.
-const GIVEN: usize = 2;
+const HEADER_WORDS: usize = 14;
+/// Words that say which inputs the master gives, and what he asks for.
+const GIVEN: usize = 3;
 
 /// The header's words, if the bytes claim to be of this format and of their length.
 fn header(bytes: &[u8]) -> Result<[u64; 4], SnapshotError> {
@@ -113,6 +119,7 @@ fn read_inputs(rest: &mut &[u8]) -> Result<Inputs, Error> {
     }
     inputs.has_position = read_number(rest)? != 0.0;
     inputs.has_velocity = read_number(rest)? != 0.0;
+    inputs.next_impact = read_number(rest)? != 0.0;
     Ok(inputs)
 }
 
@@ -139,9 +146,12 @@ impl Instance {
         [MAGIC, VERSION, self.table.digest(), length as u64].into_iter().for_each(&mut put);
         put(self.mode as u64);
         [start.to_bits(), u64::from(stop.is_some()), stop.unwrap_or_default().to_bits()].into_iter().for_each(&mut put);
-        [self.clock.point.to_bits(), self.clock.ahead.to_bits(), self.points].into_iter().for_each(&mut put);
+        [self.clock.point.to_bits(), self.clock.ahead.to_bits()].into_iter().for_each(&mut put);
+        let Impact { number, start, asked } = self.impact;
+        [u64::from(number), start.to_bits(), u64::from(asked), self.points].into_iter().for_each(&mut put);
         INPUTS.iter().for_each(|input| put((input.field)(&mut self.inputs).to_bits()));
-        let given: [bool; GIVEN] = [self.inputs.has_position, self.inputs.has_velocity];
+        let Inputs { has_position, has_velocity, next_impact, .. } = self.inputs;
+        let given: [bool; GIVEN] = [has_position, has_velocity, next_impact];
         given.into_iter().for_each(|given| put(f64::from(u8::from(given)).to_bits()));
         Parameter::all().for_each(|parameter| put(self.values.get(parameter).to_bits()));
         bytes.extend_from_slice(&snapshot);
@@ -197,6 +207,7 @@ impl Instance {
         self.mode = content.mode;
         self.experiment = content.experiment;
         self.clock = content.clock;
+        self.impact = content.impact;
         self.points = content.points;
         self.inputs = content.inputs;
         self.values = content.values;
@@ -215,6 +226,7 @@ impl Instance {
 
     /// Restores into the model at hand if it is the right one, else into a new one.
     fn restore_simulation(&mut self, scenario: &Scenario, snapshot: &[u8]) -> Result<(), Error> {
+        self.is_fresh = false;
         let fill = |simulation: &mut Simulation| {
             simulation.with(|model, state| restore(model, state, snapshot)).map_err(memory)?.map_err(Error::Snapshot)
         };

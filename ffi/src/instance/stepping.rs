@@ -60,7 +60,7 @@ impl Instance {
     /// The kernel's time in the master's terms, s.
     pub fn kernel_time(&self) -> f64 {
         let Some(simulation) = self.simulation_at_work() else { return self.clock.point };
-        self.clock.kernel_time(simulation.constants().dt, self.experiment.start + simulation.time())
+        self.clock.kernel_time(simulation.constants().dt, self.impact.start + simulation.time())
     }
 
     /// The kernel's step, s; none where there is no simulation.
@@ -77,12 +77,12 @@ impl Instance {
         self.advance(&mut advance, Pause::Never).map(|_| ())
     }
 
-    /// Begins a step from `point` by `step`, s, of which nothing is made yet.
+    /// Begins a step from `point` by `step`, s, of which nothing is made yet, with the next impact if it is asked for.
     ///
     /// # Errors
     /// A point where the instance is not, a step that is none or too long, or one past the end of the experiment: the
     /// instance is as before.
-    pub fn begin_step(&self, point: f64, step: f64) -> Result<Advance, Error> {
+    pub fn begin_step(&mut self, point: f64, step: f64) -> Result<Advance, Error> {
         let Some(simulation) = self.simulation_at_work() else { return Err(Error::Call { mode: self.mode }) };
         let dt = simulation.constants().dt;
         let clock = self.clock.follow(point, self.experiment.start, dt)?;
@@ -90,8 +90,10 @@ impl Instance {
         if !in_range {
             return Err(Error::StepSize { given: step, largest: LONGEST_STEP });
         }
-        self.experiment.check_end(&clock, step, simulation)?;
+        self.experiment.check_end(&clock, step, self.impact.start, simulation)?;
         let count = clock.steps_in(step, dt);
+        self.follow_request(&clock)?;
+        let Some(simulation) = &self.simulation else { return Err(Error::Call { mode: self.mode }) };
         let (constants, impactor) = (simulation.constants(), &simulation.scalars().impactor);
         // Setters have checked the inputs.
         let (input, steps) = (self.inputs.to_kernel(), clock.steps_until_end(step, count, dt));
@@ -106,8 +108,9 @@ impl Instance {
     #[inline(always)]
     pub fn advance(&mut self, advance: &mut Advance, pause: Pause) -> Result<bool, Error> {
         let Some(simulation) = &mut self.simulation else { return Err(Error::Call { mode: self.mode }) };
+        self.is_fresh = false;
         let made = march(simulation, advance, pause);
-        self.clock = advance.clock(simulation.constants().dt, self.experiment.start + simulation.time());
+        self.clock = advance.clock(simulation.constants().dt, self.impact.start + simulation.time());
         made.map_err(|error| {
             self.mode = Mode::Failed;
             Error::Step(error)
@@ -117,13 +120,13 @@ impl Instance {
 
 impl Experiment {
     /// Refuses a step past the end, by the master's clock as well as by the sum of its steps: what the one has rounded, the
-    /// other has not.
-    fn check_end(&self, clock: &Clock, step: f64, simulation: &Simulation) -> Result<(), Error> {
+    /// other has not. The kernel counts its time from `kernel_start` s on.
+    fn check_end(&self, clock: &Clock, step: f64, kernel_start: f64, simulation: &Simulation) -> Result<(), Error> {
         let Some(stop) = self.stop else { return Ok(()) };
         let end = clock.point + step;
         let margin = SAME * simulation.constants().dt + Clock::at(stop).rounding(self.start);
         let elapsed = simulation.time() + (clock.ahead + step);
-        if end > stop + margin && elapsed > stop - self.start + margin {
+        if end > stop + margin && elapsed > stop - kernel_start + margin {
             return Err(Error::PastStop { end, stop });
         }
         Ok(())

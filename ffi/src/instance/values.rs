@@ -130,15 +130,12 @@ impl Instance {
         let ValueType::Integer { .. } = variable.value else {
             return Err(self.wrong_type(variable, self.integer_name()));
         };
-        let source = variable.source;
-        if let Source::Parameter(parameter) = source {
-            return Ok(self.values.get(parameter) as i32);
+        match variable.source {
+            Source::Parameter(parameter) => Ok(self.values.get(parameter) as i32),
+            Source::ImpactNumber => Ok(i32::try_from(self.impact_number()).unwrap_or(i32::MAX)),
+            Source::SurfaceNodes => Ok(self.results()?.constants().grid.n_u as i32 + 1),
+            _ => Ok(self.results()?.constants().grid.n_elem() as i32),
         }
-        let grid = &self.results()?.constants().grid;
-        Ok(match source {
-            Source::SurfaceNodes => grid.n_u as i32 + 1,
-            _ => grid.n_elem() as i32,
-        })
     }
 
     /// A state.
@@ -148,7 +145,10 @@ impl Instance {
     pub fn boolean(&mut self, reference: u32) -> Result<bool, Error> {
         let variable = self.variable(reference)?;
         let ValueType::Boolean = variable.value else { return Err(self.wrong_type(variable, "Boolean")) };
-        Ok(self.results()?.scalars().force.contact > 0.0)
+        match variable.source {
+            Source::NextImpact => Ok(self.inputs.next_impact),
+            _ => Ok(self.results()?.scalars().force.contact > 0.0),
+        }
     }
 
     /// A text: the trace hash in lower-case hexadecimal digits.
@@ -196,6 +196,15 @@ impl Instance {
     pub fn set_counts(&mut self, values: impl Iterator<Item = (u32, i32)>) -> Result<(), Error> {
         let values = values.map(|(reference, value)| (reference, f64::from(value)));
         self.set(values, |value| matches!(value, ValueType::Integer { .. }), self.integer_name())
+    }
+
+    /// Sets states: all of them, or none if one is refused.
+    ///
+    /// # Errors
+    /// As [`Instance::set_reals`].
+    pub fn set_booleans(&mut self, values: impl Iterator<Item = (u32, bool)>) -> Result<(), Error> {
+        let values = values.map(|(reference, value)| (reference, f64::from(u8::from(value))));
+        self.set(values, |value| matches!(value, ValueType::Boolean), "Boolean")
     }
 
     /// Sets lengths of arrays: all of them, or none if one is refused.
@@ -290,6 +299,10 @@ impl Instance {
             }
             Source::Parameter(parameter) => Ok(parameters.set(parameter, value)?),
             Source::Input(input) => Ok(input.set(inputs, value)?),
+            Source::NextImpact => {
+                inputs.next_impact = value != 0.0;
+                Ok(())
+            }
             _ => Err(read_only(variable)),
         }
     }

@@ -36,6 +36,10 @@ pub const EXTERNAL_FORCE: u32 = 2000;
 pub const DRIVEN_POSITION: u32 = 2001;
 /// Velocity of a driven impactor.
 pub const DRIVEN_VELOCITY: u32 = 2002;
+/// Rest of the anvil before the next impact.
+pub const REST: u32 = 2003;
+/// Whether the next impact is asked for.
+pub const NEXT_IMPACT: u32 = 2004;
 
 /// The kernel's time.
 pub const KERNEL_TIME: u32 = 3500;
@@ -51,6 +55,8 @@ pub const SURFACE_NODES: u32 = 4002;
 pub const CONTACT_ACTIVE: u32 = 5000;
 /// Digest of the force samples.
 pub const TRACE_HASH: u32 = 5001;
+/// Number of the impact.
+pub const IMPACT_NUMBER: u32 = 5002;
 
 /// Number of points of the profiles.
 pub const SURFACE_POINTS: u32 = 1900;

@@ -29,9 +29,9 @@ impl Variable {
     fn of_input(input: &'static Input) -> Self {
         Self {
             reference: input.reference,
-            name: input.row.name.into(),
+            name: Name::new(input.name),
             description: input.description,
-            value: ValueType::Real { unit: input.row.unit, range: Some(input.row.range) },
+            value: ValueType::Real { unit: input.unit, range: Some(input.range) },
             source: Source::Input(input),
         }
     }
@@ -102,6 +102,25 @@ static MODEL: [Variable; 6] = [
     },
 ];
 
+/// Impacts one after the other.
+static IMPACTS: [Variable; 2] = [
+    Variable {
+        reference: references::NEXT_IMPACT,
+        name: Name::new("impact.next"),
+        description: "where it is true and was false at the communication point before, the impactor falls again as at the \
+                      start, on the anvil as the last impact left it after impact.rest: outputs begin anew, damage stays",
+        value: ValueType::Boolean,
+        source: Source::NextImpact,
+    },
+    Variable {
+        reference: references::IMPACT_NUMBER,
+        name: Name::new("impact.number"),
+        description: "number of the impact, from 1: impacts on the same anvil so far",
+        value: ValueType::Integer { range: None },
+        source: Source::ImpactNumber,
+    },
+];
+
 const fn profile(
     reference: u32,
     name: &'static str,
@@ -147,7 +166,7 @@ static SURFACE: [Variable; 4] = [
 ];
 
 /// How many variables there are.
-const COUNT: usize = 1 + Parameter::COUNT + INPUTS.len() + OUTPUTS.len() + MODEL.len() + SURFACE.len();
+const COUNT: usize = 1 + Parameter::COUNT + INPUTS.len() + OUTPUTS.len() + MODEL.len() + IMPACTS.len() + SURFACE.len();
 
 /// Groups of references by their hundreds.
 const GROUPS: usize = 80;
@@ -168,6 +187,7 @@ impl Table {
             .chain(INPUTS.iter().map(Variable::of_input))
             .chain(OUTPUTS.iter().map(Variable::of_output))
             .chain(MODEL)
+            .chain(IMPACTS)
             .chain(SURFACE);
         let mut rows = core::array::from_fn(|_| all.next().unwrap_or(TIME));
         rows.sort_unstable_by_key(|variable: &Variable| variable.reference);

@@ -34,10 +34,10 @@ fn references_lie_in_the_range_of_their_kind() {
                 None => 1000..1900,
             },
             Source::Points => 1900..2000,
-            Source::Input(_) => 2000..3000,
+            Source::Input(_) | Source::NextImpact => 2000..3000,
             Source::Output(_) | Source::KernelTime => 3000..4000,
             Source::TimeStep | Source::Elements | Source::SurfaceNodes => 4000..5000,
-            Source::ContactActive | Source::TraceHash => 5000..6000,
+            Source::ContactActive | Source::TraceHash | Source::ImpactNumber => 5000..6000,
             Source::Profile(_) => 6000..7000,
         };
         assert!(range.contains(&variable.reference), "{}", variable.name);

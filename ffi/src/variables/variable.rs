@@ -109,6 +109,10 @@ pub enum Source {
     ContactActive,
     /// Digest of the force samples.
     TraceHash,
+    /// Set by the master to ask for the next impact.
+    NextImpact,
+    /// Number of the impact.
+    ImpactNumber,
 }
 
 impl Variable {
@@ -122,43 +126,42 @@ impl Variable {
         match self.source {
             Source::Time => "independent",
             Source::Parameter(_) => "parameter",
-            Source::Input(_) => "input",
+            Source::Input(_) | Source::NextImpact => "input",
             Source::Points => "structuralParameter",
             Source::TimeStep | Source::Elements | Source::SurfaceNodes => "calculatedParameter",
-            Source::Output(_) | Source::KernelTime | Source::Profile(_) | Source::ContactActive | Source::TraceHash => {
-                "output"
-            }
+            Source::Output(_) | Source::KernelTime | Source::Profile(_) => "output",
+            Source::ContactActive | Source::TraceHash | Source::ImpactNumber => "output",
         }
     }
 
     /// FMI's name for when the value can change.
     pub fn variability(&self) -> &'static str {
         match self.source {
-            Source::Time | Source::Input(_) | Source::Output(_) | Source::KernelTime | Source::Profile(_) => {
-                "continuous"
-            }
+            Source::Time | Source::Output(_) | Source::KernelTime | Source::Profile(_) => "continuous",
+            Source::Input(input) => input.variability,
             Source::Parameter(_) | Source::Points | Source::TimeStep | Source::Elements | Source::SurfaceNodes => {
                 "fixed"
             }
-            Source::ContactActive | Source::TraceHash => "discrete",
+            Source::ContactActive | Source::TraceHash | Source::NextImpact | Source::ImpactNumber => "discrete",
         }
     }
 
     /// FMI's name for how the value comes about before the first step; none where the standard forbids the attribute.
     pub fn initial(&self) -> Option<&'static str> {
         match self.source {
-            Source::Time | Source::Input(_) => None,
+            Source::Time | Source::Input(_) | Source::NextImpact => None,
             Source::Parameter(_) | Source::Points => Some("exact"),
             _ => Some("calculated"),
         }
     }
 
-    /// Value of a new instance, for what a master can set; a choice as its number.
+    /// Value of a new instance, for what a master can set; a choice as its number, a state as 0 or 1.
     pub fn start(&self) -> Option<f64> {
         match self.source {
             Source::Parameter(parameter) => Some(parameter.get(&preset::study())),
             Source::Input(input) => Some(*(input.field)(&mut Inputs::start())),
             Source::Points => Some(profile::START_POINTS as f64),
+            Source::NextImpact => Some(f64::from(u8::from(Inputs::start().next_impact))),
             _ => None,
         }
     }

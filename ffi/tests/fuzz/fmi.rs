@@ -31,6 +31,7 @@ pub trait Standard: Sized {
     fn exit_initialization(&self) -> i32;
     fn set_real(&self, reference: u32, value: f64) -> i32;
     fn set_choice(&self, reference: u32, value: i32) -> i32;
+    fn set_boolean(&self, reference: u32, value: bool) -> i32;
     fn reals(&self, references: &[u32], values: &mut [f64]) -> i32;
     fn do_step(&self, point: f64, size: f64) -> i32;
     fn save(&self, state: &mut Pointer) -> i32;
@@ -48,6 +49,7 @@ pub trait Standard: Sized {
 struct References {
     time: u32,
     element_size: u32,
+    next_impact: u32,
     /// What a master may set, without what decides how many cells there are: a mesh may be large, and a fuzzer has little time.
     settable: Vec<u32>,
     outputs: Vec<u32>,
@@ -72,6 +74,7 @@ fn references() -> &'static References {
         References {
             time: of(&|source| matches!(source, Source::Time))[0],
             element_size: named("mesh.element_size"),
+            next_impact: named("impact.next"),
             settable: of(&|source| matches!(source, Source::Parameter(_) | Source::Input(_)) && !of_size(source)),
             outputs: table
                 .rows()
@@ -180,6 +183,9 @@ impl<S: Standard> Master<S> {
             2 => self.instance.exit_initialization(),
             3..=5 => self.instance.set_real(settable, input.number()),
             6 => self.instance.set_choice(settable, i32::from(input.byte() as i8)),
+            7 if input.byte().is_multiple_of(2) => {
+                self.instance.set_boolean(all.next_impact, input.byte().is_multiple_of(2))
+            }
             7 => self.instance.set_real(u32::from(input.word()), input.number()),
             8 if input.byte().is_multiple_of(4) => self.instance.terminate(),
             9 if input.byte().is_multiple_of(4) => {

@@ -123,7 +123,8 @@ fn value(variable: &Variable) -> Attributes {
         }
         ValueType::Size { range: (min, max) } => count(variable, &min, &max),
         ValueType::Integer { range: Some((min, max)) } => count(variable, &min, &max),
-        ValueType::Integer { range: None } | ValueType::Boolean | ValueType::String => Vec::new(),
+        ValueType::Boolean => variable.start().map(|start| ("start", (start != 0.0).to_string())).into_iter().collect(),
+        ValueType::Integer { range: None } | ValueType::String => Vec::new(),
     }
 }
 

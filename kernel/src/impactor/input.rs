@@ -74,14 +74,7 @@ pub static INPUTS: [InputRow; 3] = [
 ];
 
 impl InputRow {
-    /// Whether `value` is legal: finite and in range.
-    ///
-    /// # Errors
-    /// The name, value, unit and legal range of a refused value.
-    pub fn check(&self, value: Real) -> Result<(), ParameterError> {
-        self.check_within(value, self.range)
-    }
-
+    /// Refuses a `value` that is not finite or not in the range.
     fn check_within(&self, value: Real, (min, max): (Real, Real)) -> Result<(), ParameterError> {
         let in_range = value >= min && value <= max;
         if in_range { Ok(()) } else { Err(ParameterError { name: self.name.into(), value, unit: self.unit, min, max }) }

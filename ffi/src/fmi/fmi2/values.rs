@@ -112,15 +112,19 @@ pub extern "C" fn fmi2SetInteger(
     })
 }
 
-/// Refuses: no Boolean variable can be set.
+/// Sets states.
 #[unsafe(no_mangle)]
 pub extern "C" fn fmi2SetBoolean(
     mut component: types::Component,
     vr: Array<ValueReference>,
     nvr: usize,
-    _value: Array<Boolean>,
+    value: Array<Boolean>,
 ) -> Status {
-    enter(&mut component, &calls::SET_BOOLEAN, |component| refuse(component, vr, nvr, "Boolean"))
+    enter(&mut component, &calls::SET_BOOLEAN, |component| {
+        let references = vr.items(nvr).ok_or(Error::Null { argument: "vr" })?;
+        let values = value.items(nvr).ok_or(Error::Null { argument: "value" })?;
+        component.instance.set_booleans(references.iter().copied().zip(values.iter().map(|value| *value != 0)))
+    })
 }
 
 /// Refuses: no String variable can be set.

@@ -83,7 +83,6 @@ getter!(fmi3GetUInt16, u16, "UInt16");
 setter!(fmi3SetUInt16, u16, "UInt16");
 getter!(fmi3GetUInt32, u32, "UInt32");
 setter!(fmi3SetUInt32, u32, "UInt32");
-setter!(fmi3SetBoolean, Flag, "Boolean");
 setter!(fmi3SetString, Text, "String");
 
 /// Refuses: no variable is of type Binary.

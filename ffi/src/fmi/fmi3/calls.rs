@@ -50,6 +50,7 @@ pub(super) const SET_FLOAT64: Function = function("fmi3SetFloat64", SETTABLE);
 pub(super) const SET_INT32: Function = function("fmi3SetInt32", SETTABLE);
 pub(super) const SET_INT64: Function = function("fmi3SetInt64", SETTABLE);
 pub(super) const SET_UINT64: Function = function("fmi3SetUInt64", SETTABLE);
+pub(super) const SET_BOOLEAN: Function = function("fmi3SetBoolean", SETTABLE);
 pub(super) const GET_FMU_STATE: Function = function("fmi3GetFMUState", SAVABLE);
 pub(super) const SET_FMU_STATE: Function = function("fmi3SetFMUState", ALWAYS);
 pub(super) const FREE_FMU_STATE: Function = function("fmi3FreeFMUState", ALWAYS);

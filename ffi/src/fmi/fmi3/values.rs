@@ -3,7 +3,7 @@
 use core::ffi::c_char;
 
 use super::calls;
-use super::types::{self, Boolean, Float64, Int32, Int64, UInt64, ValueReference};
+use super::types::{self, Boolean, Flag, Float64, Int32, Int64, UInt64, ValueReference};
 use crate::fmi::foreign::{Array, Room};
 use crate::fmi::session::{Session, enter};
 use crate::fmi::status::Status;
@@ -205,6 +205,22 @@ pub extern "C" fn fmi3SetInt64(
     let named = Named { references: value_references, n_references: n_value_references, n_values };
     set(&mut instance, &calls::SET_INT64, &named, values, |session, references, values| {
         session.instance.set_choices(references.iter().copied().zip(values.iter().copied()))
+    })
+}
+
+/// Sets states.
+#[unsafe(no_mangle)]
+pub extern "C" fn fmi3SetBoolean(
+    mut instance: types::Instance,
+    value_references: Array<ValueReference>,
+    n_value_references: usize,
+    values: Array<Flag>,
+    n_values: usize,
+) -> Status {
+    let named = Named { references: value_references, n_references: n_value_references, n_values };
+    set(&mut instance, &calls::SET_BOOLEAN, &named, values, |session, references, values| {
+        let values = values.iter().map(|value| *value != 0);
+        session.instance.set_booleans(references.iter().copied().zip(values))
     })
 }
 

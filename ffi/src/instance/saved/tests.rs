@@ -16,7 +16,9 @@ const MODE_AT: usize = 4;
 const START_AT: usize = 5;
 const POINT_AT: usize = 8;
 const AHEAD_AT: usize = 9;
-const POINTS_AT: usize = 10;
+const NUMBER_AT: usize = 10;
+const IMPACT_START_AT: usize = 11;
+const POINTS_AT: usize = 13;
 
 /// A coarse drop, in the middle of its contact.
 fn in_contact(version: Version) -> Instance {
@@ -65,6 +67,7 @@ fn the_format_is_as_described() {
     assert_eq!(words[LENGTH_AT], saved.bytes().len() as u64);
     assert_eq!([words[MODE_AT], words[POINTS_AT]], [Mode::Step as u64, 25]);
     assert_eq!([words[START_AT], words[POINT_AT], words[AHEAD_AT]].map(f64::from_bits), [0.0, 4e-3, 0.0]);
+    assert_eq!((words[NUMBER_AT], f64::from_bits(words[IMPACT_START_AT])), (1, 0.0));
     let end = saved.bytes().len() - 8;
     assert_eq!(words.last(), Some(&fnv_1a(&saved.bytes()[..end])));
     assert_eq!(instance.read_state(saved.bytes()), Ok(saved));
@@ -113,6 +116,9 @@ fn words_that_no_instance_writes_are_refused_though_the_checksum_fits() {
         (&at_work, AHEAD_AT, number(51e-6)),
         (&at_work, AHEAD_AT, number(-51e-6)),
         (&at_work, AHEAD_AT, number(f64::NAN)),
+        (&at_work, NUMBER_AT, 0),
+        (&at_work, NUMBER_AT, 1 << 32),
+        (&at_work, IMPACT_START_AT, number(f64::NEG_INFINITY)),
         (&at_work, POINTS_AT, 1),
         (&at_work, POINTS_AT, 10_001),
         (&at_work, MODE_AT, Mode::Failed as u64),
@@ -129,6 +135,8 @@ fn words_that_no_instance_writes_are_refused_though_the_checksum_fits() {
         (&at_work, START_AT, number(-1e9)),
         (&at_work, AHEAD_AT, number(50e-6)),
         (&at_work, AHEAD_AT, number(-50e-6)),
+        (&at_work, NUMBER_AT, 3),
+        (&at_work, IMPACT_START_AT, number(2.0)),
         (&at_work, POINTS_AT, 2),
         (&at_work, POINTS_AT, 10_000),
         (&at_work, MODE_AT, Mode::Terminated as u64),

@@ -82,14 +82,14 @@ fn the_last_step_may_end_at_the_stop_time_and_not_later() {
         let (mut instance, dt) = drop_from(start);
         let stop = start + 20.0 * dt;
         instance.setup(start, Some(stop)).unwrap();
-        let refused = |instance: &Instance, step: f64| instance.begin_step(instance.time(), step).err();
-        assert_eq!(refused(&instance, 20.0 * dt), None);
-        assert_eq!(refused(&instance, 5.0 * dt), None);
-        let Some(Error::PastStop { end, stop: told }) = refused(&instance, 20.1 * dt) else { panic!() };
+        let refused = |instance: &mut Instance, step: f64| instance.begin_step(instance.time(), step).err();
+        assert_eq!(refused(&mut instance, 20.0 * dt), None);
+        assert_eq!(refused(&mut instance, 5.0 * dt), None);
+        let Some(Error::PastStop { end, stop: told }) = refused(&mut instance, 20.1 * dt) else { panic!() };
         assert!((end - (start + 20.1 * dt)).abs() < 1e-15);
         assert_eq!(told, stop);
         instance.do_step(start, 12.0 * dt).unwrap();
-        assert_eq!(refused(&instance, 8.0 * dt), None);
-        assert!(matches!(refused(&instance, 8.1 * dt), Some(Error::PastStop { .. })));
+        assert_eq!(refused(&mut instance, 8.0 * dt), None);
+        assert!(matches!(refused(&mut instance, 8.1 * dt), Some(Error::PastStop { .. })));
     }
 }

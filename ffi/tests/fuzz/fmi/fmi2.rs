@@ -35,6 +35,7 @@ unsafe extern "C" {
     fn fmi2ExitInitializationMode(instance: Pointer) -> c_int;
     fn fmi2SetReal(instance: Pointer, references: *const u32, n: usize, values: *const f64) -> c_int;
     fn fmi2SetInteger(instance: Pointer, references: *const u32, n: usize, values: *const c_int) -> c_int;
+    fn fmi2SetBoolean(instance: Pointer, references: *const u32, n: usize, values: *const c_int) -> c_int;
     fn fmi2GetReal(instance: Pointer, references: *const u32, n: usize, values: *mut f64) -> c_int;
     fn fmi2GetInteger(instance: Pointer, references: *const u32, n: usize, values: *mut c_int) -> c_int;
     fn fmi2GetBoolean(instance: Pointer, references: *const u32, n: usize, values: *mut c_int) -> c_int;
@@ -87,6 +88,11 @@ impl Standard for Fmi2 {
     fn set_choice(&self, reference: u32, value: i32) -> i32 {
         // SAFETY: as above.
         unsafe { fmi2SetInteger(self.0, &reference, 1, &value) }
+    }
+
+    fn set_boolean(&self, reference: u32, value: bool) -> i32 {
+        // SAFETY: as above.
+        unsafe { fmi2SetBoolean(self.0, &reference, 1, &c_int::from(value)) }
     }
 
     fn reals(&self, references: &[u32], values: &mut [f64]) -> i32 {

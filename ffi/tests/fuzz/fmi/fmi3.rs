@@ -44,6 +44,7 @@ unsafe extern "C" {
     fn fmi3ExitConfigurationMode(instance: Pointer) -> c_int;
     fn fmi3SetFloat64(i: Pointer, references: *const u32, n: usize, values: *const f64, n_values: usize) -> c_int;
     fn fmi3SetInt64(i: Pointer, references: *const u32, n: usize, values: *const i64, n_values: usize) -> c_int;
+    fn fmi3SetBoolean(i: Pointer, references: *const u32, n: usize, values: *const bool, n_values: usize) -> c_int;
     fn fmi3SetUInt64(i: Pointer, references: *const u32, n: usize, values: *const u64, n_values: usize) -> c_int;
     fn fmi3GetFloat64(i: Pointer, references: *const u32, n: usize, values: *mut f64, n_values: usize) -> c_int;
     fn fmi3GetInt64(i: Pointer, references: *const u32, n: usize, values: *mut i64, n_values: usize) -> c_int;
@@ -146,6 +147,11 @@ impl Standard for Fmi3 {
     fn set_choice(&self, reference: u32, value: i32) -> i32 {
         // SAFETY: as above.
         unsafe { fmi3SetInt64(self.0, &reference, 1, &i64::from(value), 1) }
+    }
+
+    fn set_boolean(&self, reference: u32, value: bool) -> i32 {
+        // SAFETY: as above.
+        unsafe { fmi3SetBoolean(self.0, &reference, 1, &value, 1) }
     }
 
     fn reals(&self, references: &[u32], values: &mut [f64]) -> i32 {
