@@ -30,15 +30,15 @@ impl Instance {
 
     /// Lets the next impact begin if it is asked for since the last step; the master's clock is `clock`.
     pub(super) fn follow_request(&mut self, clock: &Clock) -> Result<(), Error> {
-        let asked_before = core::mem::replace(&mut self.impact.asked, self.inputs.next_impact);
-        if asked_before || !self.impact.asked {
-            return Ok(());
+        let asked = self.inputs.next_impact;
+        if asked && !self.impact.asked {
+            let Some(simulation) = &mut self.simulation else { return Err(Error::Call { mode: self.mode }) };
+            let start = clock.kernel_time(simulation.constants().dt, self.impact.start + simulation.time());
+            simulation.next_impact(self.inputs.rest).map_err(Error::Step)?;
+            self.impact = Impact { number: self.impact.number.saturating_add(1), start, asked };
         }
-        let Some(simulation) = &mut self.simulation else { return Err(Error::Call { mode: self.mode }) };
-        let kernel = self.impact.start + simulation.time();
-        self.impact.start = clock.kernel_time(simulation.constants().dt, kernel);
-        self.impact.number = self.impact.number.saturating_add(1);
-        simulation.next_impact(self.inputs.rest).map_err(Error::Step)
+        self.impact.asked = asked;
+        Ok(())
     }
 }
 
