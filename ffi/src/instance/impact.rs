@@ -1,8 +1,5 @@
 //! [`Impact`]: the one that is on its way, of several on the same anvil.
 
-use super::clock::Clock;
-use super::{Error, Instance};
-
 /// One impact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Impact {
@@ -20,25 +17,10 @@ impl Impact {
     pub fn first(start: f64) -> Self {
         Self { number: 1, start, asked: false }
     }
-}
 
-impl Instance {
-    /// The number of the impact that is on its way, from 1.
-    pub fn impact_number(&self) -> u32 {
-        self.impact.number
-    }
-
-    /// Lets the next impact begin if it is asked for since the last step; the master's clock is `clock`.
-    pub(super) fn follow_request(&mut self, clock: &Clock) -> Result<(), Error> {
-        let asked = self.inputs.next_impact;
-        if asked && !self.impact.asked {
-            let Some(simulation) = &mut self.simulation else { return Err(Error::Call { mode: self.mode }) };
-            let start = clock.kernel_time(simulation.constants().dt, self.impact.start + simulation.time());
-            simulation.next_impact(self.inputs.rest).map_err(Error::Step)?;
-            self.impact = Impact { number: self.impact.number.saturating_add(1), start, asked };
-        }
-        self.impact.asked = asked;
-        Ok(())
+    /// The next one, which the master asks for, from `start` s on.
+    pub fn next(&self, start: f64) -> Self {
+        Self { number: self.number.saturating_add(1), start, asked: true }
     }
 }
 

@@ -101,6 +101,19 @@ impl Instance {
         Ok(Advance { done: 0, count, path, clock, step })
     }
 
+    /// Lets the next impact begin if it is asked for since the last step; the master's clock is `clock`.
+    fn follow_request(&mut self, clock: &Clock) -> Result<(), Error> {
+        let asked = self.inputs.next_impact;
+        if asked && !self.impact.asked {
+            let Some(simulation) = &mut self.simulation else { return Err(Error::Call { mode: self.mode }) };
+            let start = clock.kernel_time(simulation.constants().dt, self.impact.start + simulation.time());
+            simulation.next_impact(self.inputs.rest).map_err(Error::Step)?;
+            self.impact = self.impact.next(start);
+        }
+        self.impact.asked = asked;
+        Ok(())
+    }
+
     /// Goes on with a step until it is complete or pauses. Tells whether contact began or ended.
     ///
     /// # Errors

@@ -132,7 +132,7 @@ impl Instance {
         };
         match variable.source {
             Source::Parameter(parameter) => Ok(self.values.get(parameter) as i32),
-            Source::ImpactNumber => Ok(i32::try_from(self.impact_number()).unwrap_or(i32::MAX)),
+            Source::ImpactNumber => Ok(i32::try_from(self.impact.number).unwrap_or(i32::MAX)),
             Source::SurfaceNodes => Ok(self.results()?.constants().grid.n_u as i32 + 1),
             _ => Ok(self.results()?.constants().grid.n_elem() as i32),
         }

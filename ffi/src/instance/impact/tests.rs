@@ -1,6 +1,6 @@
 use softanvil_kernel::{OUTPUTS, Parameter, StepInput};
 
-use super::*;
+use crate::instance::{Error, Instance};
 use crate::variables::{Version, references};
 
 const DROP: f64 = 15e-3;
