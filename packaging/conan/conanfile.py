@@ -1,5 +1,6 @@
 """The library for C and C++ as a package of Conan 2, built from the sources by cargo: conan create packaging/conan."""
 
+import json
 import os
 import re
 
@@ -8,9 +9,11 @@ from conan.errors import ConanInvalidConfiguration
 from conan.tools.cmake import CMake, CMakeToolchain, cmake_layout
 from conan.tools.files import copy, load, rm, rmdir
 
-#: What cargo takes of the repository: the workspace with all its members.
-SOURCES = ("Cargo.*", "CMakeLists.txt", "LICENSE-*", "README.md", "include/*", "ffi/*", "kernel/*", "fmu/*", "specimen/*",
-           "tools/*", "tests/golden/*", "tests/verification/*", "bench/*")
+#: What is taken of the repository besides the members of the workspace, of which cargo asks for all.
+SOURCES = ("Cargo.*", "CMakeLists.txt", "LICENSE-*", "README.md", "include/*")
+
+#: What cargo, Python and fuzzers leave there.
+LEFT_THERE = ("*/target/*", "*/fuzz/*", "*/__pycache__/*")
 
 #: The names that rustc has for what it builds for.
 TARGETS = {("Linux", "x86_64"): "x86_64-unknown-linux-gnu", ("Linux", "armv8"): "aarch64-unknown-linux-gnu"}
@@ -30,12 +33,16 @@ class Softanvil(ConanFile):
     def _root(self):
         return os.path.join(self.recipe_folder, "..", "..")
 
+    def _of_workspace(self, pattern):
+        return re.search(pattern, load(self, os.path.join(self._root(), "Cargo.toml")), re.M)[1]
+
     def set_version(self):
-        self.version = re.search(r'^version = "(.*)"', load(self, os.path.join(self._root(), "Cargo.toml")), re.M)[1]
+        self.version = self._of_workspace(r'^version = "(.*)"')
 
     def export_sources(self):
-        for pattern in SOURCES:
-            copy(self, pattern, self._root(), self.export_sources_folder, excludes=("*/target/*", "*/fuzz/*"))
+        members = json.loads(self._of_workspace(r"^members = (\[.*\])"))
+        for pattern in (*SOURCES, *(f"{member}/*" for member in members)):
+            copy(self, pattern, self._root(), self.export_sources_folder, excludes=LEFT_THERE)
 
     def configure(self):
         # No compiler of C or C++ has a part in the library, whose ABI is that of C.

@@ -6,9 +6,9 @@ if venv=$(python_with packaging-conan 'conan>=2.4,<3'); then
     rm -rf "$CONAN_HOME"
     "$venv/bin/conan" profile detect >/dev/null 2>&1
     for shared in False True; do
-        "$venv/bin/conan" create packaging/conan -vquiet -o "softanvil/*:shared=$shared"
+        "$venv/bin/conan" create packaging/conan -verror -o "softanvil/*:shared=$shared"
     done
-    "$venv/bin/conan" cache save "softanvil/$version:*" -vquiet --file "$out/conan/softanvil-$version-conan.tgz" >/dev/null
+    "$venv/bin/conan" cache save "softanvil/$version:*" -verror --file "$out/conan/softanvil-$version-conan.tgz" >/dev/null
     python3 packaging/conan/repack.py "$out/conan/softanvil-$version-conan.tgz"
 else
     skip conan "Conan cannot be installed"
