@@ -153,7 +153,6 @@ impl Instance {
         let changes = self.changes()?;
         let scenario = self.prepare()?.constants().scenario.clone();
         self.values.update(&scenario);
-        self.impact.asked = self.inputs.next_impact;
         self.mode = if self.event_mode_used { Mode::Event } else { Mode::Step };
         Ok(changes)
     }

@@ -101,10 +101,11 @@ impl Instance {
         Ok(Advance { done: 0, count, path, clock, step })
     }
 
-    /// Lets the next impact begin if it is asked for since the last step; the master's clock is `clock`.
+    /// Lets the next impact begin if it is asked for since the last step; the master's clock is `clock`. Before the first step
+    /// the first impact has not been yet.
     fn follow_request(&mut self, clock: &Clock) -> Result<(), Error> {
         let asked = self.inputs.next_impact;
-        if asked && !self.impact.asked {
+        if asked && !self.impact.asked && clock.point > self.experiment.start {
             let Some(simulation) = &mut self.simulation else { return Err(Error::Call { mode: self.mode }) };
             let start = clock.kernel_time(simulation.constants().dt, self.impact.start + simulation.time());
             simulation.next_impact(self.inputs.rest).map_err(Error::Step)?;

@@ -1,6 +1,6 @@
 use softanvil_kernel::{OUTPUTS, Parameter, StepInput};
 
-use crate::instance::{Error, Instance};
+use crate::instance::{Error, Instance, Mode};
 use crate::variables::{Version, references};
 
 const DROP: f64 = 15e-3;
@@ -86,14 +86,63 @@ fn the_next_impact_begins_where_the_request_rises_alone() {
         numbers.push(number(&mut instance));
     }
     assert_eq!(numbers, [1, 2, 2, 2, 2, 3]);
-    // Asked for from the start, it is none; nor where a step is refused.
+}
+
+/// Before, in or after initialization, from a state saved there as well, and in the event mode that follows it.
+#[test]
+fn what_is_asked_for_before_the_first_step_is_no_other_impact() {
+    let number = |instance: &mut Instance| instance.integer(references::IMPACT_NUMBER).unwrap();
+    for (early, events, restores) in
+        [(true, false, false), (true, true, false), (false, false, false), (false, true, false), (false, true, true)]
+    {
+        let mut instance = Instance::new(Version::Fmi3);
+        if events {
+            instance = instance.with_events();
+        }
+        instance.setup(-2.0, None).unwrap();
+        instance.enter_initialization();
+        if early {
+            ask(&mut instance, true);
+        }
+        instance.exit_initialization().unwrap();
+        if restores {
+            let saved = instance.save().unwrap();
+            instance.restore(&saved).unwrap();
+        }
+        ask(&mut instance, true);
+        instance.enter(Mode::Step).unwrap();
+        go(&mut instance, 1e-3, 1e-3);
+        assert_eq!(number(&mut instance), 1);
+    }
+}
+
+/// A master that handles events asks in event mode, where the standard has it set discrete inputs.
+#[test]
+fn event_mode_is_where_masters_with_events_ask() {
+    let mut instance = Instance::new(Version::Fmi3).with_events();
+    begin(&mut instance, 0.0);
+    instance.enter(Mode::Step).unwrap();
+    let mut other = softening(Version::Fmi3, 0.0);
+    for next in [false, true, false, true] {
+        instance.enter(Mode::Event).unwrap();
+        for instance in [&mut instance, &mut other] {
+            ask(instance, next);
+        }
+        instance.enter(Mode::Step).unwrap();
+        for instance in [&mut instance, &mut other] {
+            go(instance, DROP / 2.0, 1e-3);
+        }
+    }
+    assert_eq!(instance.integer(references::IMPACT_NUMBER), Ok(3));
+    assert_eq!(outcome(&mut instance), outcome(&mut other));
+}
+
+#[test]
+fn a_step_that_is_refused_begins_no_impact() {
+    let number = |instance: &mut Instance| instance.integer(references::IMPACT_NUMBER).unwrap();
     let mut instance = Instance::new(Version::Fmi2);
-    ask(&mut instance, true);
     instance.enter_initialization();
     instance.exit_initialization().unwrap();
-    go(&mut instance, 1e-3, 1e-3);
-    assert_eq!(number(&mut instance), 1);
-    ask(&mut instance, false);
     go(&mut instance, 1e-3, 1e-3);
     let before = outcome(&mut instance);
     ask(&mut instance, true);
