@@ -107,26 +107,54 @@ impl<P: hammer_and_sample::Params> Schedule<P> for Moves<'_> {
 pub fn run<M: Model<Params = Vec<f64>>>(model: &M, start: &[Vec<f64>], chains: Chains) -> Sampled {
     let dimension = start.first().map_or(1, Vec::len);
     let walkers = (4 * dimension).max(24);
-    let ensembles: Vec<(Vec<Vec<f64>>, usize)> = (0..ENSEMBLES)
+    let ensembles: Vec<Ensemble> = (0..ENSEMBLES)
         .into_par_iter()
         .map(|ensemble| {
-            let of_walker = |walker: usize| {
-                let number = ensemble * walkers + walker;
-                let random = Pcg64::seed_from_u64(chains.seed.wrapping_mul(1 << 20).wrapping_add(number as u64));
-                (start[number % start.len()].clone(), random)
+            let numbers = ensemble * walkers..(ensemble + 1) * walkers;
+            let random = |number| Pcg64::seed_from_u64(chains.seed.wrapping_mul(1 << 20).wrapping_add(number as u64));
+            let mut ensemble = Ensemble {
+                samples: numbers.clone().map(|number| start[number % start.len()].clone()).collect(),
+                random: numbers.map(random).collect(),
+                accepted: 0,
+                made: 0,
             };
-            let schedule = Moves { left: chains.moves, stop: chains.stop };
-            sample(model, &Stretch::default(), (0..walkers).map(of_walker), schedule, Serial)
+            for moves in [chains.moves / 2, chains.moves - chains.moves / 2] {
+                ensemble.advance(model, Moves { left: moves, stop: chains.stop });
+            }
+            ensemble
         })
         .collect();
-    let accepted = ensembles.iter().map(|(_, accepted)| accepted).sum::<usize>();
-    let made = ensembles.iter().map(|(chain, _)| chain.len()).sum::<usize>();
-    let kept = chains.moves - chains.moves / 2;
-    let halves: Vec<&[Vec<f64>]> =
-        ensembles.iter().map(|(chain, _)| &chain[chain.len().saturating_sub(kept * walkers)..]).collect();
-    let acceptance = accepted as f64 / made.max(1) as f64;
-    let diagnostics = diagnose(&halves, walkers, acceptance);
-    Sampled { samples: halves.into_iter().flatten().cloned().collect(), diagnostics }
+    let accepted: usize = ensembles.iter().map(|ensemble| ensemble.accepted).sum();
+    let made: usize = ensembles.iter().map(|ensemble| ensemble.made).sum();
+    let kept: Vec<&[Vec<f64>]> = ensembles.iter().map(|ensemble| &ensemble.samples[..]).collect();
+    let diagnostics = diagnose(&kept, walkers, accepted as f64 / made.max(1) as f64);
+    Sampled { samples: ensembles.into_iter().flat_map(|ensemble| ensemble.samples).collect(), diagnostics }
+}
+
+/// One ensemble of walkers.
+struct Ensemble {
+    /// Samples since the last call of [`Ensemble::advance`], move by move.
+    samples: Vec<Vec<f64>>,
+    /// Of each walker.
+    random: Vec<Pcg64>,
+    /// Moves of single walkers that were accepted, and all of them.
+    accepted: usize,
+    made: usize,
+}
+
+impl Ensemble {
+    /// Goes on from the last samples. Those before are given up, so that no more than half of a chain is held.
+    fn advance<M: Model<Params = Vec<f64>>>(&mut self, model: &M, moves: Moves) {
+        if moves.left == 0 || moves.stop.load(Ordering::Relaxed) {
+            return;
+        }
+        let last = self.samples.split_off(self.samples.len() - self.random.len());
+        let walkers = last.into_iter().zip(&mut self.random);
+        let (samples, accepted) = sample(model, &Stretch::default(), walkers, moves, Serial);
+        self.made += samples.len();
+        self.accepted += accepted;
+        self.samples = samples;
+    }
 }
 
 /// Judges chains of `walkers` walkers, whose samples follow each other move by move.

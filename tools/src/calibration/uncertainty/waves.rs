@@ -37,7 +37,7 @@ const WAVES: usize = 10;
 /// Part of the simulated samples that has to count for the emulator to be trusted.
 const TRUSTED: f64 = 0.25;
 /// Moves of the chains of a wave, and of the last ones at first and at most.
-const MOVES: (usize, usize, usize) = (800, 4000, 64000);
+const MOVES: (usize, usize, usize) = (800, 4_000, 128_000);
 /// Simulated samples for each one that is kept, at most.
 const SURPLUS: usize = 10;
 /// Samples that count for each one that is kept: wanted, and needed.
