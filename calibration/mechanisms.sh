@@ -15,7 +15,7 @@ for problem in calibration/mechanisms/*.toml; do
     target/release/softanvil calibrate "$problem" --out "$folder/$name"
     cp "$folder/$name/best.toml" "calibration/mechanisms/best/$name.toml"
 done
-target/release/softanvil calibrate calibration/material-tests.toml --evaluations 1500 \
+target/release/softanvil calibrate calibration/material-tests.toml --evaluations 20000 \
     --material-weights "${weights[@]}" --out "$folder/front"
 for weight in "${weights[@]}"; do cp "$folder/front/weight-$weight/best.toml" "calibration/front/weight-$weight.toml"; done
 cp "$folder/front/front.svg" docs/front.svg

@@ -74,7 +74,7 @@ def spread_rows(parameters):
         spread = row["spread"]
         bound = f" ({row['bound']})" if row["bound"] else ""
         if spread["part"] is None:  # The search has not converged.
-            yield [name, f"{row['value']:.3g}{bound}", row["unit"], "-", "-", "-"]
+            yield [name, f"{row['value']:.3g}{bound}", row["unit"], "-", "-", "not converged"]
             continue
         best, low, high = (f"{value:.3g}" for value in (row["value"], spread["min"], spread["max"]))
         yield [name, best + bound, row["unit"], f"{low} to {high}", f"{spread['part']:.2f}", row["determined"]]
@@ -130,8 +130,7 @@ What (b) pins: the best value of each parameter, and the spread among the {best[
 5 % of it, with its part of the range searched. A part near 1 says that the impacts say nothing about the parameter.
 
 {table(["parameter", "best", "unit", "spread", "of the range", "determined"], spread_rows(best["parameters"]))}
-What (e) makes of the material tests, in MPa and in standard deviations, and what both kinds of data pin. A dash stands where no
-second descent of the search has confirmed the best, so that the spread says nothing:
+What (e) makes of the material tests, in MPa and in standard deviations, and what both kinds of data pin:
 
 {table(["test", "of", "measured", "model", "distance"], test_rows(with_tests["material_tests"]))}
 {table(["parameter", "best", "unit", "spread", "of the range", "determined"], spread_rows(with_tests["parameters"]))}"""
