@@ -155,7 +155,7 @@ impl Unit {
         if let Some(area) = text.trim().strip_prefix("MN/").and_then(|area| Self::of(Dimension::Area, area)) {
             return vec![Self { dimension: Dimension::Stress, si: 1e6 / area.si }];
         }
-        let spelling = plain(text);
+        let spelling: String = plain(text).collect();
         let mut found = listed(&spelling);
         found.extend(quotient(&spelling));
         found
@@ -163,7 +163,7 @@ impl Unit {
 }
 
 /// `text` in lower case, without blanks, with powers as plain digits and one sign for each meaning.
-fn plain(text: &str) -> String {
+fn plain(text: &str) -> impl Iterator<Item = char> + '_ {
     text.chars()
         .filter(|c| !matches!(c, ' ' | '^' | '·' | '.' | '*' | '\u{a0}' | '\t' | '\u{202f}'))
         .map(|c| match c {
@@ -176,11 +176,10 @@ fn plain(text: &str) -> String {
         .flat_map(char::to_lowercase)
         // Greek small mu is what the lower case of the micro sign may become.
         .map(|c| if c == '\u{3bc}' { 'µ' } else { c })
-        .collect()
 }
 
 fn listed(spelling: &str) -> Vec<Unit> {
-    let spelled = |list: &&(Dimension, f64, &[&str])| list.2.iter().any(|known| plain(known) == spelling);
+    let spelled = |list: &&(Dimension, f64, &[&str])| list.2.iter().any(|known| plain(known).eq(spelling.chars()));
     UNITS.iter().filter(spelled).map(|&(dimension, si, _)| Unit { dimension, si }).collect()
 }
 

@@ -120,11 +120,11 @@ pub fn parse(text: &str, base: &Scenario) -> Result<Scenario, ScenarioFileError>
     let mut content = Content { changes: Changes::of(base), given: Given::default() };
     // First of all the layers, whose names may be those of sections.
     if let Some(item) = document.get(LAYERS) {
-        let position = Position { text, line: line_of(text, key_span(document.as_table(), LAYERS)) };
+        let position = Position { text, span: key_span(document.as_table(), LAYERS) };
         read_layers(&position, item, &mut content)?;
     }
     for (group, item) in document.iter().filter(|(group, _)| *group != LAYERS) {
-        let position = Position { text, line: line_of(text, key_span(document.as_table(), group)) };
+        let position = Position { text, span: key_span(document.as_table(), group) };
         let is_group = |parameter: Parameter| parameter.name().group() == group;
         let is_layer = || content.changes.values().scenario().layers.iter().any(|layer| layer.name == group);
         if !Parameter::all().any(is_group) && !is_layer() {
@@ -160,7 +160,7 @@ fn read_layers(position: &Position, item: &Item, content: &mut Content) -> Resul
     }
     for (number, table) in tables.into_iter().enumerate() {
         for (field, item) in table.iter() {
-            let position = Position { line: line_of(position.text, key_span(table, field)), ..*position };
+            let position = Position { span: key_span(table, field), ..*position };
             let name = format!("{LAYERS}[{number}].{field}");
             if field == "name" {
                 let text = item.as_str().ok_or_else(|| position.wrong_type(&name, item, "a text".into()))?;
@@ -184,7 +184,7 @@ fn read_section(
 ) -> Result<(), ScenarioFileError> {
     for (field, item) in section.iter() {
         let name = format!("{group}.{field}");
-        let position = Position { line: line_of(position.text, key_span(section, field)), ..*position };
+        let position = Position { span: key_span(section, field), ..*position };
         let changes = &content.changes;
         let parameter = changes.values().find(&name).ok_or_else(|| position.unknown(changes, &name))?;
         position.set(content, parameter, &name, position.value(&parameter, item)?)?;
@@ -195,10 +195,15 @@ fn read_section(
 /// Where in the text something stands.
 struct Position<'a> {
     text: &'a str,
-    line: usize,
+    span: Option<Range<usize>>,
 }
 
 impl Position<'_> {
+    /// Counted for errors alone: a file has a position for each of its keys.
+    fn line(&self) -> usize {
+        line_of(self.text, self.span.clone())
+    }
+
     /// The number that `item` gives to `parameter`; for a choice, its index.
     fn value(&self, parameter: &Parameter, item: &Item) -> Result<f64, ScenarioFileError> {
         let written = match item {
@@ -217,14 +222,15 @@ impl Position<'_> {
         name: &str,
         value: f64,
     ) -> Result<(), ScenarioFileError> {
-        let line = self.line;
-        content.given.add(parameter, name).map_err(|reason| ScenarioFileError::Twice { line, reason })?;
-        content.changes.set(parameter, value).map_err(|error| ScenarioFileError::Value { line, error })
+        let twice = |reason| ScenarioFileError::Twice { line: self.line(), reason };
+        content.given.add(parameter, name).map_err(twice)?;
+        let refused = |error| ScenarioFileError::Value { line: self.line(), error };
+        content.changes.set(parameter, value).map_err(refused)
     }
 
     fn unknown(&self, changes: &Changes, name: &str) -> ScenarioFileError {
         let reason = names::unknown(&changes.values().scenario(), name);
-        ScenarioFileError::Unknown { line: self.line, reason }
+        ScenarioFileError::Unknown { line: self.line(), reason }
     }
 
     fn wrong_type(&self, name: &str, item: &Item, legal: String) -> ScenarioFileError {
@@ -232,7 +238,7 @@ impl Position<'_> {
             Item::Value(value) => value.clone().decorated("", "").to_string(),
             _ => "a section".into(),
         };
-        ScenarioFileError::Type { line: self.line, name: name.into(), found, legal }
+        ScenarioFileError::Type { line: self.line(), name: name.into(), found, legal }
     }
 }
 
