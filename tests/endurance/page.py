@@ -51,11 +51,13 @@ def counts(runs):
             f"drops in {hours:.1f} hours, findings: {findings}.\n\n{table(rows)}\n")
     if dropped:
         largest = {key: max(one[key] for one in dropped) for key in ("residual", "penetration", "momentum")}
-        solids, coarse = (sum(one[key] for one in dropped) for key in ("solids", "too_coarse"))
+        # Runs before there was an estimate of what layers bear have counted none beyond it.
+        solids, coarse, flat = (sum(one.get(key, 0) for one in dropped) for key in ("solids", "too_coarse", "unbearable"))
         text += (f"{number(solids)} of the drops were on solids. Over all of them the largest residual of the energy was {100 * largest['residual']:.2f} % of what was brought "
                  f"in, the largest change of momentum unexplained {largest['momentum']:.1e} of that at the start, the deepest "
-                 f"penetration of one layer into another {100 * largest['penetration']:.2f} % of a cell. {number(coarse)} of the drops turned "
-                 f"an element of a coarse mesh inside out, which is told as an error, and went through with elements of 3 mm.\n\n")
+                 f"penetration of one layer into another {100 * largest['penetration']:.2f} % of a cell. {number(coarse)} of the drops were "
+                 f"more than a coarse mesh could follow, and went through with elements of 3 mm. {number(flat)} were refused that bring one and a "
+                 f"half times the energy that presses their layers flat.\n\n")
     text += "| run | of | on | skipped |\n|---|---|---|---|\n"
     for run in runs:
         skipped = ", ".join(name for name, _ in run["skipped"]) or "nothing"

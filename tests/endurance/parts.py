@@ -111,6 +111,10 @@ def fuzzed(part, of, sanitizer="none"):
     return carry_out
 
 
+# What the program for drops tells besides their count and its findings.
+OF_DROPS = ("solids", "too_coarse", "unbearable", "residual", "penetration", "momentum")
+
+
 def drops(run, seconds):
     """Random drops, each in several ways."""
     words = ["cargo", "build", "-q", "--release", "-p", "softanvil-verification", "--bin", "plausible-drops"]
@@ -125,7 +129,7 @@ def drops(run, seconds):
         return run.add("drops", "random drops", 0, "drops", seconds, [f"ended without a report: {done.stderr[-500:]}"])
     counts = json.loads(report.read_text())
     run.add("drops", "random drops", counts["drops"], "drops", time.monotonic() - start, counts["findings"])
-    run.rows[-1]["of_drops"] = {key: counts[key] for key in ("solids", "too_coarse", "residual", "penetration", "momentum")}
+    run.rows[-1]["of_drops"] = {key: counts[key] for key in OF_DROPS}
 
 
 def memory(run, seconds):

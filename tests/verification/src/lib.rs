@@ -4,6 +4,7 @@
 
 pub mod agreement;
 pub mod band;
+pub mod bearing;
 pub mod body;
 pub mod deformation;
 pub mod element;
