@@ -4,15 +4,17 @@
 //! presses it, which no formula says beforehand. A trial (`trial.rs`) on a coarse mesh with a step that follows its
 //! limit tells the ratio of the smallest limit to that at rest; times the limit at rest of the mesh itself and
 //! the safety factor it gives the step. Where the ratio is small, a coarse mesh says too little of the cells that are
-//! pressed most, and the trial is repeated on the mesh itself. So it is at once where a layer says its rows.
+//! pressed most, and the trial is repeated on the mesh itself. So it is at once where a layer says its rows. A drop on a foam that lies
+//! loose is made once as a whole, with the step itself.
 
 use crate::error::ModelError;
+use crate::features::PADS;
 use crate::mesh::{Grid, reference_position, solid_position};
 use crate::model::{Constants, ModelArrays};
 use crate::number::math;
 use crate::number::real::{self, Real};
 use crate::sampling::{MAX_STEPS_PER_SAMPLE, SAMPLING_INTERVAL, SMALLEST_STEP};
-use crate::scenario::{Outline, Scenario, StepBy};
+use crate::scenario::{Motion, Outline, Scenario, StepBy};
 use crate::setup::assembly::{assemble, fingerprint};
 use crate::setup::numbers::Positions;
 use crate::setup::trial::{self, Forecast};
@@ -32,6 +34,9 @@ const MARGIN: Real = 0.9;
 
 /// The same again where layers meet that are not bonded: which nodes touch, and when, differs with every step.
 const OPEN_MARGIN: Real = 0.8;
+
+/// Times that a drop is made beforehand, at most, to find a step that is not refused.
+const REHEARSALS: usize = 5;
 
 /// The same again for every factor of e that the limit has fallen by: of a layer pressed flat a trial says less.
 const MARGIN_POWER: Real = 0.03;
@@ -68,9 +73,37 @@ pub(crate) fn with_chosen_step<'c>(
     let stretch = forecast.map_or(1.0, |forecast| forecast.stretch);
     let count = steps_per_sample(step, stretch)?;
     constants.set_step(SAMPLING_INTERVAL / count as Real, count);
+    if forecast.is_some() && is_rehearsed(constants) {
+        rehearse(constants, arrays, state, stretch)?;
+    }
     constants.fingerprint = fingerprint(scenario, &grid, arrays.nodes);
     constants.design_stretch = stretch;
     Ok(constants)
+}
+
+/// Whether the drop is made once beforehand: a foam that lies loose, or on which a layer does, flaps when the mass has left, and which cell
+/// folds differs with every step, so that no trial tells what the chosen one will meet.
+fn is_rehearsed(constants: &Constants) -> bool {
+    let grid = &constants.grid;
+    let drops = constants.scenario.impactor.motion == Motion::Drop;
+    PADS && drops && constants.has_foam() && grid.layer_open.contains(&true) && !grid.is_solid()
+}
+
+/// Makes the drop with the step that is chosen, and takes a smaller one as often as it is refused.
+#[inline(never)]
+fn rehearse(
+    constants: &mut Constants,
+    arrays: &mut ModelArrays,
+    state: &mut StateMemory,
+    stretch: Real,
+) -> Result<(), ModelError> {
+    let arrays = arrays.first(&constants.size)?;
+    for _ in 0..REHEARSALS {
+        let Some(limit) = trial::refusal(constants, &arrays, state)? else { break };
+        let count = steps_per_sample(MARGIN * limit, stretch)?;
+        constants.set_step(SAMPLING_INTERVAL / count as Real, count);
+    }
+    Ok(())
 }
 
 /// Where a node of the scenario's own shape rests, m.

@@ -41,6 +41,9 @@ const TRAVEL: Real = 0.02;
 /// Most steps of a trial, so that its work is bounded whatever the scenario; what it has found until then counts.
 const MAX_STEPS: usize = 1 << 17;
 
+/// Part of the energy brought in that may be left unexplained on the way: a little less than the 0.5 % that plausible drops are tested for.
+const LEFT_UNEXPLAINED: Real = 0.004;
+
 /// Part of the first impact's smallest limit at which that of the next one counts no more: a single drop on a foam that the
 /// next one would press flat is not to pay a thousand times over.
 const NEXT_IMPACT: Real = 0.25;
@@ -97,6 +100,33 @@ pub(crate) fn run(
         }
     }
     Ok(Forecast { ratio: trial.smallest / at_rest, stretch: trial.stretch })
+}
+
+/// A limit, s, that the step of `constants` is above in its drop: that of a cell, or half of the step where a cell turns inside out or energy is
+/// left unexplained; none if the drop goes through.
+///
+/// # Errors
+/// Too little memory for a state.
+#[inline(never)]
+pub(super) fn refusal(
+    constants: &Constants,
+    arrays: &ModelArrays,
+    state: &mut StateMemory,
+) -> Result<Option<Real>, ModelError> {
+    let model = Model::view(constants, arrays.nodes, arrays.cells, arrays.hoops);
+    let mut state = State::new(&model, state.lend())?;
+    let steps = constants.steps_in(constants.scenario.time.duration).min(MAX_STEPS as u64);
+    let unexplained = LEFT_UNEXPLAINED * state.scalars.energy.external;
+    for _ in 0..steps {
+        match advance_once(InstructionSet::best(), &model, &mut state, &StepInput::default()) {
+            Ok(()) if math::abs(state.scalars.energy.residual()) > unexplained => return Ok(Some(0.5 * constants.dt)),
+            Ok(()) => {}
+            Err(StepError::Unstable { limit, .. }) => return Ok(Some(limit)),
+            Err(StepError::Inverted { .. }) => return Ok(Some(0.5 * constants.dt)),
+            Err(_) => break,
+        }
+    }
+    Ok(None)
 }
 
 /// Largest step that is stable at rest, s, of the model in `arrays`.

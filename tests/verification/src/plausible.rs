@@ -30,6 +30,14 @@ pub struct Outcome {
     pub digest: u64,
 }
 
+/// The random numbers of a drop (the finaliser of SplitMix64), so that one can be made without those before it.
+pub fn samples_of(seed: u64, index: u64) -> Samples {
+    let mut word = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15).wrapping_add(index);
+    word = (word ^ (word >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    word = (word ^ (word >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    Samples::new(1 + (word ^ (word >> 31)) % 2_147_483_646)
+}
+
 /// A plausible drop: c10 from 20 kPa to 1 MPa, or another law as stiff; Poisson's ratio from 0.45 to 0.495; a layer of 6 to
 /// 30 mm; 2.5 to 14.7 J; half with a Prony term, a Maxwell term or a spring-slider; cylinder or dome; core bonded or
 /// frictional. A foam has an energy that it bears.

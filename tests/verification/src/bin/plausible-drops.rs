@@ -109,14 +109,6 @@ impl Tally {
     }
 }
 
-/// A sequence for each drop (the finaliser of SplitMix64), so that one can be made without those before it.
-fn samples_of(seed: u64, index: u64) -> Samples {
-    let mut word = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15).wrapping_add(index);
-    word = (word ^ (word >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    word = (word ^ (word >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    Samples::new(1 + (word ^ (word >> 31)) % 2_147_483_646)
-}
-
 fn is_solid(index: u64) -> bool {
     index % SOLIDS == SOLIDS - 1
 }
@@ -153,7 +145,7 @@ fn compare(index: u64, (outcome, start): (Outcome, Option<Start>), samples: &mut
 
 /// Makes the drop with this number.
 fn try_drop(index: u64, options: &Options, tally: &mut Tally) {
-    let mut samples = samples_of(options.seed, index);
+    let mut samples = plausible::samples_of(options.seed, index);
     let is_solid = is_solid(index);
     let mut scenario = scenario(index, &mut samples);
     let size = scenario.mesh.element_size;
