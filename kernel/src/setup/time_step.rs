@@ -5,7 +5,7 @@
 //! limit tells the ratio of the smallest limit to that at rest; times the limit at rest of the mesh itself and
 //! the safety factor it gives the step. Where the ratio is small, a coarse mesh says too little of the cells that are
 //! pressed most, and the trial is repeated on the mesh itself. So it is at once where a layer says its rows. A drop on a foam that lies
-//! loose is made once as a whole, with the step itself.
+//! loose is made once beforehand, with the step itself.
 
 use crate::error::ModelError;
 use crate::features::PADS;
@@ -14,7 +14,7 @@ use crate::model::{Constants, ModelArrays};
 use crate::number::math;
 use crate::number::real::{self, Real};
 use crate::sampling::{MAX_STEPS_PER_SAMPLE, SAMPLING_INTERVAL, SMALLEST_STEP};
-use crate::scenario::{Motion, Outline, Scenario, StepBy};
+use crate::scenario::{LayerInterface, Motion, Outline, Scenario, StepBy};
 use crate::setup::assembly::{assemble, fingerprint};
 use crate::setup::numbers::Positions;
 use crate::setup::trial::{self, Forecast};
@@ -84,9 +84,10 @@ pub(crate) fn with_chosen_step<'c>(
 /// Whether the drop is made once beforehand: a foam that lies loose, or on which a layer does, flaps when the mass has left, and which cell
 /// folds differs with every step, so that no trial tells what the chosen one will meet.
 fn is_rehearsed(constants: &Constants) -> bool {
-    let grid = &constants.grid;
-    let drops = constants.scenario.impactor.motion == Motion::Drop;
-    PADS && drops && constants.has_foam() && grid.layer_open.contains(&true) && !grid.is_solid()
+    let scenario = &constants.scenario;
+    let loose = || scenario.layers.iter().skip(1).any(|layer| layer.interface == LayerInterface::Separating);
+    let drops = scenario.impactor.motion == Motion::Drop && !constants.grid.is_solid();
+    PADS && drops && constants.has_foam() && loose()
 }
 
 /// Makes the drop with the step that is chosen, and takes a smaller one as often as it is refused.
