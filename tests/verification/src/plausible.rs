@@ -7,7 +7,7 @@ use softanvil_kernel::state::state_digest;
 use softanvil_kernel::step::critical_time_step;
 use softanvil_kernel::{SAMPLING_INTERVAL, Scenario, Simulation, StepInput, preset};
 
-use crate::bearing::pressed_energy;
+use crate::bearing::{Sides, pressed_energy};
 use crate::deformation::Samples;
 use crate::penetration::deepest;
 use crate::scenes::{elastic, random_law};
@@ -92,7 +92,8 @@ fn drop_on_foam(scenario: &mut Scenario, energy: f64) {
 
 /// A drop on a pad of foam alone: one to three terms of 20 kPa to 2 MPa with exponents of -5 to 25 and Poisson's ratios of 0 to 0.45, less
 /// with large exponents; 6 to 60 mm thick, half of them damped; a block with free sides under a face that covers it, or the study's cylinder or a
-/// dome. The energy is up to what presses it to 30 % of its height where it is pressed most, and at most 50 J.
+/// dome. The energy is up to what presses it with free sides to 30 % of its height where it is pressed most, and at most
+/// 50 J.
 pub fn foam(samples: &mut Samples) -> Scenario {
     let mut scenario = preset::study();
     let mut unit = || 0.5 * (1.0 + samples.number());
@@ -125,7 +126,7 @@ pub fn foam(samples: &mut Samples) -> Scenario {
     scenario.core.interface = if unit() < 0.5 { Interface::Bonded } else { Interface::Frictional };
     let radius = scenario.geometry.core_radius + height;
     scenario.impactor.face_diameter = scenario.impactor.face_diameter.max(2.1 * radius);
-    let borne = pressed_energy(&scenario, 0.3);
+    let borne = pressed_energy(&scenario, 0.3, Sides::Free);
     drop_on_foam(&mut scenario, (borne * (0.1 + 0.9 * unit())).clamp(0.1, 50.0));
     scenario.time.duration = 40e-3;
     scenario

@@ -12,7 +12,7 @@ use clap::Parser;
 use serde_json::json;
 use softanvil_kernel::{Scenario, Simulation};
 use softanvil_verification::agreement::Start;
-use softanvil_verification::bearing::pressed_energy;
+use softanvil_verification::bearing::{Sides, pressed_energy};
 use softanvil_verification::deformation::Samples;
 use softanvil_verification::plausible::{self, LOOKS, Outcome, outcome_of, summary};
 use softanvil_verification::tolerance::{
@@ -161,7 +161,8 @@ fn try_drop(index: u64, options: &Options, tally: &mut Tally) {
         result = drop(&scenario, options);
         tally.too_coarse += u64::from(result.is_ok());
     }
-    if result.is_err() && scenario.impactor.drop_energy > MORE_THAN_BORNE * pressed_energy(&scenario, 0.0) {
+    if result.is_err() && scenario.impactor.drop_energy > MORE_THAN_BORNE * pressed_energy(&scenario, 0.0, Sides::Rigid)
+    {
         tally.unbearable += 1;
         return;
     }
