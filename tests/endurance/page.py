@@ -56,8 +56,8 @@ def counts(runs):
         text += (f"{number(solids)} of the drops were on solids. Over all of them the largest residual of the energy was {100 * largest['residual']:.2f} % of what was brought "
                  f"in, the largest change of momentum unexplained {largest['momentum']:.1e} of that at the start, the deepest "
                  f"penetration of one layer into another {100 * largest['penetration']:.2f} % of a cell. {number(coarse)} of the drops were "
-                 f"more than a coarse mesh could follow, and went through with elements of 3 mm. {number(flat)} were refused that bring one and a "
-                 f"half times the energy that presses their layers flat.\n\n")
+                 f"more than a coarse mesh could follow, and went through with elements of 3 mm. Refused, because they bring one and a half "
+                 f"times the energy that presses their layers flat: {number(flat)}.\n\n")
     text += "| run | of | on | skipped |\n|---|---|---|---|\n"
     for run in runs:
         skipped = ", ".join(name for name, _ in run["skipped"]) or "nothing"

@@ -96,8 +96,10 @@ def fuzz(run, part, crate, target, binary, seconds):
             break
         artifact = re.findall(r"Test unit written to (\S+)", done.stderr)
         reason = re.findall(r"panicked at [^\n]*\n[^\n]*|ERROR: [^\n]*", done.stderr)
-        findings.append(f"{target}: {' '.join((reason or ['ended with an error'])[0].split())}; input "
-                        f"{artifact[-1] if artifact else 'unknown'}, seed {seed}")
+        # Without the folders of the machine: the input is in that of the findings.
+        reason = re.sub(r"\S*/registry/src/[^/]+/", "", (reason or ["ended with an error"])[0])
+        findings.append(f"{target}: {' '.join(reason.split())}; input "
+                        f"{Path(artifact[-1]).name if artifact else 'unknown'}, seed {seed}")
     run.add(part, target, count, "executions", time.monotonic() - start, findings)
 
 
