@@ -24,8 +24,6 @@ pub struct Outcome {
     /// What the momentum of the mass has changed by beside impulse and gravity, over that at the start; 0 with rails, which take
     /// momentum that no output tells.
     pub momentum: f64,
-    /// Steps that the drop took.
-    pub steps: u64,
     /// Digest of the whole state at the end.
     pub digest: u64,
 }
@@ -271,7 +269,6 @@ pub fn outcome_of(simulation: &mut Simulation, looks: u64) -> Result<Outcome, St
         residual,
         penetration: depth / scenario.mesh.element_size,
         momentum: momentum(simulation),
-        steps,
         digest,
     })
 }

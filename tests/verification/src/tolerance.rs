@@ -182,9 +182,6 @@ pub const LAYERS: f64 = 1e-9;
 /// Momentum balance over the impulse: round-off of some thousand steps.
 pub const MOMENTUM: f64 = 1e-9;
 
-/// The same in drops of millions of steps, each of which rounds the impulse once, for each step.
-pub const MOMENTUM_OF_A_STEP: f64 = f64::EPSILON;
-
 /// Peak force and deformation between the default mesh and one twice as fine.
 pub const MESH: f64 = 0.03;
 

@@ -15,9 +15,7 @@ use softanvil_verification::agreement::Start;
 use softanvil_verification::bearing::{Sides, pressed_energy};
 use softanvil_verification::deformation::Samples;
 use softanvil_verification::plausible::{self, LOOKS, Outcome, outcome_of, summary};
-use softanvil_verification::tolerance::{
-    LAYER_PENETRATION, MOMENTUM, MOMENTUM_OF_A_STEP, PLAUSIBLE_RESIDUAL, STEPS_OVER_HINDSIGHT,
-};
+use softanvil_verification::tolerance::{LAYER_PENETRATION, MOMENTUM, PLAUSIBLE_RESIDUAL, STEPS_OVER_HINDSIGHT};
 
 /// One drop in so many is on a solid, which takes as long as some hundred others.
 const SOLIDS: u64 = 512;
@@ -80,11 +78,10 @@ impl Tally {
             Ok(outcome) => outcome,
             Err(error) => return self.find(&error, about),
         };
-        let momentum = MOMENTUM.max(MOMENTUM_OF_A_STEP * outcome.steps as f64);
         let judged = [
             ("residual of the energy", outcome.residual, &mut self.residual, PLAUSIBLE_RESIDUAL),
             ("penetration in cells", outcome.penetration, &mut self.penetration, LAYER_PENETRATION),
-            ("change of momentum unexplained", outcome.momentum, &mut self.momentum, momentum),
+            ("change of momentum unexplained", outcome.momentum, &mut self.momentum, MOMENTUM),
         ];
         let mut beyond = Vec::new();
         for (what, value, worst, limit) in judged {
@@ -155,8 +152,7 @@ fn try_drop(index: u64, options: &Options, tally: &mut Tally) {
     tally.drops += 1;
     tally.solids += u64::from(is_solid);
     let mut result = drop(&scenario, options);
-    let followed = result.as_ref().is_ok_and(|(outcome, _)| outcome.residual < PLAUSIBLE_RESIDUAL);
-    if !followed && scenario.mesh.element_size > size {
+    if result.is_err() && scenario.mesh.element_size > size {
         scenario.mesh.element_size = size;
         result = drop(&scenario, options);
         tally.too_coarse += u64::from(result.is_ok());
